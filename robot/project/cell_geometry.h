@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The surroundings of the arm: a floor, boxes and planes. Used by the 3D view, the check of moves, and the
+// The environment of the arm: a floor, boxes and planes. Used by the 3D view, the check of moves, and the
 // simulated controller.
 
 #include <QJsonObject>
@@ -21,7 +21,7 @@ inline constexpr double kMaxSafetyDistance = 0.5;        ///< [m]
 struct CellBox {
     QUuid id;
     QString name;
-    QUuid frame;  ///< reference frame of `pose`; null: base frame; unplaced if missing
+    QUuid frame;  ///< frame of `pose`; null: base frame. Unplaced if it does not exist
     Pose pose;    ///< pose of the centre; the edges are parallel to its axes [m, rad]
     Eigen::Vector3d size = Eigen::Vector3d::Constant(0.1);  ///< edges along X, Y, Z [m]
     bool enabled = true;                                    ///< false: neither displayed nor checked
@@ -29,11 +29,11 @@ struct CellBox {
     friend bool operator==(const CellBox&, const CellBox&) = default;
 };
 
-/// A plane: the XY plane of its pose is the border, and the arm stays on the +Z side.
+/// A plane. The XY plane of its pose is the border, and the arm must stay on the +Z side.
 struct CellPlane {
     QUuid id;
     QString name;
-    QUuid frame;  ///< reference frame of `pose`; null: base frame; unplaced if missing
+    QUuid frame;  ///< frame of `pose`; null: base frame. Unplaced if it does not exist
     Pose pose;    ///< [m, rad]
     bool enabled = true;
     QJsonObject extra;

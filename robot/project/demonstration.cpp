@@ -13,7 +13,7 @@ namespace {
 
 /// Half width of the smoothing window [s]. Hand tremor has a frequency of about 10 Hz.
 constexpr double kSmoothedOver = 0.05;
-/// Maximum joint movement that counts as standstill [rad].
+/// Maximum joint motion at standstill [rad].
 constexpr double kStandstillTolerance = 0.0005;
 /// Fraction of the tolerance available for smoothing.
 constexpr double kSmoothingShare = 0.5;
@@ -33,7 +33,7 @@ public:
     Offset between(const JointPositions& a, const JointPositions& b) const {
         return {(a.values - b.values).cwiseAbs().maxCoeff(), (tcp(a) - tcp(b)).norm()};
     }
-    /// Distance of a position from the straight line between two others, in joint space.
+    /// Distance of a position from the straight line between two other positions in joint space.
     Offset fromPath(const JointPositions& place, const JointPositions& from, const JointPositions& to,
                     const PathTolerance& tolerance) const {
         const Vector6 way = to.values - from.values;
@@ -41,8 +41,8 @@ public:
         const double at =
             length > 0 ? std::clamp((place.values - from.values).dot(way) / length, 0.0, 1.0) : 0.0;
         Offset best = between(place, JointPositions(Vector6(from.values + at * way)));
-        // The position nearest in joint space is not the position nearest for the TCP. Near an end, the end
-        // itself may be closer.
+        // The position nearest in joint space may not be the nearest for the TCP. Near an end, the end itself
+        // may be nearer.
         for (const JointPositions* end : {&from, &to}) {
             if (const Offset off = between(place, *end); off.share(tolerance) < best.share(tolerance)) {
                 best = off;
@@ -114,9 +114,9 @@ std::vector<KeptPlace> keptPath(const Demonstration& shown, const DhParameters& 
     }
     const Ruler ruler(dh, tcpOffset);
     const std::vector<JointPositions> smooth = smoothed(shown, ruler, tolerance);
-    // The segment between two kept positions is split at the sample with the largest deviation until all
-    // deviations are within the tolerance. Adjacent samples need no further split, because each is close to
-    // its smoothed position.
+    // Split the segment between two kept positions at the sample with the largest deviation until all
+    // deviations are within the tolerance. Adjacent samples need no split, because each is close to its
+    // smoothed position.
     std::vector<bool> kept(shown.size(), false);
     kept.front() = kept.back() = true;
     std::vector<std::pair<std::size_t, std::size_t>> ways{{0, shown.size() - 1}};

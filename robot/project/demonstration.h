@@ -2,7 +2,7 @@
 #pragma once
 
 // A motion taught by hand: joint positions over time, and the reduction to a few waypoints. Stored as a table
-// with the columns timestamp and actual_q_0 ... actual_q_5 as in a recording, so tools for learning from
+// with the columns timestamp and actual_q_0 ... actual_q_5 as in a recording, so that tools for learning from
 // demonstration can read it directly.
 
 #include <QByteArray>
@@ -28,7 +28,7 @@ struct Demonstration {
 };
 
 /// Permitted deviation of the taught positions from the reduced path. Both limits apply. Between two kept
-/// positions the path is linear in joint space, as with MoveJ.
+/// positions, the path is linear in joint space, as with MoveJ.
 struct PathTolerance {
     double joints = 0.0087;  ///< deviation of each joint [rad], 0.5 deg
     double tcp = 0.001;      ///< deviation of the TCP [m]
@@ -43,7 +43,7 @@ struct KeptPlace {
 Demonstration withoutPauses(const Demonstration& shown);
 
 /// The reduced path: smoothed over a few hundredths of a second, with as few positions as possible while all
-/// taught positions remain within the tolerance. First and last position are those of the demonstration.
+/// taught positions are within the tolerance. The first and the last position are those of the demonstration.
 /// tcpOffset  during teaching
 /// Threads    any. Real-time: no (one or two milliseconds per thousand samples)
 std::vector<KeptPlace> keptPath(const Demonstration& shown, const DhParameters& dh, const Pose& tcpOffset,
@@ -54,8 +54,8 @@ struct PathDeviation {
     double joints = 0;
     double tcp = 0;
 };
-/// Compares each sample with the path at about the same time. The tolerance weights joint and TCP distances
-/// to find the nearest position.
+/// Compares each sample with the path at about the same time. The ratio of the tolerances weights joint and
+/// TCP distances when searching for the nearest position.
 PathDeviation deviation(const Demonstration& shown, const std::vector<KeptPlace>& kept,
                         const DhParameters& dh, const Pose& tcpOffset, const PathTolerance& tolerance = {});
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// An ordered list of objects with an id and a name: frames, tools, payloads, patterns and others. References
-// use the id, and the user interface shows the name.
+// An ordered list of objects with an ID and a name: frames, tools, payloads, patterns and others. References
+// use the ID, and the user interface shows the name.
 
 #include <QString>
 #include <QUuid>
@@ -30,7 +30,7 @@ public:
     auto begin() const { return entities_.begin(); }
     auto end() const { return entities_.end(); }
     void append(Entity entity) { entities_.push_back(std::move(entity)); }
-    /// index  of the inserted entry, 0 ... size()
+    /// index  0 ... size()
     void insert(std::size_t index, Entity entity) {
         const std::size_t at = std::min(index, entities_.size());
         entities_.insert(entities_.begin() + static_cast<std::ptrdiff_t>(at), std::move(entity));
@@ -44,18 +44,18 @@ public:
     }
     void clear() { entities_.clear(); }
 
-    /// Returns -1 if there is no such id.
+    /// Returns -1 if the ID does not exist.
     int indexOf(const QUuid& id) const {
         return placeOf([&](const Entity& entity) { return entity.id == id; });
     }
-    int indexOfName(const QString& name) const {  ///< Returns -1 if there is no such name.
+    int indexOfName(const QString& name) const {  ///< Returns -1 if the name does not exist.
         return placeOf([&](const Entity& entity) { return entity.name == name; });
     }
     const Entity* find(const QUuid& id) const {
         return pointer(indexOf(id));
-    }  ///< Returns null if there is no such id.
-    /// Like find(), by name. If several entries have the same name, returns the first one. The tables of the
-    /// user interface prevent duplicate names.
+    }  ///< Returns null if the ID does not exist.
+    /// Like find(), by name. If several entries have this name, returns the first one. The tables of the user
+    /// interface prevent duplicate names.
     const Entity* findByName(const QString& name) const { return pointer(indexOfName(name)); }
 
     QString uniqueName(const QString& wanted) const {  ///< Like freeName(), with the names of this list.

@@ -31,7 +31,7 @@ struct FramePointsCheck {
         NotFinite,
         XTooClose,  ///< the point on +X is too close to the origin
         YTooClose,  ///< the point on the +Y side is too close to the origin
-        InLine,     ///< the distance of the third point from the X axis is below kMinFrameOffset
+        InLine,     ///< the third point is closer to the X axis than kMinFrameOffset
     };
     Problem problem = Problem::Incomplete;
     double alongX = 0;                                    ///< distance from the origin to the point on +X [m]

@@ -9,7 +9,7 @@
 namespace tiller::project {
 namespace {
 
-/// Name of an additional field of the project file, used in kept copies only.
+/// Additional field of the project file in kept copies.
 constexpr char kField[] = "keptCopy";
 
 }  // namespace

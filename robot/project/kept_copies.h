@@ -2,8 +2,8 @@
 #pragma once
 
 // Protects unsaved work: a copy of a sample project, a project whose file cannot be written, or changes in a
-// window that must not save. Each window stores its work in an application folder, so the work survives a
-// crash or a closed window. The next start offers to restore it.
+// window that must not save. Each window stores its work in an application folder, so that the work survives
+// a crash or closing the window. Tiller offers to restore it at the next start.
 
 #include <QDateTime>
 #include <QList>
@@ -17,7 +17,7 @@
 
 namespace tiller::project {
 
-/// Unsaved work of a window that was closed.
+/// Unsaved work of a closed window.
 struct KeptCopy {
     QString file;  ///< path of the copy
     QString name;  ///< display name of the project
@@ -28,16 +28,16 @@ struct KeptCopy {
 /// Threads  any. Blocks: for the file system. Real-time: no
 class CopyKeeper {
 public:
-    /// folder  created when needed; empty: no copies
+    /// folder  created when needed; empty: no copies are kept
     explicit CopyKeeper(const QString& folder);
 
-    /// Continues a kept copy. The next keep() replaces the copy; it is removed when the work is saved. If
-    /// another window continues the same copy, this object uses a separate one.
+    /// Continues a kept copy. The next keep() replaces the copy. It is removed when the work is saved. If
+    /// another window continues the same copy, this object uses a separate copy.
     void adopt(const KeptCopy& copy);
-    /// revision  increases with every change of the document; revisions older than the last one are ignored
+    /// revision  increases with every change of the document; older revisions are ignored
     /// Errors    FileNotWritable, DiskFull
     Result<void> keep(const Project& project, const QString& name, std::uint64_t revision);
-    /// Removes the copy after the work up to `revision` was saved, or discarded by the user.
+    /// Removes the copy when the work up to `revision` has been saved or the user has discarded it.
     void remove(std::uint64_t revision);
 
 private:
@@ -46,7 +46,7 @@ private:
     QString file_;  ///< empty if there is no copy
     std::optional<ProjectLock> lock_;
     std::optional<std::uint64_t> revision_;  ///< newest revision passed to keep() or remove()
-    bool removed_ = false;                   ///< whether remove() was called for this revision
+    bool removed_ = false;                   ///< remove() was called for this revision
 };
 
 /// Copies of closed windows in the folder, newest first.

@@ -11,7 +11,7 @@
 namespace tiller::project {
 namespace {
 
-/// Stores the pose in the waypoint's frame. If the frame is missing, the waypoint remains unchanged.
+/// Stores the pose in the waypoint's frame. If the frame is missing, the waypoint does not change.
 void setPlace(Waypoint& point, const Pose& T_base_tcp, const FrameList& frames) {
     point = taughtAt(point, point.joints, T_base_tcp, point.tcpOffset, frames).value_or(point);
 }
@@ -25,7 +25,7 @@ public:
     bool keepPose(Waypoint& point) const {
         const std::optional<Pose> place = placeOf(point, from_, frames_);
         if (!place) {
-            return true;  // the user interface shows a missing frame anyway
+            return true;  // the user interface shows the missing frame
         }
         if (point.ruling == TargetKind::Joints) {
             setPlace(point, *place, frames_);
@@ -41,7 +41,7 @@ public:
         setPlace(point, kinematics::forwardTcp(to_.dh, point.joints, point.tcpOffset), frames_);
     }
 
-    /// Recomputes a waypoint that was created by a pattern.
+    /// Computes a waypoint of a pattern again.
     bool layAgain(Waypoint& point, const Pattern& pattern) const {
         point.pose = poseAt(pattern, point.place);
         point.tcpOffset = pattern.first.tcpOffset;
@@ -60,7 +60,7 @@ public:
     /// Like keepFlange(), for a path. The joint steps of the path must not increase.
     bool keepPath(RecordedPath& path) const {
         constexpr double kJump =
-            0.5;  // [rad] between two points; indicates another configuration or a singularity
+            0.5;  // [rad] between two points; more indicates another configuration or a singularity
         JointPositions before;
         JointPositions last;
         for (std::size_t i = 0; i < path.points.size(); ++i) {
@@ -98,7 +98,7 @@ private:
     const FrameList& frames_;
 };
 
-/// The corners move with the first position, so that the shape is preserved.
+/// The corners move with the first position, which preserves the shape.
 Pattern movedWith(const Pattern& before, const Waypoint& first) {
     Pattern after = before;
     after.first = first;

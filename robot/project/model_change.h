@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Converts a project that was taught with one robot model for use with another one. Equal joint positions
-// result in different TCP poses, so either the poses or the joint positions are kept and the others
-// recomputed.
+// Converts a project that was taught with one robot model to another model. The same joint positions result
+// in different TCP poses, so either the poses or the joint positions are kept and the others are recomputed.
 
 #include <QStringList>
 
@@ -11,7 +10,7 @@
 
 namespace tiller::project {
 
-/// True if equal joint positions result in equal poses with both models.
+/// True if the same joint positions result in the same poses with both models.
 bool isSameGeometry(RobotModelId a, RobotModelId b);
 
 /// True if the project contains data that depend on the arm: waypoints, positions, patterns or paths.
@@ -27,17 +26,17 @@ enum class Keep {
 
 struct ModelChange {
     Project project;  ///< the converted project; Project::robot is the new model
-    /// Names of waypoints that the new arm cannot reach. They keep their pose, which becomes the target, so that
-    /// they remain marked as unreachable.
+    /// Names of waypoints that the new arm cannot reach. They keep their pose as the target, so that they are
+    /// still marked as unreachable.
     QStringList unreachable;
-    /// Names of positions and paths that the new arm cannot reach. They contain only joint positions, which
-    /// would result in different poses, so they are removed.
+    /// Names of positions and paths that the new arm cannot reach. They are removed, because they contain
+    /// only joint positions, which would result in different poses.
     QStringList removed;
 };
 
-/// Converts a project to another arm. Frames, tools, payloads and the cell are unchanged.
-/// from     the arm used for teaching
-/// to       the arm to be used, with its calibration if known
+/// Converts a project to another arm. Frames, tools, payloads and the cell do not change.
+/// from     arm used for teaching
+/// to       arm to be used, with its calibration if known
 /// Threads  any. Blocks: never. Real-time: no (tens of microseconds per waypoint and path point)
 ModelChange changeModel(const Project& project, const RobotModel& from, const RobotModel& to, Keep keep);
 

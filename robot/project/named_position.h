@@ -23,7 +23,7 @@ struct NamedPosition {
 };
 using PositionList = EntityList<NamedPosition>;
 
-/// Height above which there are no obstacles, so the TCP may travel horizontally there.
+/// Height above which there are no obstacles, so that the TCP can travel horizontally.
 struct SafeHeight {
     QUuid frame;        ///< measured along the Z axis of this frame; null: base frame
     double height = 0;  ///< [m]

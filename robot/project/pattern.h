@@ -2,7 +2,7 @@
 #pragma once
 
 // A pattern such as a tray, rack or stack: columns x rows between three taught corners, in layers. The
-// pattern remains editable and creates ordinary waypoints.
+// pattern stays editable and creates ordinary waypoints.
 
 #include <array>
 #include <vector>
@@ -14,7 +14,7 @@ namespace tiller::project {
 
 using tiller::operator<<;  // makes the enumerations below printable
 
-/// Order of the positions within a layer; layers follow in ascending order.
+/// Order of the positions within a layer. Layers follow in ascending order.
 enum class PatternOrder {
     Rows,     ///< every row starts at the first column
     Meander,  ///< every second row in reverse, for the shortest path
@@ -32,8 +32,8 @@ inline constexpr int kMaxPatternPositions = 5000;  ///< limit for the product of
 struct Pattern {
     QUuid id;
     QString name;
-    /// The waypoint at column 0, row 0, layer 0. It is the template for all other waypoints except for the
-    /// position. Its pose is the target, and its frame is the frame of the pattern.
+    /// The waypoint at column 0, row 0, layer 0. Except for the position, it is the template of all
+    /// waypoints. Its pose is the target, and its frame is the frame of the pattern.
     Waypoint first;
     Eigen::Vector3d columnEnd =
         Eigen::Vector3d::Zero();  ///< position at the end of the first row, in this frame [m]
@@ -67,15 +67,15 @@ Pose poseAt(const Pattern& pattern, const PatternPlace& place);
 QString nameAt(const Pattern& pattern, const PatternPlace& place);
 
 /// The waypoint for a position. Its joint positions are the solution nearest to `near` [rad]. If the position
-/// is unreachable, they are `near` itself, and the waypoint is marked like any unreachable waypoint.
-/// Returns  a waypoint with a new id and without history
+/// is unreachable, they are `near`, and the waypoint is marked as unreachable.
+/// Returns  a waypoint with a new ID and without history
 Waypoint waypointAt(const Pattern& pattern, const PatternPlace& place, const RobotModel& model,
                     const FrameList& frames, const JointPositions& near);
 
 /// All waypoints in order, each with the joint positions nearest to the previous one.
 std::vector<Waypoint> waypointsOf(const Pattern& pattern, const RobotModel& model, const FrameList& frames);
 
-/// True if the waypoint has the pose defined by the pattern, false if it was changed manually afterwards.
+/// True if the waypoint has the pose defined by the pattern; false if it was changed manually.
 bool isWhereLaid(const Waypoint& waypoint, const Pattern& pattern);
 
 }  // namespace tiller::project

@@ -20,7 +20,7 @@ inline constexpr int kMaxProgramSteps = 100'000;  ///< maximum number of steps i
 struct ProgramStep {
     QUuid id;
     QString kind;        ///< "moveJ"; see robot/station/program/step_kind.h
-    QJsonObject fields;  ///< indexed by name; numbers in SI units, references as ids
+    QJsonObject fields;  ///< by name; numbers in SI units, references as IDs
     bool disabled = false;
     std::vector<ProgramStep> steps;  ///< steps inside a section
     friend bool operator==(const ProgramStep&, const ProgramStep&) = default;
@@ -37,7 +37,7 @@ struct Program {
 };
 using ProgramList = EntityList<Program>;
 
-/// Whether a field of the step, or of a nested step, refers to this waypoint, frame, tool, program or other
+/// True if a field of the step or of a nested step refers to this waypoint, frame, tool, program or other
 /// object.
 bool refersTo(const ProgramStep& step, const QUuid& id);
 bool refersTo(const Program& program, const QUuid& id);  ///< True if any of its steps refers to the object.

@@ -55,7 +55,7 @@ Result<ProjectAccess::SaveResult> ProjectAccess::save(const Project& project, st
     }
     const Result<SaveReport> report = saveProject(path_, project, known_);
     if (!report) {
-        // If only flushing the folder failed, the file may still contain the new content.
+        // If only flushing the folder failed, the file may already have the new content.
         if (const Result<QByteArray> bytes = serializeProject(project); bytes && known_) {
             known_->append(fingerprintOf(*bytes));
         }

@@ -34,7 +34,7 @@ public:
         QByteArray fingerprint;          ///< fingerprint of the current file; empty if missing or unreadable
     };
 
-    /// path  of the file, which need not exist. The constructor does not access the file.
+    /// path  of the file, which need not exist. The constructor does not access the file
     explicit ProjectAccess(const QString& path);
 
     // Threads of all calls: any. Blocks: for the file system, and for other calls of the same object. Real-time: no
@@ -56,9 +56,9 @@ public:
     /// revision  increases with every change of the document; revisions older than the last save are skipped
     /// Errors    as saveProject()
     Result<SaveResult> save(const Project& project, std::uint64_t revision);
-    /// Whether a save is currently possible. Takes the lock if its owner has released it.
+    /// Checks whether saving is possible. Takes the lock if its owner has released it.
     Check check();
-    /// Takes the lock from the other window, which detects the loss in its next check.
+    /// Takes the lock from the other window, which detects the loss with its next check().
     /// Errors   FileNotWritable, DiskFull
     Result<void> takeOver();
     /// Releases the lock when the window shows another project. Later saves have no effect and return

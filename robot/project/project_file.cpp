@@ -150,7 +150,7 @@ Result<Project> loadProject(const QString& path) {
 
 Result<QByteArray> serializeProject(const Project& document) {
     QByteArray bytes = QJsonDocument(toJson(document)).toJson(QJsonDocument::Indented);
-    // Content that could not be read back must not be written, e.g. NaN, which JSON does not support.
+    // Do not write content that could not be read back, e.g. NaN, which JSON does not support.
     const Result<Project> again = parseProject(bytes);
     if (!again) {
         return Error{ErrorCode::InvalidArgument, again.error().context, {}};

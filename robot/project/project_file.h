@@ -53,7 +53,7 @@
 namespace tiller::project {
 
 inline constexpr int kProjectFileVersion = 2;
-/// Maximum file size; a project with a thousand waypoints has half a megabyte.
+/// Maximum file size. A project with a thousand waypoints has half a megabyte.
 inline constexpr qint64 kMaxProjectFileBytes = 64LL * 1024 * 1024;
 
 struct Project {
@@ -89,7 +89,7 @@ struct RecoveredProject {
     QByteArray fingerprint;  ///< fingerprint of the content; empty if not read from a file
 };
 
-/// A project and the content it was read from.
+/// A project and the content from which it was read.
 struct OpenedProject {
     Project document;
     QByteArray fingerprint;  ///< fingerprintOf() of the file content
@@ -118,9 +118,9 @@ struct SaveReport {
     bool changedByOther = false;  ///< not written: the file has content that this program has not read
 };
 
-/// Replaces the file atomically. After a crash, a full disk or a power failure the old file is intact.
-/// known    fingerprints of the contents that may be replaced. Without this argument, any content may be
-///          replaced. A missing file is created.
+/// Replaces the file atomically. After a crash, a full disk or a power failure, the old file is intact.
+/// known    fingerprints of the contents that may be replaced; without this argument, any content. A missing
+/// file is created
 /// Errors   InvalidArgument for invalid values (not finite, no name); FileNotWritable, DiskFull
 /// Threads  any. Blocks: for the file system. Real-time: no
 Result<SaveReport> saveProject(const QString& path, const Project& document,

@@ -110,8 +110,7 @@ std::optional<LockOwner> ProjectLock::acquire() {
 }
 
 Result<void> ProjectLock::takeOver() {
-    // After the other owner's lock file has been renamed, its handle refers to a file that is no longer the
-    // lock.
+    // When the other owner's lock file has been renamed, its handle no longer refers to the lock.
     const QString aside = lockPath_ + QLatin1Char('.') + QUuid::createUuid().toString(QUuid::Id128);
     MoveFileExW(reinterpret_cast<const wchar_t*>(lockPath_.utf16()),
                 reinterpret_cast<const wchar_t*>(aside.utf16()), MOVEFILE_REPLACE_EXISTING);
@@ -149,14 +148,14 @@ void ProjectLock::release() {
 struct ProjectLock::Handle {
     int descriptor = -1;
     ~Handle() { ::close(descriptor); }
-    /// Whether `path` still refers to this file.
+    /// True if `path` still refers to this file.
     bool isAt(const QByteArray& path) const {
         struct stat own {};
         struct stat there {};
         return ::fstat(descriptor, &own) == 0 && ::stat(path.constData(), &there) == 0 &&
                own.st_ino == there.st_ino && own.st_dev == there.st_dev;
     }
-    /// On a full disk the lock file does not name its owner, but the lock works.
+    /// If the disk is full, the lock file does not name its owner, but the lock works.
     void writeOwner() const {
         const QByteArray bytes = describeThisProcess();
         if (::ftruncate(descriptor, 0) != 0 ||
@@ -185,8 +184,8 @@ std::optional<LockOwner> ProjectLock::acquire() {
         if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
             return errno == EWOULDBLOCK ? readOwner() : std::nullopt;
         }
-        // The previous owner may have removed the file between open() and flock(). In this case the open file
-        // is not the lock file.
+        // The previous owner may have removed the file between open() and flock(). The open file is then not
+        // the lock file.
         if (handle->isAt(name)) {
             handle->writeOwner();
             handle_ = std::move(handle);

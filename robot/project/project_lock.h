@@ -19,7 +19,7 @@ struct LockOwner {
     QString user;
     QString host;
     QString program;
-    qint64 process = 0;  ///< process id on `host`; 0 when unknown
+    qint64 process = 0;  ///< process ID on `host`; 0: unknown
     QDateTime since;
     /// Text for users, e.g. "anna on lab-3, tiller, process 4711".
     QString toString() const;

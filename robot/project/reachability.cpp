@@ -14,13 +14,13 @@ bool insideJointRange(const JointPositions& q) {
     return q.values.cwiseAbs().maxCoeff() <= kJointPositionLimit;
 }
 
-/// Follows the straight line from `start` to `end` step by step.
+/// Follows the straight line from `start` to `end` in steps.
 /// Returns  the joint positions at the end; empty if a step is unreachable or a joint position would jump
 std::optional<JointPositions> followLine(const DhParameters& dh, const Pose& start, const Pose& end,
                                          const Pose& tcpOffset, const JointPositions& from) {
     constexpr double kStepLength = 0.005;  // [m]
     constexpr double kStepAngle = 0.02;    // [rad]
-    constexpr double kJump = 0.5;  // [rad] in one step; indicates another configuration or a singularity
+    constexpr double kJump = 0.5;  // [rad] in one step; more indicates another configuration or a singularity
     constexpr int kMaxSteps = 2000;
 
     const PoseDifference way = poseDifference(start, end);

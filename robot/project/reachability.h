@@ -14,10 +14,10 @@ namespace tiller::project {
 struct Reach {
     enum class Obstacle {
         None,
-        OutOfReach,    ///< there are no joint positions for this pose
+        OutOfReach,    ///< no joint positions exist for this pose
         JointLimit,    ///< a joint would exceed its range
         FrameMissing,  ///< the frame is not in the project
-        OnTheWay,      ///< start and end are reachable, but not the straight line between them
+        OnTheWay,      ///< start and end are reachable, but not the line between them
         OtherModel,    ///< taught with another robot model: see model_change.h. Not returned by reach()
     };
     Obstacle obstacle = Obstacle::OutOfReach;
@@ -39,14 +39,14 @@ struct MovePreview {
     double duration = 0;       ///< [s] at `speedFraction`
 };
 
-/// A MoveL is checked in steps along its line; `reach` is OnTheWay if a step is unreachable or a joint
+/// A MoveL is checked in steps along its line. `reach` is OnTheWay if a step is unreachable or a joint
 /// position would jump.
 /// speedFraction  speed slider, 0 < fraction <= 1
 MovePreview previewMove(const RobotModel& model, const Waypoint& waypoint, const FrameList& frames,
                         const JointPositions& from, double speedFraction = 1.0);
 
-/// TCP pose in the base frame at which the flange has the waypoint's flange pose, for the case that a TCP
-/// other than the waypoint's is active.
+/// TCP pose in the base frame at which the flange has the waypoint's flange pose, if the active TCP is not
+/// that of the waypoint.
 std::optional<Pose> targetForTcp(const Waypoint& waypoint, const FrameList& frames,
                                  const Pose& activeTcpOffset);
 

@@ -25,7 +25,7 @@ struct RecordedPath {
     QUuid id;
     QString name;
     Pose tcpOffset;        ///< flange to TCP while it was recorded [m, rad]
-    double tolerance = 0;  ///< maximum distance of the TCP from the original motion due to the reduction [m]
+    double tolerance = 0;  ///< maximum TCP deviation from the original motion due to the reduction [m]
     std::vector<PathPoint> points;
     QString note;
     QJsonObject extra;  ///< unknown fields of the file, preserved when saving

@@ -2,7 +2,7 @@
 #pragma once
 
 // Named tools (tool centre points) and payloads at the flange, and the selected ones. The controller has
-// separate settings. If they differ, the user is asked which ones to use.
+// separate settings. If they differ, the user is asked which settings to use.
 
 #include <QJsonObject>
 #include <QString>
@@ -17,7 +17,7 @@ namespace tiller::project {
 
 inline constexpr double kWidestTool = 1.0;  ///< [m] limit of Tool::radius
 
-/// A tool centre point, with the space occupied by the tool around the line from the flange to the TCP.
+/// A tool centre point, and the space occupied by the tool around the line from the flange to the TCP.
 struct Tool {
     QUuid id;
     QString name;
@@ -29,12 +29,12 @@ struct Tool {
     friend bool operator==(const Tool&, const Tool&) = default;
 };
 
-/// Maximum mass in a project [kg]: above the payload of all models.
+/// Maximum mass in a project [kg]. Exceeds the payload of all models.
 inline constexpr double kHeaviestPayload = 50.0;
 /// Maximum distance of the centre of gravity from the flange, per axis [m].
 inline constexpr double kFarthestPayload = 5.0;
 
-/// The load at the flange: the tool including the held object.
+/// The load at the flange: the tool and the held object.
 struct Payload {
     QUuid id;
     QString name;

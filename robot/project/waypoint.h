@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A taught position with the parameters of the move to it. It contains both the joint positions and the pose
-// recorded during teaching, and selects one of them as the target: the joint positions to reproduce the arm
-// configuration, or the pose if the waypoint belongs to a frame and moves with this frame.
+// A taught position with the parameters of the move to it. It contains the joint positions and the pose
+// recorded during teaching, one of which is the target: the joint positions to reproduce the arm
+// configuration, or the pose if the waypoint belongs to a frame and moves with it.
 
 #include <QJsonObject>
 #include <QString>
@@ -26,7 +26,7 @@ enum class MoveKind {
 
 enum class TargetKind {
     Joints,  ///< `joints` is the target; `pose` is informative
-    Pose,    ///< `pose` is the target; `joints` selects the configuration
+    Pose,    ///< `pose` is the target; `joints` selects the solution
 };
 
 /// Default speeds and accelerations of a new waypoint. Source: defaults of the controller.
@@ -35,7 +35,7 @@ inline constexpr double kDefaultJointAcceleration = 1.3962634015954636;  ///< [r
 inline constexpr double kDefaultToolSpeed = 0.25;                        ///< [m/s]
 inline constexpr double kDefaultToolAcceleration = 1.2;                  ///< [m/s2]
 
-/// Colour mark; the theme defines the displayed colour.
+/// Colour mark. The theme defines the displayed colour.
 enum class WaypointColour { None, Blue, Orange, Green, Pink, Yellow, Sky };
 
 /// The position of a waypoint in a pattern; columns, rows and layers count from 0.
@@ -76,7 +76,7 @@ struct Waypoint {
     friend bool operator==(const Waypoint&, const Waypoint&) = default;
 };
 
-/// A taught coordinate system. When it is taught again, the waypoints in this frame move with it.
+/// A taught coordinate system. When it is taught again, the waypoints in it move with it.
 struct Frame {
     QUuid id;
     QString name;

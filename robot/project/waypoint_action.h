@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Actions executed one after the other at a waypoint: outputs, waits, the gripper.
+// Actions at a waypoint, executed one after the other: outputs, waits, the gripper.
 
 #include <QJsonObject>
 #include <span>
@@ -49,8 +49,8 @@ struct WaypointAction {
 };
 inline constexpr double kMaxActionTime = 3600;  ///< [s]
 
-/// Properties of a kind of action. The file format, the texts, the editor, the execution in the window and the
-/// script of a program follow from them.
+/// Properties of a kind of action. The file format, the texts, the editor, the execution in the window and
+/// the script of a program are based on them.
 struct WaypointActionKind {
     enum class Pin {
         None,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The latest changes of a waypoint, with the previous values, the author and the time. A value type with
-// shared data, because every undo step and every autosave keeps a copy.
+// The latest changes of a waypoint: previous values, author and time. A value type with shared data, because
+// every undo step and every autosave keeps a copy.
 
 #include <QDateTime>
 #include <QString>
@@ -16,7 +16,7 @@ struct WaypointRevision;
 
 class WaypointHistory {
 public:
-    /// The oldest revisions are dropped.
+    /// Maximum number of revisions. The oldest revisions are dropped.
     static constexpr int kMaxRevisions = 20;
 
     int size() const { return static_cast<int>(revisions_.size()); }

@@ -62,7 +62,7 @@ std::optional<Pose> poseInBase(const Waypoint& waypoint, const FrameList& frames
         return std::nullopt;
     }
     if (waypoint.frame.isNull()) {
-        return waypoint.pose;  // exactly equal, because no matrix conversion is involved
+        return waypoint.pose;  // exactly equal, without matrix conversion
     }
     return Pose(frame->transform() * waypoint.pose.transform());
 }

@@ -15,7 +15,7 @@ class FrameList : public EntityList<Frame> {
 public:
     using EntityList::EntityList;
 
-    /// T_base_frame; the identity for the base frame (null), empty for an unknown id.
+    /// T_base_frame; the identity for the base frame (null), empty for an unknown ID.
     std::optional<Pose> pose(const QUuid& id) const;
     friend bool operator==(const FrameList&, const FrameList&) = default;
 };
@@ -29,11 +29,11 @@ public:
     auto begin() const { return waypoints_.begin(); }
     auto end() const { return waypoints_.end(); }
 
-    /// Returns -1 if there is no such id.
+    /// Returns -1 if the ID does not exist.
     int indexOf(const QUuid& id) const;
-    int indexOfName(const QString& name) const;  ///< Returns -1 if there is no such name.
+    int indexOfName(const QString& name) const;  ///< Returns -1 if the name does not exist.
 
-    /// index  of the inserted waypoint, 0 ... size()
+    /// index  0 ... size()
     void insert(int index, Waypoint waypoint);
     void append(Waypoint waypoint) { insert(size(), std::move(waypoint)); }
     Waypoint take(int index);                    ///< Removes and returns a waypoint; later waypoints move up.
@@ -56,8 +56,8 @@ private:
 /// TCP pose of the waypoint in the base frame; empty if its frame is not in the list.
 std::optional<Pose> poseInBase(const Waypoint& waypoint, const FrameList& frames);
 
-/// Returns the waypoint taught at this position, with its pose expressed in the frame and its joint positions
-/// set; empty if the frame is not in the list.
+/// Returns the waypoint taught at this position: with its pose expressed in the frame and its joint positions
+/// set. Empty if the frame is not in the list.
 std::optional<Waypoint> taughtAt(Waypoint waypoint, const JointPositions& q, const Pose& T_base_tcp,
                                  const Pose& tcpOffset, const FrameList& frames);
 

@@ -12,16 +12,16 @@ namespace tiller::project {
 struct WaypointUse {
     enum class Kind {
         PatternPlace,   ///< the waypoint is a position of the pattern `name`
-        PatternCorner,  ///< the pattern `name` was taught with the waypoint as a corner and depends on it
-        Home,           ///< the position `name`, which is Home, equals the waypoint
-        Position,       ///< the position `name` equals the waypoint
+        PatternCorner,  ///< the waypoint is a taught corner of the pattern `name`, which depends on it
+        Home,           ///< the position `name`, which is Home, is equal to the waypoint
+        Position,       ///< the position `name` is equal to the waypoint
     };
     Kind kind = Kind::PatternPlace;
     QString name;
     friend bool operator==(const WaypointUse&, const WaypointUse&) = default;
 };
 
-/// Patterns and positions of the document that refer to the waypoint; may be empty.
+/// Patterns and positions of the document that refer to the waypoint. May be empty.
 QVector<WaypointUse> usesOf(const Project& document, const Waypoint& waypoint);
 
 }  // namespace tiller::project

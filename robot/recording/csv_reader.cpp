@@ -88,7 +88,7 @@ Result<CsvTable> readCsv(const Text& path) {
     for (std::size_t number = 1; !rest.empty(); ++number) {
         const std::size_t end = rest.find('\n');
         if (end == std::string_view::npos) {
-            // Even if the line looks complete, its last number may be truncated.
+            // Even if the line seems complete, its last number may be truncated.
             table.truncated = true;
             break;
         }

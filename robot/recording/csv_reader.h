@@ -17,12 +17,12 @@ namespace tiller::recording {
 struct CsvTable {
     std::vector<std::string> columns;
     std::vector<std::vector<double>> values;  ///< one vector per column; NaN for an empty cell
-    /// True if the last line was incomplete (the writer was killed) and was skipped.
+    /// True if the last line was incomplete and was skipped, e.g. because the writer was killed.
     bool truncated = false;
 
     std::size_t rows() const { return values.empty() ? 0 : values.front().size(); }  ///< Without the header.
     std::optional<std::size_t> indexOf(std::string_view column) const;  ///< Index of a column by its name.
-    /// Values of a column; null if there is no such column.
+    /// Values of a column; null if the column does not exist.
     const std::vector<double>* column(std::string_view name) const;
 };
 

@@ -42,7 +42,7 @@ void splitLine(std::string_view line, char separator, Sink sink) {
     for (;;) {
         std::size_t from = 0;
         if (!line.empty() && line.front() == '"') {
-            // A doubled quote is part of the text.
+            // A doubled quote is part of the cell.
             std::size_t closed = line.find('"', 1);
             while (closed != std::string_view::npos && line.substr(closed).starts_with("\"\"")) {
                 closed = line.find('"', closed + 2);
@@ -58,7 +58,7 @@ void splitLine(std::string_view line, char separator, Sink sink) {
     }
 }
 
-/// Splits cells at any number of blanks. A unit in brackets belongs to the preceding name.
+/// Splits cells at one or more blanks. A unit in brackets belongs to the preceding name.
 std::vector<std::string_view> blankSeparated(std::string_view line) {
     std::vector<std::string_view> cells;
     for (std::size_t begin = line.find_first_not_of(" \t"); begin != std::string_view::npos;) {
@@ -124,7 +124,7 @@ bool numberOf(std::string_view cell, bool commaMayBePoint, double& value) {
     return false;
 }
 
-/// Splits a header cell: "actual_q_0 [rad]" is the column "actual_q_0" with the unit "rad".
+/// Parses a header cell: "actual_q_0 [rad]" is the column "actual_q_0" with the unit "rad".
 RecordedColumn columnFrom(std::string_view heading) {
     RecordedColumn column;
     column.name = std::string(heading);
@@ -276,8 +276,8 @@ private:
         notNumbers_.resize(table_.columns.size());
     }
 
-    /// Cells are separated by blanks if the header and the first row have the same number of words, and more
-    /// than one.
+    /// Cells are separated by blanks if the header and the first row have the same number of blank-separated
+    /// parts, more than one.
     void separateByBlanks(std::string_view line) {
         const auto headings = blankSeparated(heading_);
         if (headings.size() < 2 || blankSeparated(line).size() != headings.size()) {
@@ -321,7 +321,7 @@ private:
     std::string heading_{};
     std::size_t number_ = 0;  ///< line number
     std::size_t rows_ = 0;
-    bool isHeaded_ = false;  ///< true once the line of units was read
+    bool isHeaded_ = false;  ///< true after the line of units
     bool isBinary_ = false;
     std::vector<double> row_;
     std::vector<std::size_t> wrong_;

@@ -16,7 +16,7 @@ namespace tiller::recording {
 
 namespace {
 
-constexpr std::uint64_t kRowsAtOnce = 512;  // with this number of rows, all columns fit in the cache
+constexpr std::uint64_t kRowsAtOnce = 512;  // with this number of rows, all columns fit into the cache
 constexpr std::size_t kMaxNumber = 32;
 
 bool belongsTo(std::string_view column, std::string_view field) {
@@ -143,11 +143,11 @@ Result<RowRange> chooseRows(const Recording& recording, const ExportChoice& choi
 
 namespace {
 
-/// Writes the notes, warnings and errors in these rows to the second file, and removes an older one.
+/// Writes the notes, warnings and errors of these rows to the second file. Removes an older second file.
 Result<void> exportNotes(const Recording& recording, const RowRange& rows, const QString& path) {
     std::string lines;
     for (const RecordedEvent& event : recording.events()) {
-        // The reader finds restarts in the time stamps.
+        // Skip restarts, because the reader detects them in the time stamps.
         if (event.source == QLatin1String(kRestartSource) || !isCsvNote(event.level, event.source)) {
             continue;
         }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Exports a recording, or a part of it, to a file for other programs.
+// Exports a recording or a part of it to a file for other programs.
 
 #include <functional>
 #include <limits>
@@ -19,8 +19,8 @@ namespace tiller::recording {
 struct ExportChoice {
     Text path = {};  ///< an existing file is replaced atomically
     /// Names of columns, or of fields for all their components; empty: all. Text and MCAP files always
-    /// contain the time column of the recording, as the first column if it is not listed. HDF5 files contain
-    /// `time`.
+    /// contain the time column of the recording. If it is not listed, it becomes the first column. HDF5 files
+    /// contain `time`.
     std::vector<std::string> columns = {};
     double from = 0;                                         ///< [s] on the time axis
     double until = std::numeric_limits<double>::infinity();  ///< [s]
@@ -30,7 +30,7 @@ struct ExportChoice {
 
 struct CsvStyle {
     char separator = ',';    ///< comma, semicolon or tab
-    char decimal = '.';      ///< point or comma; comma only if it does not separate the cells
+    char decimal = '.';      ///< point or comma; comma only if it is not the separator
     bool unitsLine = false;  ///< add a line of units after the header
 };
 

@@ -42,7 +42,7 @@ Result<std::optional<double>> incidentMoment(const Recording& recording) {
         if (!stamps) {
             return stamps.error();
         }
-        // Uses the last match, because the controller time starts from zero after a restart.
+        // Use the last match, because the controller time starts at zero after a restart.
         const std::vector<double>& all = stamps->front();
         if (const auto found = std::find(all.rbegin(), all.rend(), *timestamp); found != all.rend()) {
             const auto row = static_cast<std::uint64_t>(std::distance(found, all.rend()) - 1);

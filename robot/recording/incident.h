@@ -15,8 +15,8 @@ inline constexpr const char* kIncidentUtcFact = "incident_utc_ns";      ///< tim
 inline constexpr const char* kIncidentTimeFact = "incident_timestamp";  ///< controller time [s]
 
 /// Time of the stop or alarm that caused an incident file, on the time axis of the recording [s]. Uses the
-/// row with the stored controller time or, if there is no such row, the arrival time. Empty: not an incident
-/// file, or no time stored.
+/// row with the stored controller time or, without such a row, the arrival time. Empty: not an incident file,
+/// or no time stored.
 /// Errors  those of Recording
 Result<std::optional<double>> incidentMoment(const Recording& recording);
 

@@ -27,12 +27,12 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
-// Interval at which rows are written to the system. Limits the data loss if the process is killed.
+// Interval for writing rows to the system. Limits the loss of data if the process is killed.
 constexpr milliseconds kWriteEvery{100};
-// Interval at which data are synced to the disk. Limits the data loss in a power failure.
+// Interval for syncing data to the disk. Limits the loss of data in a power failure.
 constexpr milliseconds kSyncEvery{500};
 constexpr milliseconds kLookAtDiskEvery{1000};
-// About a quarter of a megabyte of text.
+// About 256 KB of text.
 constexpr std::size_t kWriteAtSamples = 256;
 
 std::int64_t freeBytesFor(const QString& path) {
@@ -106,14 +106,14 @@ struct Recorder::Worker {
     RecordingFileFactory makeFile;
     std::unique_ptr<RecordingFile> file;  ///< null: no open file
     std::unique_ptr<RecordingFile>
-        notesFile;  ///< created with the first note if the format has no place for notes
+        notesFile;  ///< created for the first note if the format does not support notes
     std::uint64_t rowsInFile = 0;
     std::unique_ptr<RecordingEncoder> encoder;
     receive::Subscription subscription;
     receive::Sample sample;
     std::optional<TriggerWatch> trigger;
     std::deque<std::pair<receive::Sample, std::uint64_t>>
-        kept;                   ///< samples before a trigger, each with the number of lost packages
+        kept;                   ///< samples before a trigger, and the number of packages lost before each
     std::size_t unwritten = 0;  ///< samples since the last part
     std::uint64_t every = 1;
     std::uint64_t lastSequence = 0;
@@ -150,7 +150,7 @@ struct Recorder::Worker {
         return write(RecordingEncoder::Close::WhenDue);
     }
 
-    /// Writes the data available so far. On failure, the file is truncated to its last complete row.
+    /// Writes the data available so far. After a failure, truncates the file to its last complete row.
     Result<void> write(RecordingEncoder::Close how) {
         unwritten = 0;
         const RecordedPart part = encoder->take(how);
@@ -214,7 +214,7 @@ struct Recorder::Worker {
         return {};
     }
 
-    /// The number of packages that were missed during a restart is unknown, so it is an event, not a gap.
+    /// The number of packages missed during a restart is unknown, so a restart is an event instead of a gap.
     void noteRestart() {
         const double time = receive::RobotState(sample).timestamp();
         if (time < lastTime) {
@@ -239,7 +239,7 @@ struct Recorder::Worker {
         if (verdict == TriggerWatch::Verdict::Begin) {
             int number = files + 1;
             while (QFileInfo::exists(numberedPath(options.path, number))) {
-                ++number;  // files of an earlier run are kept
+                ++number;  // keep files of an earlier run
             }
             if (const auto opened = openFile(numberedPath(options.path, number)); !opened) {
                 return opened;
@@ -271,7 +271,7 @@ struct Recorder::Worker {
         }
     }
 
-    /// Without its notes, a recording is still complete, so it continues.
+    /// A failure to write notes does not end the recording, which is complete without them.
     void noteFailed(const Result<void>& result) {
         if (!result) {
             const std::lock_guard lock(mutex);
@@ -356,7 +356,7 @@ struct Recorder::Worker {
                 }
             }
             if (result && file && now >= syncDue && !last) {
-                // Write errors may be reported only here or when closing.
+                // Write errors may be reported only here or on closing.
                 result = file->sync();
                 syncDue = now + kSyncEvery;
             }

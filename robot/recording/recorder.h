@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Records robot data to a file in a selectable format, with one row per package (or per n packages).
+// Records robot data to a file in a selectable format, with one row per package or per n packages.
 //
 // The default format is CSV. Its first column is `timestamp`, followed by one column per number with the
 // names of ur_rtde recordings (actual_q_0 ... actual_q_5). The last column, `packages_lost`, is the number of
 // packages missing before this row (0 in a recording without gaps). Numbers are written as the shortest text
 // that converts back exactly, with a decimal point in all locales. Fields that the robot does not have are
-// empty; pandas reads them as NaN. Notes, warnings and errors of the log are in a second file, "a.notes.csv" for
-// "a.csv", with the columns row (number of rows before the note), utc, level, source and text.
+// empty; pandas reads them as NaN. Notes, warnings and errors of the log are in a second file, "a.notes.csv"
+// for "a.csv", with the columns row (number of rows before the note), utc, level, source and text.
 //
 // Complete rows are written at least every half second. If the process is killed, less than a second of data
 // is lost, and the file ends with a complete row.
@@ -46,15 +46,15 @@ struct RecorderOptions {
     /// `timestamp` is always the first column.
     std::vector<std::string> fields{};
     bool asGiven = false;  ///< record exactly these fields in this order, without timestamp and packages_lost
-    /// Record every n-th package, 1 or more. Skipped packages do not count as lost.
+    /// Record every n-th package, 1 or more. Skipped packages are not lost packages.
     int every = 1;
-    /// Null: CSV. A path that ends in .mcap, .h5 or .hdf5 is refused in this case. formatForPath() in
+    /// Null: CSV. A path that ends in .mcap, .h5 or .hdf5 is then refused. formatForPath() in
     /// recording/formats/open_recording.h selects the format by the file name extension.
     std::shared_ptr<const RecordingFormat> format{};
     /// If set, the recorder waits for the trigger and writes numbered files: see numberedPath(). Empty: the
-    /// recorder writes one file and starts immediately.
+    /// recorder writes one file and starts at once.
     std::optional<RecordingTrigger> trigger{};
-    /// Minimum free space on the disk [bytes]; the recording ends with DiskFull below it. 0: the recording
+    /// Minimum free space on the disk [bytes]. Below it, the recording ends with DiskFull. 0: the recording
     /// ends when the disk is full.
     std::int64_t keepFree = 0;
 };
@@ -74,7 +74,7 @@ struct RecorderProgress {
     std::uint64_t lost = 0;      ///< packages missing in the file, for any reason
     std::int64_t bytes = 0;      ///< size of the file
     int files = 0;               ///< number of files started
-    int restarts = 0;            ///< of the controller during the recording: its time jumped back
+    int restarts = 0;            ///< controller restarts during the recording: its time jumped back
     std::int64_t freeBytes = 0;  ///< free space on the disk of the file, updated about once per second
 };
 
@@ -103,10 +103,11 @@ public:
     /// have succeeded. It is Failed if a disk or share lost data that it had accepted.
     void stop();
 
-    /// Adds a note to the recording, or to the file next to it. Threads: any
+    /// Adds a note to the recording or to its notes file. Threads: any
     void note(const RecordedNote& note);
 
-    /// Reason why notes could not be written next to the recording, which continues; otherwise code None. Threads: any
+    /// Why notes could not be written to the notes file, while the recording continues; otherwise code None.
+    /// Threads: any
     Error notesError() const;
 
     RecorderProgress progress() const;  ///< Rows, seconds and lost are totals of all files. Threads: any

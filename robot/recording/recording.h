@@ -2,8 +2,7 @@
 #pragma once
 
 // A recording in a file of any format, with columns of numbers over a common time axis. Data are loaded on
-// demand, so that long recordings open immediately. Summaries of many rows are read from the file if it
-// contains them.
+// demand, so that long recordings open at once. Summaries of many rows are read from the file if available.
 
 #include <QByteArray>
 #include <QString>
@@ -22,8 +21,8 @@ namespace tiller::recording {
 
 struct RecordedColumn {
     std::string name;  ///< as in the header of a CSV recording, e.g. "actual_q_0", "robot_mode"
-    std::string unit;  ///< e.g. "rad"; empty: none or unknown
-    /// True for counts, bit fields and enumerations: exact integers without a meaningful mean.
+    std::string unit;  ///< e.g. "rad"; empty: no unit, or unknown
+    /// True for counts, bit fields and enumerations: exact integers whose mean is not meaningful.
     bool whole = false;
 };
 
@@ -40,7 +39,7 @@ struct RecordedGap {
     double seconds = 0;         ///< duration from the previous row to this one
 };
 
-/// A line of the log, a note, or a message of the recorder.
+/// A log line, a note, or a message of the recorder.
 struct RecordedEvent {
     double seconds = 0;  ///< on the time axis of the recording; negative: before the first row
     int level = 20;      ///< as in rcl_interfaces/Log: 10 debug, 20 info, 30 warning, 40 error, 50 fatal
@@ -84,7 +83,7 @@ public:
     virtual const std::map<std::string, std::string>& facts() const;
     virtual QStringList attachments() const;                           ///< Names of attached files.
     virtual Result<QByteArray> attachment(const QString& name) const;  ///< Content of an attached file.
-    /// One sentence with the reason for each part that could not be read; empty: no problems.
+    /// One sentence for each part that could not be read, with the reason; empty: no problems.
     virtual const QStringList& problems() const = 0;
 
     /// Times of these rows since the first row [s], in ascending order.
@@ -93,10 +92,10 @@ public:
     virtual Result<std::vector<std::vector<double>>> read(std::span<const std::size_t> columns,
                                                           RowRange rows) const = 0;
     /// Returns at least `blocks` blocks if there are enough rows, and at most sixteen times as many. The
-    /// first block may begin before the range, and the last may end after it.
+    /// first block may begin before the range, and the last block may end after it.
     virtual Result<std::vector<ColumnSummary>> summaries(std::span<const std::size_t> columns, RowRange rows,
                                                          std::uint64_t blocks) const;
-    /// Number of rows per summary for each level that is stored for all or most rows, finest first. Empty:
+    /// Number of rows per summary for each level stored for all or most rows, finest first. Empty:
     /// summaries() reads the rows.
     virtual std::vector<std::uint64_t> summaryRows() const { return {}; }
     /// Times of some rows, including the first and the last, without reading the rows. Accurate to a few

@@ -15,10 +15,10 @@
 
 namespace tiller::recording {
 
-/// `source` of an operator's note, to distinguish it from a line of the log.
+/// `source` of an operator's note, to distinguish it from a log line.
 inline constexpr const char* kNoteSource = "note";
 
-/// A line of the log or a note added during a recording.
+/// A log line or a note added during a recording.
 struct RecordedNote {
     std::int64_t utcNs = 0;  ///< [ns since 1970]
     int level = 20;          ///< as in rcl_interfaces/Log: 20 info, 30 warning, 40 error
@@ -26,7 +26,7 @@ struct RecordedNote {
     Text text = {};
 };
 
-/// Bytes for the file, with the number of rows they contain.
+/// Bytes for the file, and the number of rows in them.
 struct RecordedPart {
     std::string bytes{};
     std::uint64_t rows = 0;
@@ -44,12 +44,12 @@ public:
 
     /// utcNs  time of arrival [ns since 1970]
     virtual void add(const receive::Sample& sample, std::uint64_t lost, std::int64_t utcNs) = 0;
-    /// A format that does not keep notes receives only those of the recorder and ignores them.
+    /// A format that does not keep notes gets only those of the recorder and ignores them.
     virtual void add(const RecordedNote& note) = 0;
-    /// Returns complete rows only, so that a file ending after them is readable. The first part includes the
-    /// header.
+    /// Returns complete rows only, so that a file that ends after them is readable. The first part includes
+    /// the header.
     virtual RecordedPart take(Close how) = 0;
-    /// Returns the usable length of a partially written part, and the rows it contains.
+    /// Returns the usable length of a partially written part, and the number of rows in it.
     virtual std::size_t keepOf(std::string_view written, std::uint64_t& rows) const = 0;
 };
 

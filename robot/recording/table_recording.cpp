@@ -15,9 +15,9 @@ namespace tiller::recording {
 namespace {
 
 constexpr double kUsualPeriod = 0.002;  // [s]
-// A table in no order of time has a step back in every second row.
+// An unsorted table has a step back in about every second row.
 constexpr std::size_t kMaxRestarts = 100;
-// Number of rows used to determine the usual interval.
+// Number of rows for determining the usual interval.
 constexpr std::size_t kRowsForPeriod = 1000;
 
 /// Median of the intervals; 0 if there are none.
@@ -57,7 +57,7 @@ void TableRecording::findTimes() {
     }
     const std::vector<double>& stamps = table_.values[*axis];
     period_ = medianStep(stamps);
-    // Only the time stamps of a robot begin at zero when its controller restarts.
+    // Only the time stamps of a robot restart at zero with its controller.
     const bool isRobotTime = table_.columns[*axis].name == "timestamp";
     double shift = 0;
     double previous = 0;

@@ -16,14 +16,14 @@ struct RecordedTable {
     std::vector<RecordedColumn> columns{};
     std::vector<std::vector<double>> values{};
     QStringList problems{};
-    /// Each with the number of rows before it, which determines its time.
+    /// Each note with the number of rows before it, which determines its time.
     std::vector<std::pair<std::uint64_t, RecordedEvent>> notes{};
 };
 
 /// The time axis is the column `timestamp`, or the first column named time, seconds or t. Without such a
 /// column, rows are assumed to be 2 ms apart. If the clock was reset, the time continues from its last value,
-/// and events() reports it. Gaps are taken from the column `packages_lost`, or detected where two rows are more
-/// than one and a half periods apart.
+/// and events() reports the reset. Gaps are taken from the column `packages_lost`, or detected where two rows
+/// are more than one and a half periods apart.
 class TableRecording : public Recording {
 public:
     explicit TableRecording(RecordedTable table);

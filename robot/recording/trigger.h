@@ -2,7 +2,7 @@
 #pragma once
 
 // Starts and ends a recording automatically. The trigger is a condition on one value of the package, in text
-// form: e.g. "actual_TCP_force_2 > 20", "robot_mode = 7", "actual_digital_input_bits:3 = 1", "runtime_state
+// form, e.g. "actual_TCP_force_2 > 20", "robot_mode = 7", "actual_digital_input_bits:3 = 1", "runtime_state
 // changes".
 
 #include <cstdint>
@@ -46,7 +46,7 @@ public:
     /// Errors   FieldUnknown: the trigger's column is not in the layout
     static Result<TriggerWatch> make(const RecordingTrigger& trigger, const receive::SampleLayout& layout);
 
-    /// A condition that is true for the first sample does not trigger. It must become true later.
+    /// A condition that is already true for the first sample does not trigger. It must become true later.
     Verdict add(const receive::Sample& sample);
 
 private:

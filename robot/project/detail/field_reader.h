@@ -29,7 +29,8 @@ QJsonObject without(QJsonObject object, std::initializer_list<const char*> known
 class FieldReader {
 public:
     void addProblem(const QString& where, const QString& what) { problems_.append({where, what}); }
-    /// Number of problems so far. Compare two results to find out whether problems occurred in between.
+    /// Number of problems so far. A difference between two results means that problems have occurred in
+    /// between.
     qsizetype problemCount() const { return problems_.size(); }
     QVector<FileProblem> takeProblems() { return std::move(problems_); }
 
@@ -40,9 +41,9 @@ public:
     QUuid id(const QString& where, const QJsonObject& object, const char* key);
     /// Null if missing or null.
     QUuid optionalId(const QString& where, const QJsonObject& object, const char* key);
-    /// Required; null is the base frame. The frame may be missing.
+    /// Required; null is the base frame. The frame need not exist.
     QUuid frameId(const QString& where, const QJsonObject& object);
-    /// Like frameId(), for a frame in the list.
+    /// Like frameId(), but the frame must be in the list.
     QUuid frame(const QString& where, const QJsonObject& object, const FrameList& frames);
     double number(const QString& where, const QJsonValue& value, double least, double most, const char* unit);
     double number(const QString& where, const QJsonObject& object, const char* key, double least, double most,
@@ -63,7 +64,7 @@ public:
     QJsonArray optionalList(const QString& where, const QJsonObject& object,
                             const char* key);  ///< Empty if missing.
 
-    /// Larger lengths [m] are probably in millimetres.
+    /// Larger coordinates [m] are probably in millimetres.
     static constexpr double kMaxCoordinate = 50;
 
 private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Words in project files for the values of enumerations, in the order of the values.
+// Words in project files for enumeration values, in the order of the values.
 
 #include <array>
 

@@ -72,7 +72,7 @@ QUuid ProjectReader::reference(const QJsonObject& root, const char* key, const E
 void ProjectReader::read(const QJsonObject& root, bool waypointsRequired) {
     readRobot(root.value(QLatin1String("robot")));
     Project& document = result_.document;
-    // Frames are read first, because most other entries refer to them.
+    // Read frames first, because most other entries refer to them.
     readList<Frame>({}, root, "frames", document.frames, &PartReader::frame);
     readList<Pattern>({}, root, "patterns", document.patterns, &PartReader::pattern);
     readWaypoints(root, waypointsRequired);

@@ -30,14 +30,15 @@ private:
     void readCell(const QJsonValue& value);
     void readWaypoints(const QJsonObject& root, bool required);
     void checkPatterns();
-    /// Reads the entries of root[key]: `readOne` creates an entry, `accept` adds it unless it has a problem.
+    /// Reads the entries of root[key]. `readOne` creates an entry, and `accept` adds it unless it has a
+    /// problem.
     template <class Read, class Accept>
     void readEntries(const QString& where, const QJsonObject& root, const char* key, const Read& readOne,
                      const Accept& accept);
     template <class Entity>
     void readList(const QString& where, const QJsonObject& root, const char* key, EntityList<Entity>& list,
                   Entity (PartReader::*readOne)(const QString&, const QJsonObject&));
-    /// A reference to a missing entry becomes null and is recorded as a problem, without other consequences.
+    /// A reference to a missing entry becomes null and is recorded as a problem. The entry is not lost.
     template <class Entity>
     QUuid reference(const QJsonObject& root, const char* key, const EntityList<Entity>& list);
 
@@ -46,7 +47,7 @@ private:
     PartReader parts_{fields_, result_.document.frames};
 };
 
-/// The complete list entries of a text that is not valid JSON because it is truncated or damaged.
+/// The complete list entries of truncated or damaged JSON.
 struct SalvagedEntries {
     QJsonObject root;            ///< lists by name, and other complete values
     QHash<QString, int> broken;  ///< number of unparsable entries by list

@@ -76,7 +76,7 @@ QJsonObject actionOf(const WaypointAction& action) {
     return object;
 }
 
-/// All fields of a waypoint except id and history.
+/// All fields of a waypoint except ID and history.
 QJsonObject factsOf(const Waypoint& point) {
     QJsonObject object = point.extra;
     object["name"] = point.name;

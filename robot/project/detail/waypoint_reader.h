@@ -12,7 +12,7 @@ public:
     /// Both arguments must outlive the object.
     WaypointReader(FieldReader& fields, const FrameList& frames) : fields_(fields), frames_(frames) {}
 
-    /// Reads a waypoint with id and history.
+    /// Reads a waypoint with ID and history.
     Waypoint read(const QString& where, const QJsonObject& object);
 
 private:
@@ -20,7 +20,7 @@ private:
         MustBeHere,
         MayBeDeleted,  ///< for a revision, whose frame may have been deleted since
     };
-    /// Reads a waypoint without id and history.
+    /// Reads a waypoint without ID and history.
     Waypoint facts(const QString& where, const QJsonObject& object, Frames frames);
     WaypointAction action(const QString& where, const QJsonObject& object);
     WaypointHistory history(const QString& where, const QJsonObject& object, const QUuid& id);

@@ -42,7 +42,7 @@ std::string unitOf(std::string_view name, std::size_t component) {
     if (comma == std::string_view::npos) {
         return std::string(unit);
     }
-    // A pose has one unit for its three positions and another for its three angles.
+    // A pose has one unit for its three coordinates and another for its three angles.
     constexpr std::size_t kPlaces = 3;
     return std::string(component < kPlaces ? unit.substr(0, comma) : unit.substr(comma + 2));
 }

@@ -7,8 +7,8 @@
 
 namespace tiller::recording {
 
-/// Adds the unit and the integer flag of a column from the catalogue of RTDE fields, using the column name.
-/// An existing unit is kept.
+/// Adds the unit and the integer flag of a column from the catalogue of RTDE fields, by column name. An
+/// existing unit is kept.
 void addKnowledge(RecordedColumn& column);
 /// Unit of one component of a field: "m" for the first three numbers of a pose, "rad" for the others.
 std::string unitOf(std::string_view field, std::size_t component);

@@ -43,7 +43,7 @@ QStringList cellsOf(const QString& line) {
     return cells;
 }
 
-/// Spreadsheet programs end lines with CR and LF.
+/// Removes the line ending, which is CR LF in files of spreadsheet programs.
 QByteArray lineOf(QFile& file) {
     QByteArray line = file.readLine();
     while (line.endsWith('\n') || line.endsWith('\r')) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The notes, warnings and errors of a CSV recording. A table of numbers has no place for text, so they are in a second CSV
-// file next to the recording, with the columns row, utc, level, source and text.
+// The notes, warnings and errors of a CSV recording. A table of numbers cannot contain text, so they are in a
+// second CSV file next to the recording, with the columns row, utc, level, source and text.
 
 #include <QString>
 #include <cstdint>
@@ -21,13 +21,13 @@ bool isCsvNote(int level, const QString& source);
 /// "a.csv" becomes "a.notes.csv".
 QString csvNotesPath(const QString& recording);
 /// Removes the notes of an earlier recording with this name.
-/// Errors  FileNotWritable if there is a file with this name that was not written by a recorder; it is kept
+/// Errors  FileNotWritable if a file with this name was not written by a recorder; that file is kept
 Result<void> removeCsvNotes(const QString& recording);
 std::string csvNotesHeader();
 /// row  number of rows before the note
 std::string csvNoteLine(std::uint64_t row, const RecordedNote& note);
-/// Reads the file next to a recording; empty if there is none. Lines that cannot be read are skipped. Each note is
-/// returned with the number of rows before it, and without a time.
+/// Reads the notes file of a recording; empty if there is none. Unreadable lines are skipped. Each note is
+/// returned with the number of rows before it, without a time.
 std::vector<std::pair<std::uint64_t, RecordedEvent>> readCsvNotes(const QString& recording);
 
 }  // namespace tiller::recording

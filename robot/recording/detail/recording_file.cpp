@@ -27,7 +27,7 @@ Error fileError(const QFile& file, int systemError, const QString& words) {
             QDir::toNativeSeparators(file.fileName()), full ? qt_error_string(systemError) : words};
 }
 
-/// Devices, pipes and some file systems do not support syncing.
+/// True for errors from devices, pipes and file systems that do not support syncing.
 bool isMeaningless(int systemError) {
     return systemError == EINVAL || systemError == ENOTSUP || systemError == EROFS;
 }
@@ -117,7 +117,7 @@ private:
 #endif
     }
 
-    /// Syncs the directory entry. Without this, a power failure can leave the rows on the disk without a
+    /// Syncs the directory entry. Otherwise, after a power failure, the disk may contain the rows without a
     /// directory entry.
     Result<void> syncFolder() {
 #ifndef _WIN32

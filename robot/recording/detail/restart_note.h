@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The event of a recording when the time of the controller jumped back, because the controller was restarted.
+// The event for a jump back of the controller time, caused by a restart of the controller.
 
 #include <QString>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The file formats of recordings: one row per format. All other code takes suffixes, readers and writers from
-// these rows, so a new format is one row.
+// The file formats of recordings, one row per format. All other code takes suffixes, readers and writers from
+// these rows, so a new format needs only one row.
 
 #include <QByteArray>
 #include <QString>
@@ -20,8 +20,8 @@ namespace tiller::recording {
 
 struct FileFormat {
     QString name;          ///< Recording::format(), e.g. "MCAP"
-    QStringList suffixes;  ///< in lower case without the period; the first one is for new files
-    QByteArray magic;      ///< first bytes of a file; empty: every file without the bytes of another row
+    QStringList suffixes;  ///< lower case, without the period; new files get the first suffix
+    QByteArray magic;      ///< first bytes of a file; empty: any file that matches no other row
     /// Errors, threads as openRecording().
     Result<std::unique_ptr<Recording>> (*open)(const Text& path);
     /// Errors, threads as exportRecording(). `style` only affects CSV.
@@ -30,17 +30,17 @@ struct FileFormat {
     /// For RecorderOptions::format; null: a recorder cannot write this format.
     /// extras  facts, attachment and messages; ignored by formats that are not complete
     std::shared_ptr<const RecordingFormat> (*recorder)(const McapFormatOptions& extras);
-    /// Keeps every field, the log and an attachment. Other formats need a choice of fields.
+    /// Keeps every field, the log and an attachment. For other formats, fields must be selected.
     bool isComplete;
 };
 
-/// All formats. The order is that of lists for users.
+/// All formats, in the order of lists for users.
 /// Threads  any
 const std::vector<FileFormat>& fileFormats();
-/// The row with the suffix of this path, ignoring case; null: none.
+/// The row with the suffix of this path, ignoring case; null if there is none.
 /// Threads  any
 const FileFormat* fileFormatOf(const Text& path);
-/// The usual suffixes as words, e.g. ".csv or .mcap".
+/// The usual suffixes as text, e.g. ".csv or .mcap".
 /// recorded  only formats that a recorder can write
 QString suffixWords(bool recorded);
 

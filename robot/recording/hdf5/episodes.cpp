@@ -47,7 +47,7 @@ Result<std::vector<std::uint64_t>> thinned(const Recording& recording, RowRange 
     }
     std::vector<std::uint64_t> kept;
     double due = -std::numeric_limits<double>::infinity();
-    // Half a period of tolerance, so that reducing 500 Hz to 20 Hz selects every 25th row.
+    // A tolerance of half a period ensures that reducing 500 Hz to 20 Hz selects every 25th row.
     const double grace = recording.period() / 2;
     for (std::size_t i = 0; i < times.value().size(); ++i) {
         const double time = times.value()[i];
@@ -87,7 +87,7 @@ Result<Table> tableOf(const Recording& recording, const std::string& field, RowR
     return table;
 }
 
-/// Shifts by one row; the last row is repeated.
+/// Shifts by one row and repeats the last row.
 std::vector<double> shifted(const Table& table) {
     std::vector<double> next(table.values.begin() + static_cast<std::ptrdiff_t>(table.numbers),
                              table.values.end());

@@ -23,7 +23,7 @@ constexpr std::uint64_t kRowsAtOnce = 4096;
 
 struct Storage {
     hid_t type;      ///< type in the file
-    double missing;  ///< value for missing numbers; NaN if the type supports it
+    double missing;  ///< value for missing numbers; NaN if the type has one
 };
 
 Storage storageOf(rtde::DataType type) {
@@ -38,8 +38,7 @@ Storage storageOf(rtde::DataType type) {
         case rtde::DataType::Vector6Int32:
             return {H5T_STD_I32LE, 2147483647.0};
         case rtde::DataType::UInt64:
-            return {H5T_STD_U64LE,
-                    9007199254740991.0};  // the largest integer that a double represents exactly
+            return {H5T_STD_U64LE, 9007199254740991.0};  // largest integer that a double represents exactly
         default:
             return {H5T_IEEE_F64LE, std::nan("")};
     }
@@ -56,12 +55,12 @@ struct Field {
     bool hasMissing = false;
 };
 
-/// Names come from a file, so they may be duplicates, empty, or special in HDF5.
+/// Names are from a file, so they may be duplicate, empty, or special in HDF5.
 void makeNamesUsable(std::vector<Field>& fields) {
     std::set<std::string> used{"time", "gaps"};  // names of data sets written in addition to the fields
     for (Field& field : fields) {
         std::string name = field.name;
-        // A slash would create a group, and names consisting of dots refer to groups.
+        // A slash would create a group, and names of dots refer to groups.
         std::replace(name.begin(), name.end(), '/', '_');
         if (name.find_first_not_of('.') == std::string::npos) {
             std::replace(name.begin(), name.end(), '.', '_');
@@ -76,8 +75,8 @@ void makeNamesUsable(std::vector<Field>& fields) {
     }
 }
 
-/// Combines adjacent components of a vector into one field. Returns true if the columns begin with all
-/// components of a field, in order. Single components are not written under the name of the field.
+/// Returns true if the columns begin with all components of a field, in order. These are combined into one
+/// field. Single components are not written under the name of the field.
 bool hasAllComponents(const Recording& recording, std::span<const std::size_t> columns,
                       const rtde::Field& field) {
     const std::size_t count = rtde::componentCount(field.type);
@@ -290,7 +289,7 @@ private:
 }  // namespace
 
 Result<ExportReport> exportHdf5(const Recording& recording, const ExportChoice& choice) {
-    // Written to a temporary file first, so that an existing file is replaced completely or not at all.
+    // Write to a temporary file first, so that an existing file is replaced completely or not at all.
     const QString part = choice.path + QStringLiteral(".part");
     const auto report = Exporter(recording, choice, part).run();
     if (!report) {

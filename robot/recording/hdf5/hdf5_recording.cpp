@@ -69,7 +69,7 @@ public:
     explicit Hdf5Recording(const QString& path) : path_(path) {}
 
     Result<void> open() {
-        // The HDF5 library would block on a pipe.
+        // Check this first, because the HDF5 library would block on a pipe.
         QFile readable;
         if (const Result<void> opened = openForReading(readable, path_); !opened) {
             return opened;

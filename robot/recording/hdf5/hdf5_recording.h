@@ -11,7 +11,7 @@
 
 namespace tiller::recording {
 
-/// Data sets with a different length or with text are skipped and reported by problems().
+/// Skips data sets that have another length or contain text; problems() reports them.
 /// Errors   FileNotReadable; FileCorrupt: not an HDF5 file, or no suitable data sets
 /// Threads  one for the whole program, because libhdf5 is not thread-safe
 Result<std::unique_ptr<Recording>> openHdf5(const Text& path);

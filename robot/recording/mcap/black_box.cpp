@@ -36,7 +36,7 @@ constexpr double kMaxTimeBefore = 600;
 constexpr double kMaxTimeAfter = 60;
 constexpr std::size_t kMaxNotes = 10'000;
 
-/// Name of this type of stop in file names; null if the mode does not mean a stop.
+/// Name of this type of stop in file names; null if the mode is not a stop.
 const char* reasonOf(SafetyMode mode) {
     switch (mode) {
         case SafetyMode::ProtectiveStop:
@@ -129,7 +129,7 @@ struct BlackBox::Worker {
             lastSequence = sample.sequence;
             const SafetyMode now = receive::RobotState(sample).safetyMode();
             const std::int64_t timeNs = sample.hostTimeNs;
-            // A stop that is active when connecting happened earlier.
+            // A stop that is already active when connecting happened earlier.
             const bool isNew = previous && sample.connection == lastConnection && *previous != now;
             lastConnection = sample.connection;
             previous = now;
@@ -256,7 +256,7 @@ struct BlackBox::Worker {
 
     void removeOldest() {
         const QDir folder(options.folder);
-        // The file names start with the time.
+        // The file names start with the time, so the oldest file is first.
         const QStringList files =
             folder.entryList({QStringLiteral("incident_*.mcap")}, QDir::Files, QDir::Name);
         for (qsizetype i = 0; i < files.size() - options.keep; ++i) {

@@ -2,8 +2,7 @@
 #pragma once
 
 // Permanently records the last minute of robot data. On a safety stop or an alarm, an incident file is
-// written with this minute, ten seconds of the following data, the log, the project and the software
-// versions.
+// written with this minute, the next ten seconds of data, the log, the project and the software versions.
 
 #include <cstdint>
 #include <functional>
@@ -39,8 +38,8 @@ struct BlackBoxOptions {
     std::function<void(const Incident&)> written{};
 };
 
-/// Owns the thread "tiller-box" (normal priority), which reads a subscription and writes the files. Samples enter
-/// through the subscription; notes, alarms and the project through a mutex.
+/// Owns the thread "tiller-box" (normal priority), which reads a subscription and writes the files. Samples
+/// arrive through the subscription; notes, alarms and the project through a mutex.
 /// Threads  start() and stop(): one thread. All others: any
 class BlackBox {
 public:
@@ -56,14 +55,14 @@ public:
     /// file is written
     void stop();
 
-    /// Adds a line of the log. The lines of the last minute are written to the incident file.
+    /// Adds a log line. The lines of the last minute are written to the incident file.
     void note(const RecordedNote& note);
     /// Writes an incident file without a stop.
     /// reason  letters, digits and hyphens of this text become part of the file name
     void alarm(const Text& reason);
-    /// Sets the project attached to the next file. An empty name attaches none.
+    /// Sets the project attached to the next file. Empty name: no project.
     void setProject(const Text& name, std::string content);
-    /// Adds metadata for the next file that become known only after the start.
+    /// Adds metadata for the next file that are known only after the start.
     void setFact(const std::string& key, const std::string& value);
     std::uint64_t packets() const;  ///< Packets received since start(); 0 when stopped.
 

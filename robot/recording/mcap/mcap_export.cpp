@@ -26,8 +26,8 @@ constexpr std::uint64_t kRowsPerChunk = 512;
 /// Encodes little-endian CDR. Every number in the message has eight bytes, so no padding is necessary.
 constexpr std::string_view kCdrHead{"\0\1\0\0", 4};
 
-/// Returns a name that is valid in ROS messages and not in `used`. Capital letters are kept, because they are
-/// restored from the metadata of the channel.
+/// Returns a name that is valid in ROS messages and not in `used`. Capital letters are kept, because the
+/// reader restores names from the metadata of the channel.
 std::string rosColumnName(std::string_view column, std::set<std::string>& used) {
     std::string name(column);
     const auto isLetter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
@@ -164,7 +164,7 @@ Result<ExportReport> exportMcap(const Recording& recording, const ExportChoice& 
     if (!rows) {
         return rows.error();
     }
-    // Computed from the gaps of the recording.
+    // `packages_lost` is computed from the gaps of the recording.
     std::erase_if(*columns,
                   [&](std::size_t column) { return recording.columns()[column].name == kLostColumn; });
     AtomicFile file(choice.path);

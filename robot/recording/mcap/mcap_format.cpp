@@ -119,7 +119,7 @@ public:
     }
 
 private:
-    /// Also fills columns_, because the constructor of the levels needs it.
+    /// Also fills columns_, which the constructor of the levels needs.
     std::size_t columnsOf(const receive::SampleLayout& layout) {
         for (const std::string& name : fields_) {
             const receive::SampleLayout::Entry* entry = layout.find(name);

@@ -3,8 +3,8 @@
 
 // Recordings as MCAP files with the profile ros2. Each package is stored as one flat message with all fields.
 // The file also contains joint state, wrench and transform messages for ROS tools, the log, and summaries of
-// many rows, so that hours of data open immediately. Each chunk is compressed and completed within half a
-// second, which limits the data loss in a crash.
+// many rows, so that hours of data open at once. Each chunk is compressed and completed within half a second,
+// which limits the loss of data in a crash.
 
 #include <chrono>
 #include <map>
@@ -18,13 +18,13 @@ namespace tiller::recording {
 struct McapFormatOptions {
     /// Metadata of the recording: "model", "serial_number", "software" ...
     std::map<std::string, std::string> facts{};
-    /// An attached file, e.g. the project. An empty name means no attachment.
+    /// An attached file, e.g. the project. Empty name: no attachment.
     std::string attachmentName{};
     std::string attachment{};
-    /// Add joint state, wrench and transform messages for ROS tools. The file becomes a quarter larger.
+    /// Add joint state, wrench and transform messages for ROS tools. The file becomes about 25 % larger.
     bool ros = true;
     int compression = 1;  ///< zstd level, 1 to 19; 0: none
-    /// A chunk of this age is completed at the next call of the recorder (every 100 ms).
+    /// A chunk of this age is completed at the next call by the recorder (every 100 ms).
     std::chrono::milliseconds closeAfter{400};
 };
 

@@ -28,7 +28,7 @@ constexpr std::size_t kMaxStateChannels = 64;
 constexpr std::size_t kMaxColumns = 20'000;
 constexpr int kMaxProblems = 20;
 constexpr double kAbsent = receive::kAbsent;
-constexpr std::size_t kChunksKept = 24;  // equal to the number of chunks in a block of the history
+constexpr std::size_t kChunksKept = 24;  // number of chunks in a block of the history
 
 /// A chunk with robot states, in file order.
 struct RowChunk {
@@ -162,7 +162,7 @@ public:
     std::vector<std::uint64_t> summaryRows() const override {
         std::vector<std::uint64_t> kept;
         for (std::size_t level = 0; level < kSummaryLevels; ++level) {
-            // After a crash, the last summaries are missing. They are recomputed from the rows.
+            // After a crash, the last summaries are missing. Compute them from the rows.
             const std::uint64_t each = rowsOfLevel(level);
             std::uint64_t there = 0;
             const auto found = levelChannels_[level] ? shares_.find(*levelChannels_[level]) : shares_.end();
@@ -181,7 +181,7 @@ public:
         if (rows_ == 0) {
             return marks;
         }
-        // Log times are arrival times, so the first row gives the offset.
+        // Log times are arrival times, so the first row determines the offset.
         const std::uint64_t arrival = reader_->chunks()[rowChunks_.front().chunk].startTime;
         for (const RowChunk& chunk : rowChunks_) {
             const std::uint64_t time = reader_->chunks()[chunk.chunk].startTime;
@@ -207,7 +207,7 @@ public:
                                       [&](std::uint64_t time, const RowChunk& each) {
                                           return time < reader_->chunks()[each.chunk].startTime;
                                       });
-        // Log times are arrival times, which are slightly later than the requested times.
+        // Log times are arrival times, slightly later than the requested times.
         chunk = chunk == rowChunks_.begin() ? chunk : chunk - 1;
         std::uint64_t best = chunk->firstRow;
         for (auto each = chunk; each != rowChunks_.end() && each < chunk + 2; ++each) {
@@ -290,7 +290,7 @@ private:
             }
         }
         for (const auto& [number, named] : counts) {
-            // Minimum size of a message. Limits the number of rows that a damaged index can claim.
+            // Minimum size of a message. Limits the number of rows that a damaged index can specify.
             constexpr std::uint64_t kMinMessageSize = 31;
             const std::uint64_t most = reader_->chunks()[number].uncompressedSize / kMinMessageSize;
             const std::uint64_t count = std::min(named, most);
@@ -317,7 +317,7 @@ private:
             }
             if (!steps.empty()) {
                 std::sort(steps.begin(), steps.end());
-                // Rounded to microseconds, a unit larger than the error of the clock conversion.
+                // Rounded to microseconds, because this exceeds the error of the clock conversion.
                 constexpr double kMicroseconds = 1e6;
                 const double seconds =
                     static_cast<double>(steps[steps.size() / 2]) / static_cast<double>(kNsPerSecond);
@@ -364,7 +364,7 @@ private:
         });
     }
 
-    /// Calls sink for each message of a channel; skips chunks without such messages.
+    /// Calls sink for each message of a channel. Skips chunks without such messages.
     void eachMessage(std::uint16_t channel, const std::function<void(const Message&)>& sink) const {
         const auto found = shares_.find(channel);
         for (std::size_t i = 0; found != shares_.end() && i < found->second.size(); ++i) {
@@ -438,7 +438,7 @@ private:
         }
     }
 
-    /// Reads the consecutive complete summaries of one level, starting at the row where a summary begins.
+    /// Reads consecutive complete summaries of one level. The first one begins at the given row.
     /// until  summaries after this row are not needed
     std::vector<ColumnSummary> readLevel(std::size_t level, std::span<const std::size_t> wanted,
                                          std::uint64_t from, std::uint64_t until) const {

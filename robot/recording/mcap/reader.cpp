@@ -13,7 +13,7 @@ namespace tiller::recording::mcap {
 
 namespace {
 
-// Plausibility limit for lengths. Damaged lengths usually exceed it.
+// Plausibility limit for lengths, which damaged lengths usually exceed.
 constexpr std::uint64_t kLargestSmallRecord = 16u << 20;
 constexpr std::uint64_t kLargestChunk = 256u << 20;
 constexpr std::uint64_t kLargestAttachment = 256u << 20;
@@ -301,7 +301,7 @@ std::optional<std::uint64_t> Reader::messagesIn(const ChunkIndex& chunk, std::ui
     if (found == chunk.messageIndexes.end()) {
         return chunk.messageIndexes.empty() ? std::nullopt : std::optional<std::uint64_t>(0);
     }
-    // The records are contiguous, so the start of the next record gives the length of this one.
+    // Records are contiguous, so the start of the next record determines the length of this one.
     std::uint64_t end = chunk.offset + chunk.length + chunk.messageIndexLength;
     for (const auto& [other, offset] : chunk.messageIndexes) {
         if (offset > found->second) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Reads an MCAP file through its summary. If the summary is missing or damaged, all complete records are
-// scanned. All content is validated: damaged parts are skipped and reported.
+// Reads an MCAP file through its summary. If the summary is missing or damaged, scans all complete records.
+// All content is validated: damaged parts are skipped and reported.
 
 #include <QFile>
 #include <QStringList>
@@ -25,7 +25,7 @@ public:
     static Result<std::unique_ptr<Reader>> open(const Text& path);
 
     const QString& path() const { return path_; }  ///< Path of the file.
-    /// True if the file has a valid summary and a valid end.
+    /// True if both the summary and the end of the file are valid.
     bool isComplete() const { return complete_; }
     const QStringList& problems() const { return problems_; }  ///< One sentence per damaged part.
     const std::string& profile() const { return profile_; }    ///< e.g. "ros2"
@@ -36,8 +36,8 @@ public:
     const std::vector<AttachmentIndex>& attachments() const { return attachments_; }  ///< In file order.
     const std::vector<MetadataIndex>& metadata() const { return metadata_; }          ///< In file order.
 
-    /// Number of messages of a channel according to the message indexes of a chunk; empty if the indexes are
-    /// missing.
+    /// Number of messages of a channel according to the message indexes of a chunk; empty without message
+    /// indexes.
     std::optional<std::uint64_t> messagesIn(const ChunkIndex& chunk, std::uint16_t channel) const;
     /// The records of a chunk, validated and decompressed.
     Result<std::string> records(const ChunkIndex& chunk) const;

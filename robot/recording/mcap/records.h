@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The records of an MCAP file that this library uses, named as in the specification. Source: mcap.dev/spec
+// The records of an MCAP file that this library uses, with the names of the specification. Source:
+// mcap.dev/spec
 
 #include <cstdint>
 #include <map>
@@ -64,8 +65,8 @@ struct ChunkIndex {
     std::uint64_t endTime = 0;
     std::uint64_t offset = 0;  ///< offset of the chunk record in the file
     std::uint64_t length = 0;  ///< length of the whole record
-    /// Channels and the offsets of their index records. A list, because a recording of several hours has a
-    /// hundred thousand chunks.
+    /// Channels and the offsets of their index records. A vector saves memory: a recording of several hours
+    /// has a hundred thousand chunks.
     std::vector<std::pair<std::uint16_t, std::uint64_t>> messageIndexes{};
     std::uint64_t messageIndexLength = 0;  ///< total length of the index records
     std::string compression{};

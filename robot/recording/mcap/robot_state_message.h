@@ -18,8 +18,8 @@ namespace tiller::recording::mcap {
 
 inline constexpr const char* kStateTopic = "/robot_state";
 inline constexpr const char* kStateType = "tiller_msgs/msg/RobotState";
-/// Key of the channel metadata that lists the RTDE names of the fields in order. Needed because ROS names
-/// must not contain capital letters.
+/// Key of the channel metadata that lists the RTDE names of the fields in order. ROS names must not contain
+/// capital letters.
 inline constexpr const char* kStateFields = "rtde_fields";
 
 /// Threads  one
@@ -55,7 +55,7 @@ public:
         rtde::DataType type = rtde::DataType::Double;  ///< type of the component (never a vector)
     };
     /// Parses the definition in the file up to the first line that is not a plain number. Positions after
-    /// this line are unknown.
+    /// that line are unknown.
     RobotStateLayout(std::string_view definition, std::string_view fieldNames);
 
     const std::vector<Place>& places() const { return places_; }  ///< In message order.

@@ -61,7 +61,7 @@ constexpr MessageType kSummary{
 #undef TILLER_HEADER
 #undef TILLER_VECTOR3
 
-constexpr std::size_t kFixedParts = 512;  // upper limit for the size of everything except strings and lists
+constexpr std::size_t kFixedParts = 512;  // upper limit for the size of all parts except strings and lists
 
 /// Calls fill(cdr) with a buffer of this size and keeps the used part.
 template <class Fill>
@@ -77,7 +77,7 @@ void writeCdr(std::string& out, std::size_t room, Fill fill) {
 /// Returns  false if the data are truncated or invalid
 template <class Take>
 bool readCdr(std::string_view message, Take take) {
-    // The library requires a writable buffer, but only reads here.
+    // The library requires a writable buffer but only reads here.
     FastBuffer buffer(const_cast<char*>(message.data()), message.size());
     CdrStream cdr(buffer);
     try {

@@ -2,8 +2,8 @@
 #pragma once
 
 // Creates standard ROS 2 messages from a sample: joint states, wrench, TCP transform and log. Also defines
-// Tiller's summary message of many rows. Definitions include all referenced types. CDR by libfastcdr. Source:
-// the .msg files of ROS 2
+// Tiller's message with summaries of many rows. Definitions include all referenced types. CDR by libfastcdr.
+// Source: the .msg files of ROS 2
 
 #include <cstdint>
 #include <span>
@@ -48,7 +48,7 @@ void writeSummary(const SummaryMessage& summary, std::string& out);  ///< Clears
 bool readSummary(std::string_view message,
                  SummaryMessage& summary);  ///< Returns  false if the message is invalid
 /// Reads only some columns, which is much faster.
-/// places  indices of the columns in the lists; NaN is returned for missing columns
+/// places  indices of the columns in the lists; missing columns are NaN
 bool readSummary(std::string_view message, std::span<const std::size_t> places, SummaryMessage& summary);
 
 }  // namespace tiller::recording::mcap

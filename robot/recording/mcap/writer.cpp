@@ -164,7 +164,7 @@ void Writer::add(ChunkBuilder& chunk) {
         compressed_.resize(ZSTD_compressBound(stored.size()));
         const std::size_t size = ZSTD_compressCCtx(compressor_.get(), compressed_.data(), compressed_.size(),
                                                    stored.data(), stored.size(), level_);
-        // Fails only if memory is exhausted. The messages are then written uncompressed.
+        // Compression fails only if memory is exhausted. The messages are then written uncompressed.
         if (ZSTD_isError(size) == 0) {
             stored = std::string_view(compressed_).substr(0, size);
             compression = "zstd";
@@ -270,7 +270,7 @@ void Writer::summary() {
 
 void Writer::finish() {
     std::string end;
-    put(end, std::uint32_t(0));  // checksum of the whole data section: unused, because each chunk has one
+    put(end, std::uint32_t(0));  // checksum of the whole data section: unused, because every chunk has one
     record(Opcode::DataEnd, end);
     summary();
     out_.append(kMagic);

@@ -17,7 +17,7 @@ struct ZSTD_CCtx_s;
 
 namespace tiller::recording::mcap {
 
-/// Collects the messages of a chunk. Filling it is cheap. Writer::add() empties it.
+/// Collects the messages of a chunk. Adding messages is cheap. Writer::add() empties the builder.
 class ChunkBuilder {
 public:
     void add(const Message& message);  ///< Copies the data.
@@ -59,7 +59,7 @@ public:
                        std::uint64_t time);
     /// Completes a chunk; no effect if it is empty.
     void add(ChunkBuilder& chunk);
-    /// Writes the summary and the end of the file. No content can be added afterwards.
+    /// Writes the summary and the end of the file. No content can be added after that.
     void finish();
 
     /// Returns the data since the last call.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Converts controller time to UTC. Controller timestamps are regular, whereas the arrival times have jitter.
-// The package with the smallest delay determines the offset between the two clocks, and the conversion slowly
+// Converts controller time to UTC. Controller time stamps are regular, whereas arrival times have jitter. The
+// package with the smallest delay determines the offset between the two clocks, and the conversion slowly
 // follows their drift. Private to robot/recording/mcap.
 
 #include <algorithm>
@@ -18,9 +18,9 @@ public:
     /// timestamp   of the controller [s]; NaN: the arrival time is used
     /// arrivalNs   [ns since 1970]
     /// connection  number of the connection; a change may mean a different controller
-    /// Returns     the time of sending [ns since 1970], never earlier than the previous result
+    /// Returns     the send time [ns since 1970], never earlier than the previous result
     std::int64_t toUtc(double timestamp, std::int64_t arrivalNs, std::uint64_t connection) {
-        // 25 ppm at 500 packages per second, more than the drift between two quartz clocks.
+        // 25 ppm at 500 packages per second, which exceeds the drift between two quartz clocks.
         constexpr std::int64_t kDriftNs = 50;
         constexpr std::int64_t kRestartedNs = 1'000'000'000;
         std::int64_t sent = arrivalNs;

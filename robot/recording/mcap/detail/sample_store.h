@@ -15,7 +15,7 @@ public:
     SampleStore(std::size_t capacity, const std::shared_ptr<const receive::SampleLayout>& layout)
         : samples_(capacity, receive::Sample(layout)), missing_(capacity, 0) {}
 
-    /// Returns the slot for the next sample. If all slots are in use, the oldest sample is overwritten.
+    /// Returns the slot for the next sample. If all slots are in use, this is the slot of the oldest sample.
     receive::Sample& next() { return samples_[(first_ + count_) % samples_.size()]; }
     void keepNext(std::uint64_t missing) {
         missing_[(first_ + count_) % samples_.size()] = missing;
