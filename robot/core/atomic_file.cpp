@@ -19,7 +19,7 @@ namespace tiller {
 
 namespace {
 
-/// Devices, pipes and some file systems do not support flushing.
+/// True for errors from devices, pipes and file systems that do not support flushing.
 bool hasNothingToSync(int systemError) {
     return systemError == EINVAL || systemError == ENOTSUP || systemError == EROFS;
 }
@@ -39,12 +39,12 @@ int syncDescriptor(int descriptor) {
     return result == 0 || hasNothingToSync(errno) ? 0 : errno;
 }
 
-/// Flushes the directory entry of `path`. Without this, the file may have no directory entry after a power
+/// Flushes the directory entry of `path`. Otherwise, the file may have no directory entry after a power
 /// failure.
 /// Returns  0, or the system's error number
 int syncFolderOf(const QString& path) {
 #ifdef Q_OS_WIN
-    Q_UNUSED(path)  // no effect: already flushed by MOVEFILE_WRITE_THROUGH
+    Q_UNUSED(path)  // no effect: MOVEFILE_WRITE_THROUGH has already flushed it
     return 0;
 #else
     const QByteArray folder = QFile::encodeName(QFileInfo(path).absolutePath());
@@ -77,7 +77,7 @@ QString resolved(const QString& path) {
 }
 
 QString temporaryNameFor(const QString& path) {
-    // Does not contain the file name, which may already have the maximum length.
+    // Independent of the file name, which may already have the maximum length.
     return QFileInfo(path).absoluteDir().filePath(
         QStringLiteral(".tiller-%1.tmp").arg(QUuid::createUuid().toString(QUuid::Id128)));
 }
@@ -95,7 +95,7 @@ int renameOver(const QString& from, const QString& to) {
 #ifdef Q_OS_WIN
     const auto* source = reinterpret_cast<const wchar_t*>(from.utf16());
     const auto* target = reinterpret_cast<const wchar_t*>(to.utf16());
-    // ReplaceFile() keeps the access rights of the existing file, but fails if there is no such file.
+    // ReplaceFile() keeps the access rights of the existing file, but fails if there is no file.
     if (ReplaceFileW(target, source, nullptr, REPLACEFILE_IGNORE_MERGE_ERRORS, nullptr, nullptr) != 0 ||
         MoveFileExW(source, target, MOVEFILE_REPLACE_EXISTING | MOVEFILE_WRITE_THROUGH) != 0) {
         return 0;
@@ -108,7 +108,7 @@ int renameOver(const QString& from, const QString& to) {
 }
 
 #ifdef Q_OS_LINUX
-/// Opens a file without a directory entry, so that a killed process leaves no file.
+/// Opens a file without a directory entry, so that a killed process leaves no file behind.
 int openUnnamed(const QString& folder) {
     return ::open(QFile::encodeName(folder).constData(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
 }
@@ -119,7 +119,7 @@ bool giveName(int descriptor, const QString& path) {
                     AT_SYMLINK_FOLLOW) == 0;
 }
 
-/// True if giveName() works; it needs /proc.
+/// True if giveName() works, which needs /proc.
 bool canGiveNames() {
     return ::access("/proc/self/fd", X_OK) == 0;
 }
@@ -184,12 +184,12 @@ Result<void> AtomicFile::open() {
     file_.open(descriptor, QIODevice::WriteOnly | QIODevice::Unbuffered, QFileDevice::AutoCloseHandle);
     struct stat status {};
     if (::stat(QFile::encodeName(path_).constData(), &status) == 0) {
-        // Only privileged users may change the owner, but a user may set the group to another group of the
-        // same user. Both changes clear mode bits, so they come before setting the mode.
+        // Only privileged users may change the owner, but a user may set the group to another of the user's
+        // groups. Both changes clear mode bits, so set the mode last.
         mode_t mode = status.st_mode & 07777;
         if (::fchown(descriptor, status.st_uid, status.st_gid) != 0 &&
             ::fchown(descriptor, static_cast<uid_t>(-1), status.st_gid) != 0) {
-            // The file keeps the user's current group. This group gets only the permissions of others.
+            // The file keeps the user's current group, which gets only the permissions of others.
             mode &= ~static_cast<mode_t>(070) | (mode & 07) << 3;
             errno = 0;
         }

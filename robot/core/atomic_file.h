@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Writes a file completely or not at all. QSaveFile reports success even if its last flush fails, so a full
-// disk turns a small file into an empty one. This class checks every step: writing, flushing to the storage
-// device, replacing the old file and flushing the folder. A crash, a full disk or a power failure leaves
-// either the old or the new file.
+// Writes a file completely or not at all. QSaveFile reports success even if its last flush fails, so that on
+// a full disk an empty file can replace a small file. This class checks every step: writing, flushing to the
+// storage device, replacing the old file and flushing the folder. After a crash, a full disk or a power
+// failure, either the old or the new file exists.
 
 #include <QByteArray>
 #include <QFile>
@@ -15,10 +15,10 @@
 
 namespace tiller {
 
-/// A file that replaces `path` when commit() succeeds. Until then the old file is unchanged. An object that
+/// A file that replaces `path` when commit() succeeds. Until then, the old file is unchanged. An object that
 /// is destroyed before commit() leaves no new file.
 /// Errors   of every call: DiskFull, FileNotWritable; the context is the path or the given text,
-///          controllerMessage contains the system's reason
+/// controllerMessage contains the system's reason
 /// Threads  one at a time. Blocks: for the file system. Real-time: no
 class AtomicFile {
 public:
@@ -55,7 +55,7 @@ private:
 Result<void> writeFileAtomically(const QString& path, const QByteArray& content, const QString& what = {});
 
 /// Flushes the closed file `part` (written by a library) and renames it to `path` in the same folder.
-/// Replaces an existing file. On an error, `part` remains.
+/// Replaces an existing file. After an error, `part` still exists.
 /// what     context of errors; empty: the path
 /// Errors   DiskFull, FileNotWritable
 /// Threads  any. Blocks: for the file system. Real-time: no

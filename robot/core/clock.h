@@ -16,10 +16,10 @@ class Clock {
 public:
     virtual ~Clock() = default;
     virtual std::int64_t nowNs() const = 0;  ///< [ns]
-    /// False for a clock that is only advanced manually, because a wait would never end.
+    /// False for a clock that is advanced only manually, for which a wait would never end.
     virtual bool runsByItself() const = 0;
-    /// Waits until the time `ns`, accurate to microseconds if the CPU is available: the last `awakeNs` are
-    /// spent in a busy wait. Returns immediately if the clock does not run by itself.
+    /// Waits until the time `ns`. The last `awakeNs` are a busy wait, for an accuracy of microseconds if the
+    /// CPU is available. Returns at once if the clock does not run by itself.
     virtual void waitUntil(std::int64_t ns, std::int64_t awakeNs) const = 0;
 };
 
@@ -34,14 +34,14 @@ public:
     void waitUntil(std::int64_t ns, std::int64_t awakeNs) const override;  ///< Sleeps, then busy-waits.
     /// Sleeps until `ns` or later, without a busy wait.
     static void sleepUntil(std::int64_t ns);
-    /// The default clock. It is stateless and shared by all users.
+    /// The default clock. Stateless and shared by all users.
     static const SteadyClock& shared() {
         static const SteadyClock clock;
         return clock;
     }
 };
 
-/// A clock that only advances by advanceNs().
+/// A clock that advances only with advanceNs().
 class VirtualClock final : public Clock {
 public:
     explicit VirtualClock(std::int64_t startNs = 1'000'000'000) : now_(startNs) {}

@@ -13,13 +13,13 @@
 
 namespace tiller {
 
-/// Lets another thread cancel a wait. Copies refer to the same flag.
+/// Lets another thread cancel a wait. Copies share the same flag.
 /// Threads  any
 class CancelToken {
 public:
     CancelToken() : CancelToken(nullptr) {}
-    /// The token is also cancelled once `asked` returns true. The waiting thread calls `asked` about every 10
-    /// ms. Intended for hosts such as Python that can detect an interrupt only in this thread.
+    /// The token is also cancelled when `asked` returns true. The waiting thread calls `asked` about every 10
+    /// ms. For hosts such as Python, which can detect an interrupt only in this thread.
     explicit CancelToken(std::function<bool()> asked) : state_(std::make_shared<State>(std::move(asked))) {}
     /// Cancels all copies.
     void cancel() const { state_->cancelled.store(true, std::memory_order_release); }
@@ -44,7 +44,7 @@ public:
     using Clock = std::chrono::steady_clock;
 
     /// time  in any unit and representation, e.g. 5s, 0.5s, std::chrono::duration<double>(x). More than a
-    ///       century: no limit. A negative value or NaN: already expired.
+    /// century: no limit. A negative value or NaN: already expired
     template <class Rep, class Period>
     static Deadline after(std::chrono::duration<Rep, Period> time, const CancelToken& token = CancelToken()) {
         using Seconds = std::chrono::duration<double>;
@@ -57,8 +57,8 @@ public:
                    : Deadline(Clock::now() + std::chrono::ceil<Clock::duration>(time), token);
     }
 
-    /// A deadline without a time limit. Only the awaited event or the token ends the wait. Useful e.g. for a
-    /// move at 2 % speed.
+    /// A deadline without a time limit, e.g. for a move at 2 % speed. Only the awaited event or the token
+    /// ends the wait.
     static Deadline never(const CancelToken& token = CancelToken()) {
         return Deadline(Clock::time_point::max(), token);
     }
@@ -66,7 +66,7 @@ public:
     /// True if the time has expired or the token is cancelled.
     bool hasExpired() const { return token_.isCancelled() || Clock::now() >= end_; }
     bool isCancelled() const { return token_.isCancelled(); }  ///< True only if the token is cancelled.
-    std::chrono::milliseconds remaining() const {  ///< 0 if expired; one day if there is no time limit.
+    std::chrono::milliseconds remaining() const {  ///< 0 if expired; one day without a time limit.
         if (token_.isCancelled()) {
             return std::chrono::milliseconds(0);
         }

@@ -2,7 +2,7 @@
 #pragma once
 
 // Error codes for programs, with the context and the controller's message. User-visible texts with a
-// suggested action are in widgets/.
+// suggested action are in robot/station/text.
 
 #include <QMetaType>
 #include <QString>
@@ -26,7 +26,7 @@ enum class ErrorCode {
     ProtocolError,       ///< received bytes violate the protocol
     VersionUnsupported,  ///< not supported by the software version of the controller
     FieldUnknown,        ///< the controller does not have this RTDE field
-    RegisterInUse,       ///< an RTDE input is used by another client or a fieldbus
+    RegisterInUse,       ///< another client or a fieldbus uses the RTDE input
     // motion
     NotConnected,
     NotInControl,  ///< the control program is not running

@@ -38,7 +38,7 @@ Result<void> openForReading(QFile& file, const QString& path) {
         if (::stat(name.constData(), &status) == 0 && !S_ISREG(status.st_mode)) {
             return readFailure(path, notRegular());
         }
-        // O_NONBLOCK: the file may have been replaced by a pipe since the check.
+        // O_NONBLOCK: a pipe may have replaced the file since the check.
         const int descriptor = ::open(name.constData(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
         if (descriptor < 0) {
             return readFailure(path, qt_error_string(errno));
@@ -77,7 +77,8 @@ Result<QByteArray> readWholeFile(const QString& path, qint64 maxBytes) {
     }
     QByteArray bytes;
     if (file.size() <= maxBytes) {
-        // Read in chunks, up to one byte beyond the limit. System files report no size, and some are endless.
+        // Read in chunks, up to one byte beyond the limit, because system files report no size and some are
+        // endless.
         constexpr qint64 kPiece = 1 << 20;
         bytes.reserve(file.size());
         for (QByteArray piece; bytes.size() <= maxBytes; bytes += piece) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Opens files that a user chose. Only regular files are read: a pipe, a socket or a device could block the caller or
-// never end.
+// Opens files that a user has selected. Only regular files are read, because a pipe, a socket or a device
+// could block the caller or never end.
 
 #include <QByteArray>
 #include <QFile>
@@ -12,7 +12,7 @@
 
 namespace tiller {
 
-/// Size of the largest URScript file that is read [bytes].
+/// Maximum size of a URScript file that is read [bytes].
 inline constexpr qint64 kMaxScriptBytes = 16 << 20;
 
 /// Opens `path` for reading into `file`, which must be closed. Never blocks on a pipe or a device. Embedded

@@ -13,7 +13,7 @@ namespace tiller {
 /// are the same.
 using SafetyStatus = SafetyMode;
 
-/// Observed only as a safety status so far. Source: SafetyStatus.msg of the ROS 2 driver
+/// So far observed only as a safety status. Source: SafetyStatus.msg of the ROS 2 driver
 inline constexpr SafetyStatus kIoPlaneStop = static_cast<SafetyStatus>(23);
 
 std::vector<RobotMode> robotModes();         ///< In numeric order.

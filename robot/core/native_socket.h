@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Reads and writes connected TCP sockets by descriptor. Used by the 500 Hz loops and the simulated
-// controller, because QTcpSocket allocates memory. tcp_connect.h opens such sockets.
+// Reads and writes connected TCP sockets by descriptor. The 500 Hz loops and the simulated controller use it,
+// because QTcpSocket allocates memory. tcp_connect.h opens such sockets.
 
 #include <chrono>
 #include <cstddef>
@@ -28,21 +28,21 @@ struct Transfer {
 /// Makes the socket non-blocking, disables Nagle's algorithm and suppresses SIGPIPE.
 void prepare(Descriptor socket);
 
-/// A connection ends if the peer's system has not responded for this time, even when idle. The time is long
-/// enough for network interruptions that TCP recovers from. Code that needs a faster reaction monitors the
-/// received data.
+/// A connection ends if the peer's system has not responded for this time, even if idle. The time covers
+/// network interruptions from which TCP recovers. Code that needs a faster reaction monitors the received
+/// data.
 inline constexpr std::chrono::milliseconds kPeerTimeout(5000);
 
-/// Enables keep-alive probes, because a peer that loses power never closes the connection. On Linux the
-/// connection ends within kPeerTimeout, on other systems after a time that depends on their configuration.
+/// Enables keep-alive probes, because a peer that loses power never closes the connection. On Linux, the
+/// connection ends within kPeerTimeout; on other systems, the time depends on their configuration.
 void watchPeer(Descriptor socket);
 
 /// Threads  one reader and one writer at a time. Blocks: never. Real-time: one system call each
 Transfer receive(Descriptor socket, std::span<std::uint8_t> into);
-/// Threads, blocking and real-time: as receive().
+/// Threads, blocking and real-time: same as receive().
 Transfer send(Descriptor socket, std::span<const std::uint8_t> bytes);
 
-/// Ends the wait of another thread in waitReadable(). Has no effect on unsupported systems, where the wait
+/// Ends the wait of another thread in waitReadable(). On unsupported systems, it has no effect, and the wait
 /// lasts until its timeout.
 /// Threads  any. Blocks: never. Real-time: one system call each
 class EventFd {
@@ -72,15 +72,15 @@ bool waitReadable(Descriptor socket, std::chrono::nanoseconds atMost, const Even
 bool waitWritable(Descriptor socket, std::chrono::milliseconds atMost);
 
 void close(Descriptor socket);
-/// Makes close() reset the connection, so that data that have not been delivered yet are discarded.
+/// Makes close() reset the connection, which discards data that have not been delivered yet.
 void discardOnClose(Descriptor socket);
 
 /// Local port of the connection; 0 if not connected.
 std::uint16_t localPort(Descriptor socket);
 std::uint16_t peerPort(Descriptor socket);  ///< Remote port of the connection; 0 if not connected.
 
-/// Returns a second descriptor of the same connection, which can outlive the Qt socket that opened the
-/// connection. Negative if the system has no free descriptors.
+/// Returns a second descriptor of the connection, which can outlive the Qt socket that opened it. Negative if
+/// the system has no free descriptors.
 Descriptor duplicate(Descriptor socket);
 
 }  // namespace tiller::native_socket

@@ -7,12 +7,12 @@ namespace tiller {
 
 namespace {
 
-// Initialized in the thread that loads the library. The call makes Qt store this thread as the main thread.
+// Initialized in the thread that loads the library. Qt stores this thread as the main thread.
 const QThread* const loadingThread = QThread::currentThread();
 
 }  // namespace
 
-// The initialization above does the work. A call to this function makes the linker keep the file.
+// The initialization above does the work. A call to this function makes the linker keep this file.
 void adoptMainThread() {
     static_cast<void>(loadingThread);
 }

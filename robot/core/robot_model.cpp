@@ -6,17 +6,17 @@
 // Sources of the values. "Description" means the vendor's public description files (which cite its articles
 // on DH parameters, joint torques and speeds); "assumed" means chosen for this project.
 //
-// - DH: description files; UR7e has the UR5e's arm, UR12e the UR10e's. Like the controller, this file rounds pi/2
-//   to 1.570796327; forward kinematics then agrees with a recorded pose to the last digit.
+// - DH: description files. UR7e has the arm of the UR5e, UR12e that of the UR10e. Like the controller, this
+// file rounds pi/2 to 1.570796327; forward kinematics then agrees with a recorded pose to the last digit.
 // - Speeds: the rated values. The controller's ConfigurationData reports 0.2 rad/s more (observed on a UR5e).
 // - UR18 and UR8 Long torques and speeds: assumed as UR15, which has the same shoulder and wrists.
 // - Dashboard names of UR7e, UR12e and UR8 Long: assumed to be the names in their simulator image.
 // - Inertia of UR3, UR3e, UR5, UR5e, UR7e: cylinders, the only published values.
-// - Inertia of UR30: assumed. Shoulder and wrists as UR20 (same masses); upper arm and forearm scaled from the
-//   UR20's by mass and length, because the public file repeats another robot's values.
-// - Torque per current: UR5e and UR7e from a simulated controller (gravity torque divided by reported current).
-//   UR10e, UR10, UR12e, UR16e: gains measured on a UR10e. All others assumed: 9.93052 (T/150)^k with T the joint's
-//   maximum torque, k = 0.146 below 150 Nm and 0.441 above, fitted to the known joints.
+// - Inertia of UR30: assumed. Shoulder and wrists as UR20 (same masses); upper arm and forearm scaled from
+// the UR20 by mass and length, because the public file repeats another robot's values.
+// - Torque per current: UR5e and UR7e from a simulated controller (gravity torque divided by reported
+// current). UR10e, UR10, UR12e, UR16e: gains measured on a UR10e. All others assumed: 9.93052 (T/150)^k with
+// T the joint's maximum torque, k = 0.146 below 150 Nm and 0.441 above, fitted to the known joints.
 
 namespace tiller {
 namespace {
@@ -50,8 +50,8 @@ struct Cylinder {
     double along;   // moment of inertia about the cylinder axis
 };
 
-// The cylinder axis of shoulder, wrist 1 and wrist 2 is the axis of the preceding joint (y of their DH frame); the
-// upper arm and the forearm extend along x; wrist 3 rotates about z.
+// The cylinder axis of shoulder, wrist 1 and wrist 2 is the axis of the preceding joint (y of their DH
+// frame). Upper arm and forearm extend along x. Wrist 3 rotates about z.
 Tensors cylinders(const std::array<Cylinder, 6>& c) {
     Tensors result;
     for (const std::size_t i : {0U, 3U, 4U}) {

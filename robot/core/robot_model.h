@@ -76,10 +76,10 @@ inline constexpr double kJointAccelerationLimit = 40.0;
 
 const RobotModel& robotModel(RobotModelId id);  ///< Data of one model, valid for the whole program.
 std::span<const RobotModel> robotModels();      ///< All supported models.
-/// Looks a model up by name, ignoring case: "ur5e", "UR8Long", "ur8 long".
+/// Looks up a model by name, ignoring case: "ur5e", "UR8Long", "ur8 long".
 std::optional<RobotModelId> robotModelByName(const Text& name);
-/// Looks a model up by robot_type in ConfigurationData. If several models share the type, returns the first
-/// of them; their joints are identical.
+/// Looks up a model by robot_type in ConfigurationData. If several models share the type, returns the first;
+/// their joints are identical.
 std::optional<RobotModelId> robotModelByType(int robotType, bool isCb3);
 
 }  // namespace tiller

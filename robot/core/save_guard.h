@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Locks a folder against other Tiller processes while this process compares a file with the version it read
-// and then replaces the file. The system releases the lock when the process ends for any reason.
+// Locks a folder against other Tiller processes while this process compares a file with the version that it
+// has read, and replaces the file. The system releases the lock when the process ends for any reason.
 
 #include <QString>
 #include <memory>
@@ -11,8 +11,8 @@
 
 namespace tiller {
 
-/// One thread holds the guard for milliseconds. On file systems without locks the guard always succeeds, and
-/// only the comparison before the write protects the file.
+/// Held by one thread for milliseconds. On file systems without locks, the guard always succeeds, and only
+/// the comparison before the write protects the file.
 class SaveGuard {
 public:
     /// Waits until no other process or thread holds the guard for the folder of `path`.

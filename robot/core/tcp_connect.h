@@ -15,9 +15,9 @@ namespace tiller {
 /// Connects to host:port. Tries all addresses of a host name, one after the other.
 /// port     1 ... 65535
 /// context  of the error; empty: "connect to host:port"
-/// Returns  a connected descriptor, prepared by native_socket::prepare(); the caller closes it
+/// Returns  a connected descriptor, prepared by native_socket::prepare(); the caller must close it
 /// Errors   AddressInvalid, HostUnreachable, ConnectionRefused, Timeout, Cancelled, Internal
-/// Threads  any. Blocks: until the deadline, but name resolution takes as long as the system needs
+/// Threads  any. Blocks: until the deadline, but the duration of name resolution depends on the system
 Result<native_socket::Descriptor> connectTcp(const QString& host, int port, const Deadline& deadline,
                                              QString context = {});
 

@@ -101,15 +101,15 @@ concept ScopedEnum = std::is_enum_v<E> && !std::is_convertible_v<E, int>;
 }  // namespace detail
 
 /// Writes the name of an enumerator as spelled in the header (e.g. "LinkLost"), or the number if it has no
-/// name. Robot modes use the controller's spelling instead: see modes.h.
+/// name. Robot modes use the controller's spelling: see modes.h.
 template <detail::ScopedEnum E>
 std::ostream& operator<<(std::ostream& out, E value) {
     const std::string_view name = detail::nameOf(value);
     return name.empty() ? out << static_cast<std::int64_t>(value) : out << name;
 }
 
-/// toString(value) returns the output of operator<< as a std::string. It is an object rather than a function,
-/// so that argument-dependent lookup does not find it in place of another toString (Qt Test has one).
+/// toString(value) returns the output of operator<< as a std::string. It is an object, so that
+/// argument-dependent lookup does not find it in place of another toString (Qt Test has one).
 struct ToString {
     template <class T>
     std::string operator()(const T& value) const {

@@ -2,7 +2,7 @@
 #pragma once
 
 // A mutex with a timeout. std::timed_mutex would be sufficient, but ThreadSanitizer does not support its wait
-// function (pthread_mutex_clocklock) and reports every such lock as an error.
+// function (pthread_mutex_clocklock) and reports every lock as an error.
 
 #include <chrono>
 #include <condition_variable>
@@ -21,7 +21,7 @@ public:
     }
     bool try_lock() { return try_lock_for(std::chrono::nanoseconds(0)); }  ///< Blocks: never
     /// Returns  false if the mutex was not free in time
-    /// Threads  any. Blocks: for the given time at most
+    /// Threads  any. Blocks: at most for the given time
     bool try_lock_for(std::chrono::nanoseconds timeout) {
         std::unique_lock guard(guard_);
         if (!free_.wait_for(guard, timeout, [this] { return !taken_; })) {

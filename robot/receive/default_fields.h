@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The field lists used by recordings, the user interface and the ur_rtde compatibility layer.
+// The field lists of recordings, the user interface and the ur_rtde compatibility layer.
 
 #include <string>
 #include <vector>
@@ -10,7 +10,7 @@ namespace tiller::receive {
 
 /// The fields that ur_rtde subscribes to on every software version, in its order.
 std::vector<std::string> commonFields();
-/// Adds the registers that ur_rtde subscribes to: integer register 2 and registers 12 to 19 of both types.
+/// Adds the registers of ur_rtde: integer register 2 and registers 12 to 19 of both types.
 /// upper  use the upper range of registers, which starts at 24
 void addOutputRegisters(std::vector<std::string>& fields, bool upper);
 

@@ -43,7 +43,7 @@ constexpr std::array kBits = {
     Bits{"input_bit_registers32_to_63", 32},
 };
 
-/// Units per component. For example, "m, rad" for six values means that three are in m and three in rad.
+/// Units per component. For example, "m, rad" for six values: three in m and three in rad.
 std::vector<std::string> unitsOf(std::string_view units, std::size_t components) {
     const std::size_t comma = units.find(", ");
     if (comma == std::string_view::npos) {

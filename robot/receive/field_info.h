@@ -2,7 +2,7 @@
 #pragma once
 
 // Descriptions of all output fields for the user interface: unit, meaning and interpretation of the values.
-// Whether a given robot has a field is only known from its reply, see Receiver::absentFields().
+// Only the reply of a robot shows whether it has a field, see Receiver::absentFields().
 
 #include <QString>
 #include <cstdint>
@@ -31,16 +31,16 @@ struct FieldInfo {
     FieldKind kind = FieldKind::Number;
     FieldModes modes = FieldModes::None;
     int components = 1;              ///< 1, 3 or 6
-    std::vector<std::string> units;  ///< per component, e.g. "rad"; empty strings if there is no unit
+    std::vector<std::string> units;  ///< per component, e.g. "rad"; empty strings without a unit
     int bits = 0;                    ///< number of defined bits, starting with the lowest
 
-    /// Name in recordings, e.g. "actual_q_0"; a field with one component keeps its name.
+    /// Name in recordings, e.g. "actual_q_0". A field with one component keeps its name.
     std::string componentName(int component) const;
     /// False if this software version is known not to have the field.
     bool isAvailableOn(const SoftwareVersion& version) const;
 };
 
-/// All fields, registers last. The span remains valid until the program ends.
+/// All fields, registers last. The span is valid until the program ends.
 /// Threads  any
 std::span<const FieldInfo> fieldInfos();
 /// Returns null if there is no such output field.

@@ -26,8 +26,8 @@ namespace {
 
 using std::chrono::milliseconds;
 
-// A record consists of sequence number, host time, connection number, number of samples lost before, and the
-// bit patterns of the values.
+// A record consists of sequence number, host time, connection number, number of samples lost before it, and
+// the bit patterns of the values.
 constexpr std::size_t kSequence = 0;
 constexpr std::size_t kHostTime = 1;
 constexpr std::size_t kConnection = 2;
@@ -92,7 +92,7 @@ struct Subscription::Stream {
 
     std::shared_ptr<const SampleLayout> layout;
     realtime::BroadcastRing ring;
-    std::atomic<bool> ended{true};  ///< the receiver is not running, so no more data arrive
+    std::atomic<bool> ended{true};  ///< the receiver is not running, so no more data will arrive
     mutable realtime::WakeUp wakeUp;
     mutable std::mutex factsMutex;  ///< never locked while data are received
     Error lastError;
@@ -183,14 +183,14 @@ struct Receiver::Worker {
 
     // Used by the receive thread only.
     std::vector<std::size_t> places;        ///< word index in the record for each number of a package
-    std::vector<std::size_t> absentPlaces;  ///< record words without a number in the package
+    std::vector<std::size_t> absentPlaces;  ///< record words for which the package has no number
     std::size_t timestampPlace = 0;
     std::uint64_t sequence = 0;
     std::uint64_t connections = 0;
     realtime::StreamWatch watch;
     realtime::Histogram intervals;
     std::int64_t previousHostNs = 0;
-    bool hasPrevious = false;  ///< a previous package exists in the current connection
+    bool hasPrevious = false;  ///< the current connection has delivered a package before
     std::int64_t windowStartNs = 0;
     std::uint64_t windowPackets = 0;
 
@@ -227,8 +227,8 @@ struct Receiver::Worker {
             if (stopping) {
                 break;
             }
-            // Only received data count as success, so that a peer that accepts and closes connections is
-            // retried slowly.
+            // Only received data are a success, so that a peer that accepts and closes connections is retried
+            // slowly.
             failures = sequence != before ? 0 : failures;
             receiving = false;
             {

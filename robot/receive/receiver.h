@@ -45,13 +45,13 @@ struct ReceiverOptions {
     std::vector<int> cpus = {};
     /// Used for time stamps and ages. Must outlive the receiver.
     const Clock* clock = &SteadyClock::shared();
-    /// Limit for one attempt to connect and complete the handshake. The sum of this limit and the longest
-    /// delay is below 2 s, so data resume within 2 s after the network has recovered.
+    /// Limit for one attempt to connect and complete the handshake. This limit plus the longest delay is
+    /// below 2 s, so data resume within 2 s after the network has recovered.
     std::chrono::milliseconds connectTimeout{1300};
     /// Delays between attempts, measured on the receiver's clock. The last delay repeats.
     std::vector<std::chrono::milliseconds> reconnectDelays{
         std::chrono::milliseconds(100), std::chrono::milliseconds(250), std::chrono::milliseconds(500)};
-    /// Time without data after which the connection is closed and reopened.
+    /// After this time without data, the connection is closed and reopened.
     std::chrono::milliseconds silenceLimit{2500};
     /// Samples buffered for busy subscribers: 8 s at 500 Hz.
     std::size_t ringCapacity = 4096;
@@ -60,7 +60,7 @@ struct ReceiverOptions {
 enum class ReceiverState {
     Stopped,     ///< not started, or stopped
     Connecting,  ///< an attempt is in progress
-    Receiving,   ///< connected; see ReceiverCounters and ageNs() for the state of the data
+    Receiving,   ///< connected; ReceiverCounters and ageNs() describe the data
     Waiting,     ///< an attempt or the connection failed; waiting for the next attempt
 };
 
@@ -73,7 +73,7 @@ struct ReceiverCounters {
     std::int64_t lastJitterNs = 0;  ///< deviation of the newest package from its expected arrival time
 };
 
-/// The read position of one consumer in the stream. Remains valid after the receiver is destroyed.
+/// The read position of one consumer in the stream. Valid even after the receiver is destroyed.
 /// Threads  one at a time. Real-time: yes
 class Subscription {
 public:
@@ -85,8 +85,8 @@ public:
     /// Waits for the next sample. While a subscriber waits, each package costs the receive thread one system
     /// call to wake it.
     /// Errors   Timeout, Cancelled; NotConnected if the receiver is stopped or destroyed. Without a
-    ///          connection the message contains the reason: "ConnectionRefused: connect to ..."
-    /// Blocks   until the deadline. Real-time: no
+    /// connection, the message contains the reason: "ConnectionRefused: connect to ..." Blocks   until the
+    /// deadline. Real-time: no
     Result<void> next(Sample& sample, const Deadline& deadline);
     /// Waits for the next sample and returns it in a new object.
     Result<Sample> next(const Deadline& deadline);
@@ -103,7 +103,7 @@ private:
 };
 
 /// Owns the thread "tiller-receive" (SCHED_FIFO 90 if permitted), which opens, reads and closes the RTDE
-/// connection. The thread publishes samples through a seqlock and a ring buffer. stop() sets a flag.
+/// connection. The thread publishes samples through a seqlock and a ring buffer.
 /// Threads  any for all functions; start() and stop() from one thread
 class Receiver {
 public:
@@ -123,11 +123,11 @@ public:
     ReceiverState state() const;  ///< Threads: any
     /// Local port of the connection; 0 if not connected. Threads: any
     std::uint16_t localPort() const;
-    /// Reason why start() or the last attempt failed, or why the last connection was lost. Code None while
+    /// Reason why start() or the last attempt failed, or the last connection was lost. Code None while
     /// connected.
     Error lastError() const;
     ReceiverCounters counters() const;  ///< Counters since start(). Threads: any
-    /// Resets all counters, including reconnects. Takes effect with the next package.
+    /// Resets all counters, including reconnects, at the next package.
     void resetCounters();
     /// Intervals between consecutive packages on the host [ns], since the last reset.
     realtime::Histogram intervals() const;
@@ -146,16 +146,16 @@ public:
     Sample latest() const;
     void latest(Sample& into) const;  ///< Like latest(), without an allocation.
     /// Waits for a sample of the current connection that is not older than 100 ms, and returns it. For
-    /// programs that compute their first target from the position of the arm.
+    /// programs that compute their first target from the arm position.
     /// onRefusal  reaction if the connection is refused or the host name cannot be resolved before any data
-    ///            have arrived: fail immediately, or wait as for a robot that is booting
+    /// have arrived: fail at once, or wait as for a robot that is booting
     /// Errors     the reason why the connection failed, if known (ConnectionRefused, HostUnreachable,
-    ///            FieldUnknown, ...); Timeout, Cancelled; NotConnected if start() was not called
-    /// Blocks     until the deadline. The receiver continues to connect during the wait. If the robot has
-    ///            sent data before, the call always waits
+    /// FieldUnknown, ...); Timeout, Cancelled; NotConnected if start() was not called Blocks     until the
+    /// deadline. The receiver continues to connect during the wait. If the robot has sent data before, the
+    /// call always waits
     Result<Sample> waitForData(const Deadline& deadline, OnRefusal onRefusal = OnRefusal::Fail) const;
-    /// Age of the newest sample on the receiver's clock; the maximum value if there is none. The age includes
-    /// the time a sample waited in a backlog, according to the robot's time stamps.
+    /// Age of the newest sample on the receiver's clock; the maximum value without a sample. Includes the
+    /// time that the sample has waited in a backlog, according to the robot's time stamps.
     std::int64_t ageNs() const;
     /// True if the newest sample is not older than `limit`.
     bool isFresh(std::chrono::nanoseconds limit) const { return ageNs() <= limit.count(); }

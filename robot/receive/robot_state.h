@@ -38,12 +38,12 @@ enum class SafetyStatusBit : std::uint32_t {
     ThreePositionEnabling = 1U << 11,
 };
 
-/// Missing values (no packet yet, a field that was not requested, a field that the robot does not send) are
-/// returned as NaN, bit fields and integers as empty optionals, and single bits as false. Missing modes have
-/// the most restrictive value (Disconnected, Undefined, Stopped, PowerOff). All motion commands reject NaN,
-/// so a target computed from missing data is not executed. To wait for data, use Receiver::waitForData(). The
-/// sample must outlive this object.
-/// Threads  one at a time. Real-time: yes (a hash look-up per call)
+/// Missing values (no packet yet, a field that was not requested, or a field that the robot does not send)
+/// are returned as NaN, bit fields and integers as empty optionals, and single bits as false. Missing modes
+/// have the most restrictive value (Disconnected, Undefined, Stopped, PowerOff). All motion commands reject
+/// NaN, so a target computed from missing data is not executed. To wait for data, use
+/// Receiver::waitForData(). The sample must outlive this object.
+/// Threads  one at a time. Real-time: yes (one hash look-up per call)
 class RobotState {
 public:
     explicit RobotState(const Sample& sample) : sample_(&sample) {}
@@ -86,9 +86,9 @@ public:
     RobotMode robotMode() const;        ///< DISCONNECTED if missing.
     SafetyMode safetyMode() const;      ///< UNDEFINED if missing.
     RuntimeState runtimeState() const;  ///< STOPPED if missing.
-    /// For single bits see is().
+    /// For single bits, use is().
     std::optional<std::uint32_t> robotStatusBits() const { return bits32("robot_status_bits"); }
-    /// For single bits see is().
+    /// For single bits, use is().
     std::optional<std::uint32_t> safetyStatusBits() const { return bits32("safety_status_bits"); }
     bool is(RobotStatusBit bit) const {  ///< False if missing.
         return (robotStatusBits().value_or(0) & static_cast<std::uint32_t>(bit)) != 0;

@@ -23,7 +23,7 @@ SampleLayout::SampleLayout(const std::vector<std::string>& names) {
             componentNames_.push_back(rtde::componentName(entry.name, entry.type, i));
         }
     }
-    // From here on, the vectors are not reallocated.
+    // The vectors are not reallocated after this point.
     for (std::size_t i = 0; i < entries_.size(); ++i) {
         entryByName_.emplace(entries_[i].name, i);
     }

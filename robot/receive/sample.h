@@ -2,8 +2,8 @@
 #pragma once
 
 // One data package of the robot as a sample: sequence number, time of arrival and all values as doubles. The
-// layout is fixed for the lifetime of a receiver and independent of the robot. Values that a robot does not
-// send are NaN.
+// layout is fixed during the lifetime of a receiver and independent of the robot. Values that a robot does
+// not send are NaN.
 
 #include <QStringList>
 #include <cmath>
@@ -37,7 +37,7 @@ public:
         std::size_t count = 1;
     };
 
-    /// Types are taken from the field catalogue. Unknown names (see unknownOutputs) and duplicates are ignored.
+    /// Types are those of the field catalogue. Unknown names (see unknownOutputs) and duplicates are ignored.
     explicit SampleLayout(const std::vector<std::string>& names);
 
     const std::vector<Entry>& entries() const { return entries_; }  ///< In the order of the recipe.
@@ -58,7 +58,7 @@ private:
     std::size_t size_ = 0;
 
 public:
-    // Not copyable: the maps contain pointers into the vectors.
+    // Not copyable, because the maps contain pointers into the vectors.
     SampleLayout(const SampleLayout&) = delete;
     SampleLayout& operator=(const SampleLayout&) = delete;
 };
@@ -68,12 +68,11 @@ public:
 QStringList unknownOutputs(const std::vector<std::string>& names);
 
 struct Sample {
-    std::uint64_t sequence = 0;   ///< 1 for the first package of the receiver; 0: no data yet
-    std::int64_t hostTimeNs = 0;  ///< time of arrival on the clock of the receiver
-    std::uint64_t connection =
-        0;  ///< 1 for the first connection; a change means that the stream was interrupted
+    std::uint64_t sequence = 0;    ///< 1 for the first package of the receiver; 0: no data yet
+    std::int64_t hostTimeNs = 0;   ///< time of arrival on the clock of the receiver
+    std::uint64_t connection = 0;  ///< 1 for the first connection; a change: the stream was interrupted
     std::uint64_t lostBefore =
-        0;  ///< packages skipped by the controller before this one, according to its time stamps
+        0;  ///< packages skipped by the controller before this one, from its time stamps
     std::vector<double> values;
     std::shared_ptr<const SampleLayout> layout;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Progress of a motion started with `asynchronous`, as reported by the robot in one integer.
+// Progress of a motion started with `asynchronous`, reported by the robot in one integer.
 
 #include <cstdint>
 

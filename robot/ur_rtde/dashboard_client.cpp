@@ -95,7 +95,7 @@ void DashboardClient::disconnect() {
 void DashboardClient::send(const std::string& str) {
     const std::lock_guard lock(d_->mutex);
     const std::size_t end = str.find_last_not_of("\r\n");
-    // The reply is read immediately, so that it cannot be mistaken for the reply to another line.
+    // Read the reply at once, so that it cannot be mistaken for the reply to another line.
     d_->replies.push_back(d_->ask(end == std::string::npos ? std::string() : str.substr(0, end + 1)));
 }
 

@@ -34,7 +34,7 @@ public:
 
     /// Sends any command, with or without a line end; receive() returns the reply.
     void send(const std::string& str);
-    /// Returns the oldest reply that has not been read.
+    /// Returns the oldest unread reply.
     std::string receive();
 
     // Programs
@@ -44,7 +44,7 @@ public:
     void pause();
     bool running();
     std::string programState();      ///< e.g. "STOPPED name"
-    std::string getLoadedProgram();  ///< "Loaded program: " and the path, or a text if no program is loaded
+    std::string getLoadedProgram();  ///< "Loaded program: " and the path, or a text without a program
     bool isProgramSaved();
 
     // Power and safety

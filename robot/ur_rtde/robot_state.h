@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Exists for compatibility with programs that include this header. Use RTDEReceiveInterface to read the
-// robot's state.
+// For programs that include this header. RTDEReceiveInterface reads the state of the robot.
 
 #include <ur_rtde/rtde.h>

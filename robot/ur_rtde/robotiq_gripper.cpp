@@ -77,7 +77,7 @@ struct RobotiqGripper::Private {
         return true;
     }
 
-    /// User positions are 1 (open) ... 0 (closed). Device units increase towards closed.
+    /// User positions: 1 (open) ... 0 (closed). Device units increase towards closed.
     float fromDevice(eMoveParameter param, int device) const {
         const auto value = static_cast<float>(device);
         float part = value / kDeviceMaxReal;
@@ -128,7 +128,7 @@ struct RobotiqGripper::Private {
         return minPosition + static_cast<int>(std::lround((1.0F - part) * span));
     }
 
-    /// Returns when the gripper has accepted the request. Until then, its status belongs to the previous
+    /// Returns when the gripper has accepted the request. Until then, the status is that of the previous
     /// motion.
     void moveDevice(int position, int withSpeed, int withForce) {
         requested = std::clamp(position, 0, kDeviceMax);

@@ -18,7 +18,7 @@ namespace ur_rtde {
 
 /// Positions, speeds and forces are in the units of setUnit(), initially normalized (0 ... 1). Position 1 is
 /// open, 0 is closed. Values are clamped to the range of the gripper. A negative speed or force selects the
-/// preset from setSpeed() or setForce(). The initial presets are full speed and minimum force.
+/// preset of setSpeed() or setForce(). The initial presets are full speed and minimum force.
 /// Threads  one at a time
 class RobotiqGripper {
 public:
@@ -53,8 +53,7 @@ public:
     void disconnect();
     bool isConnected() const;
 
-    /// Resets and activates the gripper. Activation opens and closes the gripper once. Returns when the
-    /// gripper is ready.
+    /// Resets and activates the gripper, which opens and closes once. Returns when the gripper is ready.
     void activate(bool auto_calibrate = false);
     /// Closes and opens the empty gripper to determine its end positions.
     void autoCalibrate(float Speed = -1.0);
@@ -71,14 +70,14 @@ public:
     int move(float Position, float Speed = -1.0, float Force = -1.0, eMoveMode MoveMode = START_MOVE);
     int open(float Speed = -1.0, float Force = -1.0, eMoveMode MoveMode = START_MOVE);
     int close(float Speed = -1.0, float Force = -1.0, eMoveMode MoveMode = START_MOVE);
-    /// Opens or closes slowly in any state. The gripper must be activated again afterwards.
+    /// Opens or closes slowly in any state. The gripper must then be activated again.
     void emergencyRelease(ePostionId Direction, eMoveMode MoveMode = WAIT_FINISHED);
     int faultStatus();  ///< eFaultCode
 
     void setUnit(eMoveParameter Param, eUnit Unit);
     /// Stroke of the gripper for UNIT_MM; initially 40.
     void setPositionRange_mm(int Range);
-    /// Sets the preset for moves without a value, clamped to the range of the gripper.
+    /// Sets the preset for moves without this value, clamped to the range of the gripper.
     /// Returns  the resulting preset
     float setSpeed(float Speed);
     float setForce(float Force);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Common includes of the ur_rtde interface. Exists for compatibility, because programs written for ur_rtde
-// rely on indirect includes and include this header by name. The RTDE connection itself is in robot/rtde.
+// Common includes of the ur_rtde interface. Programs written for ur_rtde rely on indirect includes and
+// include this header by name. The RTDE connection itself is in robot/rtde.
 
 #include <ur_rtde/rtde_export.h>
 

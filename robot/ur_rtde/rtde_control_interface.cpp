@@ -16,7 +16,7 @@ using List = std::vector<double>;
 
 namespace {
 
-constexpr double kMaxMass = 100.0;    // [kg], above the payload of all arms
+constexpr double kMaxMass = 100.0;    // [kg], exceeds the payload of all arms
 constexpr double kMaxLength = 2.0;    // [m], for centres of gravity and similar lengths
 constexpr double kMaxGravity = 20.0;  // [m/s2]
 
@@ -40,7 +40,7 @@ List joined(List first, const List& second) {
 }
 
 constexpr double kUnused = 1000;
-constexpr double kMaxForce = 1000;  // [N], [Nm]; above the limits of all arms
+constexpr double kMaxForce = 1000;  // [N], [Nm]; exceeds the limits of all arms
 
 double flag(bool value) {
     return value ? 1.0 : 0.0;
@@ -51,7 +51,7 @@ List reals(const std::vector<int>& values) {
 }
 
 List servoValues(List target, double speed, double acceleration, double time, double lookahead, double gain) {
-    // Ignored by current software: any finite value is accepted.
+    // Current software ignores these arguments: any finite value is valid.
     check::number("speed", speed, 0, kUnused);
     check::number("acceleration", acceleration, 0, kUnused);
     check::number("time", time, 0, 10, "s");
@@ -70,7 +70,7 @@ struct RTDEControlInterface::Private {
 
     tiller::control::JointLimits limits() const { return session.backend()->jointLimits(); }
 
-    /// Available since 5.4. In older software, the program has no contact detection.
+    /// True from 5.4 on. In older software, the program has no contact detection.
     bool feelsContact() const {
         const auto& version = session.identity().versions;
         return version.major > 5 || (version.major == 5 && version.minor >= 4);
@@ -97,7 +97,7 @@ struct RTDEControlInterface::Private {
     }
 
 private:
-    /// Custom programs leave the result register unchanged for commands without a result.
+    /// False for commands without a result, for which custom programs do not change the result register.
     static bool answersResult(CommandId id) {
         switch (id) {
             case CommandId::PoseWithinLimits:
@@ -380,7 +380,7 @@ List RTDEControlInterface::getForwardKinematics(const List& q, const List& tcp_o
     if (!tcp_offset.empty()) {
         check::pose("tcp_offset", tcp_offset);
     }
-    // Without a TCP argument, the active TCP is used. It must be queried, because the command uses the
+    // Without a TCP argument, the active TCP applies. It must be queried, because the command always uses the
     // register values.
     const List tcp = tcp_offset.empty() ? getTCPOffset() : tcp_offset;
     return answered("getForwardKinematics", d_->six(CommandId::ForwardKinematicsOf, 12, joined(joints, tcp)));

@@ -73,7 +73,7 @@ public:
         FLAG_VERBOSE = 0x04,                ///< print progress on standard output
         FLAG_UPPER_RANGE_REGISTERS = 0x08,  ///< use registers from number 24 on
         FLAG_NO_WAIT = 0x10,                ///< do not wait for the program to start
-        FLAG_CUSTOM_SCRIPT = 0x20,          ///< a user program replaces the control program
+        FLAG_CUSTOM_SCRIPT = 0x20,          ///< use a user program in place of the control program
         FLAGS_DEFAULT = FLAG_UPLOAD_SCRIPT
     };
     enum RobotStatus {
@@ -118,7 +118,7 @@ public:
     void disconnect(bool unattended = false);
     /// Returns  false on failure: see lastError(). Does not throw
     bool reconnect();
-    /// Reason of the last failure (a call that returned false or threw); empty if there was none. Also
+    /// Reason for the last failure (a call that returned false or threw); empty if there was none. Also
     /// printed once to standard error. Not available in ur_rtde.
     std::string lastError() const;
     bool isConnected();
@@ -131,8 +131,8 @@ public:
     std::chrono::steady_clock::time_point initPeriod();
 
     // ---- the program on the robot
-    /// Returns true when the program is running. During a protective or emergency stop, returns true after
-    /// the program was handed over.
+    /// Returns true when the program is running. During a protective or emergency stop, returns true when the
+    /// program has been transferred.
     bool reuploadScript();
     /// Runs `script` (lines of URScript) as a function with this name, then restarts the control program.
     /// unattended  false: an inserted watchdog thread ends the script if this process ends or the connection
@@ -143,7 +143,7 @@ public:
                                   bool unattended = false);
     bool sendCustomScript(const std::string& script, bool unattended = false);
     bool sendCustomScriptFile(const std::string& file_path, bool unattended = false);
-    /// Replaces the control program with a file, now and in every later upload. Empty: the built-in program.
+    /// Replaces the control program with a file, now and in later uploads. Empty: the built-in program.
     void setCustomScriptFile(const std::string& file_path);
     void stopScript();
     bool isProgramRunning();
@@ -164,26 +164,26 @@ public:
     bool moveL_FK(const std::vector<double>& q, double speed = 0.25, double acceleration = 1.2,
                   bool asynchronous = false);
     bool movePath(const Path& path, bool asynchronous = false);
-    /// Moves with velocity xd until the tool makes contact, then back to the pose of the first contact. Does
-    /// not move if there is already a contact. Returns false without moving on software before 5.4, which has
-    /// no contact detection.
+    /// Moves with velocity xd until the tool makes contact, and then back to the pose of the first contact.
+    /// Does not move if there is already a contact. Before 5.4, which has no contact detection, returns false
+    /// without moving.
     /// direction  direction of the contacts in the base frame; zeros: direction of xd
     bool moveUntilContact(const std::vector<double>& xd,
                           const std::vector<double>& direction = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
                           double acceleration = 0.5);
-    /// Progress of the last asynchronous motion while it is running; otherwise alternately -1 and -2.
+    /// Progress of the last asynchronous motion while it is running, otherwise alternately -1 and -2.
     int getAsyncOperationProgress();
     AsyncOperationStatus getAsyncOperationProgressEx();
 
     // ---- streams of set points
-    /// time  duration of the set point before the next one is read [s]; 0: one control period. As in ur_rtde,
-    ///       the motion continues until the next set point, a stop, or one of the ends described above
+    /// time  minimum time before the next set point is read [s]; 0: one control period. As in ur_rtde, the
+    /// motion continues until the next set point, a stop, or another end described above
     bool speedJ(const std::vector<double>& qd, double acceleration = 0.5, double time = 0.0);
     bool speedL(const std::vector<double>& xd, double acceleration = 0.25, double time = 0.0);
     bool speedStop(double a = 10.0);
-    /// As in ur_rtde, a target far from the arm is passed to the controller. The controller follows at
-    /// maximum speed or makes a protective stop. control::Motions refuses such targets.
-    /// speed, acceleration  ignored by current software
+    /// As in ur_rtde, a target far from the arm is passed to the controller, which follows at maximum speed
+    /// or triggers a protective stop. control::Motions refuses such targets. speed,
+    /// acceleration  ignored by current software
     /// lookahead_time       0.03 ... 0.2 s
     /// gain                 100 ... 2000
     bool servoJ(const std::vector<double>& q, double speed, double acceleration, double time,
@@ -221,8 +221,8 @@ public:
     /// Number of control periods since the first contact; 0 without contact.
     int toolContact(const std::vector<double>& direction);
     /// Starts contact detection. An existing contact must be released first. On contact, the current motion
-    /// stops and the tool returns to the pose of the first contact, unless a stop occurs. Returns false on
-    /// software before 5.4.
+    /// stops and the tool returns to the pose of the first contact, unless a stop occurs. Returns false
+    /// before 5.4.
     /// direction  zeros: direction of the tool motion
     bool startContactDetection(const std::vector<double>& direction = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0});
     bool readContactDetection();
@@ -236,11 +236,11 @@ public:
     bool kickWatchdog();
     bool triggerProtectiveStop();
     /// Sends the request to the dashboard server. Throws the same exceptions as
-    /// DashboardClient::unlockProtectiveStop. Does not cause a motion.
+    /// DashboardClient::unlockProtectiveStop. Does not move the arm.
     void unlockProtectiveStop();
 
-    // ---- queries. If the robot does not respond, functions that may regularly return an empty list, 0 or
-    // false return this value (step time, history, waypoint, contact, inverse kinematics, limits, steady).
+    // ---- queries. Without a response of the robot, functions for which an empty list, 0 or false is a
+    // regular result return it (step time, history, waypoint, contact, inverse kinematics, limits, steady).
     // All others throw std::runtime_error.
     double getStepTime();
     std::vector<double> getActualJointPositionsHistory(int steps = 0);

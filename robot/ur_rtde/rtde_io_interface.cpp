@@ -20,7 +20,7 @@ using tiller::rtde::Connection;
 using tiller::rtde::Direction;
 namespace check = tiller::urrtde::check;
 
-/// Inputs that another client may use separately are in separate recipes.
+/// Separate recipes for inputs that another client may use separately.
 enum Group : std::size_t { kStandard, kConfigurable, kTool, kSlider, kAnalog, kIntRegisters };
 
 constexpr int kFirstRegister = 18;
@@ -66,7 +66,7 @@ struct RTDEIOInterface::Private {
         return {};
     }
 
-    /// The robot sends no data on this connection, so a closed connection can only be detected by checking.
+    /// The robot sends no data on this connection, so a closed connection is detected only by checking it.
     bool isAlive() const {
         return connection &&
                connection->readPackage({}, std::chrono::nanoseconds(0)) == Connection::Read::Nothing;

@@ -2,7 +2,7 @@
 #pragma once
 
 // Sets outputs, the speed slider and general purpose registers through a separate RTDE connection, with or
-// without a running program. All other outputs remain unchanged.
+// without a running program. All other outputs do not change.
 
 #include <ur_rtde/rtde_utility.h>
 
@@ -12,9 +12,9 @@
 
 namespace ur_rtde {
 
-/// Setters return true when the command was sent. They return false without a connection (after one attempt
-/// to reconnect), if the robot is not reading the data, or if another client or a fieldbus uses the input.
-/// Arguments out of range throw std::range_error before anything is sent.
+/// Setters return true when the command has been sent. They return false without a connection (after one
+/// attempt to reconnect), if the robot is not reading the data, or if another client or a fieldbus uses the
+/// input. Arguments out of range throw std::range_error before anything is sent.
 /// Threads  any; calls are serialized
 class RTDEIOInterface {
 public:
@@ -32,8 +32,8 @@ public:
     bool setStandardDigitalOut(std::uint8_t output_id, bool signal_level);      ///< 0 ... 7
     bool setConfigurableDigitalOut(std::uint8_t output_id, bool signal_level);  ///< 0 ... 7
     bool setToolDigitalOut(std::uint8_t output_id, bool signal_level);          ///< 0, 1
-    /// speed  0.02 ... 1. At lower values the arm would move extremely slowly, and 0 has caused protective
-    ///        stops. To keep the arm at standstill, pause or stop the program
+    /// speed  0.02 ... 1. At lower values, the arm would move extremely slowly, and 0 has caused protective
+    /// stops. To keep the arm at standstill, pause or stop the program
     bool setSpeedSlider(double speed);
     bool setAnalogOutputVoltage(std::uint8_t output_id,
                                 double voltage_ratio);  ///< 0, 1; ratio 0 ... 1 of 10 V

@@ -38,7 +38,7 @@ public:
     void appendMovelPath(const std::vector<std::vector<double>>& path);
     /// path  rows of 9: joint positions [rad], speed [rad/s], acceleration [rad/s2], blend radius [m]
     void appendMovejPath(const std::vector<std::vector<double>>& path);
-    /// One line per entry. Each is preceded by a line that reports the entry number as progress.
+    /// One line per entry, each preceded by a line that reports the entry number as progress.
     std::string toScriptCode() const;
 
 private:

@@ -81,7 +81,7 @@ struct RTDEReceiveInterface::Private {
 };
 
 const Sample& RTDEReceiveInterface::Private::newest() const {
-    // One buffer per thread avoids locking and allocation.
+    // One buffer per thread, which avoids locks and allocations.
     thread_local Sample sample;
     receiver.latest(sample);
     return sample;

@@ -3,10 +3,10 @@
 
 // Reads the RTDE data of the robot and records them to CSV files. A separate thread receives the stream and
 // reconnects automatically until disconnect(). The getters return values of the newest package, regardless of
-// its age. Use isConnected() to check that data arrive.
+// its age. Use isConnected() to check whether data arrive.
 //
-// Errors of the getters: std::runtime_error with the field name if the field was not requested (see `variables`) or
-// the robot does not have it.
+// Errors of the getters: std::runtime_error with the field name if the field was not requested (see
+// `variables`) or the robot does not have it.
 
 #include <ur_rtde/rtde.h>
 #include <ur_rtde/rtde_utility.h>
@@ -175,7 +175,7 @@ public:
     bool stopFileRecording();
     /// Returns after the next package, or after 2.5 s without a package.
     void receiveCallback();
-    /// Returns after the next package was passed to the recording, or immediately if there is no recording.
+    /// Returns after the next package has been passed to the recording, or at once without a recording.
     void recordCallback();
 
     double getTimestamp();                        ///< [s] since the start of the controller
@@ -221,7 +221,7 @@ public:
     bool isEmergencyStopped();
     int getOutputIntRegister(int output_id);  ///< 12-19; upper range: 36-43; or as requested in `variables`
     double getOutputDoubleRegister(int output_id);  ///< same registers as getOutputIntRegister()
-    /// Speed scaling times speed slider. 0 while the program is paused; increases smoothly afterwards.
+    /// Speed scaling times speed slider. 0 while the program is paused. After a pause, increases smoothly.
     double getSpeedScalingCombined();
     std::vector<double> getFtRawWrench();     ///< flange frame [N, Nm]
     double getPayload();                      ///< [kg]

@@ -81,8 +81,7 @@ bool RTDEUtility::setRealtimePriority(int priority) {
 #endif
     const auto report = tiller::realtime::requestThreadPriority(priority);
 #ifdef __linux__
-    // With a limited amount of lockable memory, later allocations could fail, so memory is not locked in this
-    // case.
+    // If lockable memory is limited, later allocations could fail. Then, memory is not locked.
     rlimit limit{};
     if (report.ok() && ::getrlimit(RLIMIT_MEMLOCK, &limit) == 0 && limit.rlim_cur == RLIM_INFINITY) {
         ::mlockall(MCL_CURRENT | MCL_FUTURE);

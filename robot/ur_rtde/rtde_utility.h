@@ -20,7 +20,7 @@ public:
     static std::vector<std::string> split(const std::string& s, char delimiter);
     /// True if the whole text is a decimal number.
     static bool isNumber(const std::string& s);
-    /// Sleeps, then busy-waits for the remaining time for precision.
+    /// Sleeps, and then busy-waits for the last part.
     /// seconds  [s]; no effect if not positive
     static void preciseSleep(double seconds);
     /// Sleeps for the rest of a period.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Sends URScript to the controller: a file, text, or the built-in control program adapted to the controller's
+// Sends URScript to the controller: a file, text, or the built-in control program for the controller's
 // software version.
 
 #include <ur_rtde/rtde.h>
@@ -14,8 +14,8 @@ namespace ur_rtde {
 
 class ScriptClient {
 public:
-    /// major_control_version, minor_control_version  of the controller; they select the lines marked with a
-    ///                                               version
+    /// major_control_version,
+    /// minor_control_version  of the controller; they select lines with a version mark
     explicit ScriptClient(std::string hostname, uint32_t major_control_version,
                           uint32_t minor_control_version, int port = 30003, bool verbose = false);
     virtual ~ScriptClient();
@@ -37,13 +37,13 @@ public:
     /// Sends text. Adds a missing line end.
     bool sendScriptCommand(const std::string& cmd_str);
     /// Inserts `inject_string` after the first `search_string` of every program sent from now on. Replaces an
-    /// earlier injection for the same search string.
+    /// earlier injection for this search string.
     void setScriptInjection(const std::string& search_string, const std::string& inject_string);
     /// Returns the text that sendScript() would send. Throws std::runtime_error if the file cannot be read.
     std::string getScript();
 
     /// Removes lines that need a newer software version: lines that start with a version mark, e.g. "$5.4" or
-    /// "$5.10|3.15". In the remaining lines, the marks are replaced by blanks.
+    /// "$5.10|3.15". In the remaining lines, blanks replace the marks.
     /// Returns  false for an invalid mark
     bool removeUnsupportedFunctions(std::string& ur_script);
     /// Inserts the strings of setScriptInjection().

@@ -22,7 +22,7 @@ constexpr milliseconds kCustomConnectTime(5000);
 constexpr milliseconds kProgramStart(5000);
 constexpr milliseconds kCustomManualStart(60000);
 constexpr milliseconds kProgramEnd(5000);
-// No time limit: with the speed slider at 2 %, a move of one minute takes almost an hour.
+// No time limit, because at a speed slider of 2 %, a move of one minute takes almost an hour.
 constexpr milliseconds kEver = std::chrono::hours(24 * 365);
 
 const auto never = [](const RegisterState&) { return false; };
@@ -71,7 +71,7 @@ script::Heartbeat heartbeatOf(const RegisterLink& link) {
     return heartbeat;
 }
 
-// Clears a command of an earlier client or program, because it must not start later.
+// Clears a command of an earlier client or program, so that it cannot start later.
 void clearUnlessStopping(RegisterLink& link) {
     if (!link.isCommandAlone()) {
         link.clear();
@@ -115,7 +115,7 @@ void CustomControl::disconnect(control::Supervision supervision) {
         }
         current->close();
     }
-    // Leaves time for waiting calls to return.
+    // Leave waiting calls time to return.
     if (const std::unique_lock turn(turn_, milliseconds(100)); turn.owns_lock()) {
         scripts_.reset();
     }
@@ -261,14 +261,14 @@ bool CustomControl::sendScript(const RegisterLink& link, const std::string& text
 
 bool CustomControl::awaitProgram(RegisterLink& link, milliseconds atMost,
                                  const std::function<bool(const RegisterState&)>& giveUp) {
-    // A user program may have ended already.
+    // A user program may already have ended.
     const auto ready = [&](const RegisterState& state) {
         return playedBefore_ ? state.played != *playedBefore_ : state.isPlaying();
     };
     return link.wait(ready, giveUp ? giveUp : never, atMost);
 }
 
-// First send a command, then use the dashboard for programs that do not respond.
+// Sends a command first. If the program does not respond, uses the dashboard.
 bool CustomControl::endProgram(RegisterLink& link) {
     link.send(4, {static_cast<double>(CommandId::StopScript)});
     bool ended = link.wait(hasEnded, never, milliseconds(500));
@@ -291,8 +291,8 @@ bool CustomControl::reupload() {
     if (!endProgram(*current) || !upload(*current, {})) {
         return false;
     }
-    // No program runs during a protective or emergency stop, so handing over the program is sufficient. A
-    // stop that was just unlocked may still be reported in the next packages.
+    // No program runs during a protective or emergency stop, so transferring the program is sufficient. The
+    // next packages may still report a stop that has just been unlocked.
     const std::uint64_t settled = current->state().sequence + 50;
     bool stopped = false;
     const auto isStopped = [&](const RegisterState& state) {
@@ -333,9 +333,8 @@ bool CustomControl::runCustom(const std::string& program, control::Supervision s
         text = script::supervised(QString::fromStdString(program), heartbeatOf(*current), current->version())
                    .text.toStdString();
     }
-    // Packages with a running program are counted, because the program may end before this thread checks. The
-    // program may even end before any package reports it. In that case, the final state of programs written
-    // for ur_rtde is used.
+    // Count packages with a running program, because the program may end before this thread checks. It may
+    // even end before any package reports it. Then use the final state of programs written for ur_rtde.
     const RegisterState before = current->state();
     const auto hasBegun = [&before](const RegisterState& state) {
         return state.played != before.played || (before.answer != 2 && state.answer == 2);
@@ -438,12 +437,12 @@ std::optional<RegisterState> CustomControl::performInTurn(const RecipeCommand& c
         return std::nullopt;
     }
     RegisterLink& robot = *current;
-    // Reasons to end the wait, apart from a broken connection.
+    // Reasons to end the wait, other than a broken connection.
     const auto hopeless = [&](const RegisterState& state) {
         return state.isStopped() || (!mayBeStopped && !state.isPlaying()) ||
                (mayBeStopped && stopsWaiting_ > 0) || disconnecting_;
     };
-    // Other programs may never reply to a stop, which must not block the next one. An interrupted stop
+    // Other programs may never reply to a stop, which must not block the next stop. An interrupted stop
     // replaces the current command.
     const auto pointless = [&](const RegisterState& state) {
         return hopeless(state) || stopsWaiting_ > 0 || !robot.holds(command.id);

@@ -2,8 +2,8 @@
 #pragma once
 
 // Executes the commands of RTDEControlInterface through a user program with ur_rtde's registers. Only
-// programs sent by this class contain the heartbeat watchdog. The program itself determines what else ends a motion,
-// and the entire behaviour of a program started elsewhere.
+// programs sent by this class contain the heartbeat watchdog; all other ends of their motions depend on the
+// program. The behaviour of a program started elsewhere depends entirely on that program.
 
 #include "robot/ur_rtde/custom/register_link.h"
 #include "robot/ur_rtde/detail/control_session.h"
@@ -17,7 +17,7 @@ class CustomControl final : public ControlBackend {
 public:
     /// Connects, and sends the file or waits for a program that is started by other means. Throws the same
     /// exceptions as RTDEControlInterface.
-    /// file  program to send; empty: none
+    /// file  program to send; empty: no program is sent
     CustomControl(const SessionOptions& options, Pendant& pendant, ProgramServer* server, std::string file);
     ~CustomControl() override;
 

@@ -18,7 +18,7 @@ constexpr milliseconds kSilenceLimit(2500);  // the connection counts as broken 
 constexpr int kClearRecipe = 4;
 constexpr int kKickRecipe = 11;
 
-// Follows the registers of all recipes and those set by RTDEIOInterface.
+// Follows the registers of all recipes and of RTDEIOInterface.
 constexpr int kHeartbeatRegister = 23;
 
 /// Layout: integer registers from 0, then double registers from 0, then one more field.

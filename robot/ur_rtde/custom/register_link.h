@@ -65,8 +65,8 @@ public:
     bool isAlive() const { return alive_; }
     SoftwareVersion version() const { return version_; }
     RegisterState state() const;
-    /// Waits for a package for which `done` returns true, or until `giveUp` returns true. Several packages
-    /// may be evaluated together, so the state needs a counter for short events.
+    /// Waits until `done` returns true for a package, or until `giveUp` returns true. Several packages may be
+    /// evaluated together, so the state must contain a counter for short events.
     /// Returns  the last result of `done`
     bool wait(const std::function<bool(const RegisterState&)>& done,
               const std::function<bool(const RegisterState&)>& giveUp, std::chrono::milliseconds atMost);
@@ -83,8 +83,8 @@ public:
     bool clear(CommandId command);
     /// Returns true if this is the last command sent.
     bool holds(CommandId command) const { return command_ == static_cast<int>(command); }
-    /// Sends a command for which no caller waits. Sends "no command" when it is done or the program has
-    /// ended.
+    /// Sends a command for which no caller waits. When it is done or the program has ended, sends "no
+    /// command".
     bool sendAlone(int recipe, const std::vector<double>& values);
     /// Returns true if a command without a waiting caller is active. Another command replaces it.
     bool isCommandAlone() const { return alone_ != 0; }

@@ -15,10 +15,10 @@ namespace {
 constexpr double kTwoTurns = 4 * 3.14159265358979323846 + 0.01;
 constexpr double kJointRange = 2 * 3.14159265358979323846 + 0.1;
 constexpr double kRounding = 1e-6;
-// For velocities of single axes. Larger than for the fastest wrist (2 pi).
+// Maximum velocity of a single axis [rad/s]. Exceeds the fastest wrist (2 pi).
 constexpr double kMaxTurn = 6.3;
 constexpr double kMaxTravel = 5.0;
-constexpr double kMinValue = 1e-6;  // of speeds and accelerations, because a move would never end with 0
+constexpr double kMinValue = 1e-6;  // minimum speed and acceleration, because a move with 0 would never end
 constexpr double kReach = 10.0;  // three times the reach of the largest arm; values in mm are usually larger
 constexpr const char* kDegrees = "; angles are in radians. Was it given in degrees?";
 constexpr const char* kMillimetres = "; lengths are in metres. Was it given in millimetres?";

@@ -20,7 +20,7 @@ void integer(const char* name, int value, int lowest, int highest);
 void list(const std::string& name, const List& values, std::size_t size);
 void listWithin(const std::string& name, const List& values, std::size_t size, double limit, const char* unit,
                 const char* hint = "");
-/// The widest limits of all arms. Used until the connected arm is known.
+/// The widest limits of all arms, until the connected arm is known.
 control::JointLimits anyArm();
 /// Checks 6 angles against the limits of the arm [rad]; larger values are probably in degrees.
 void joints(const std::string& name, const List& q, const control::JointLimits& arm);

@@ -109,7 +109,7 @@ public:
     /// Executes a command and waits for its completion.
     /// Returns  empty if the command failed or another thread stopped it
     virtual std::optional<CommandResult> perform(const RecipeCommand& command) = 0;
-    /// Sends the command immediately and cancels the wait of another thread.
+    /// Sends the command at once and cancels the wait of another thread.
     /// wait  false: return after sending
     virtual bool stop(const RecipeCommand& command, bool wait = true) = 0;
     /// Sends one set point of a stream.

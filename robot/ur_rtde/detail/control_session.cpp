@@ -164,7 +164,7 @@ std::shared_ptr<ControlBackend> ControlSession::open() {
     if (uploads || server_) {
         return openNative(false);
     }
-    // True for any running program, now or later: a program of Tiller, of an earlier client, or with
+    // Works for any running program, now or later: a program of Tiller, of an earlier client, or with
     // ur_rtde's registers.
     std::shared_ptr<ControlBackend> ours;
     if (!options_.has(Face::FLAG_CUSTOM_SCRIPT)) {
@@ -196,7 +196,7 @@ std::string ControlSession::lastError() const {
     return backend()->lastError();
 }
 
-// Printed to standard error, as in ur_rtde.
+// Also printed to standard error, as in ur_rtde.
 void ControlSession::keepError(const std::string& text) {
     std::cerr << "RTDEControlInterface: " << text << std::endl;
     const std::lock_guard lock(mutex_);

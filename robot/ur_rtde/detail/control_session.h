@@ -65,7 +65,7 @@ public:
     /// Backend that executes the commands; never null.
     std::shared_ptr<ControlBackend> backend() const;
     bool isConnected() const { return backend()->isConnected(); }
-    /// True if a user program is running. It may support fewer commands than Tiller's program.
+    /// True if a user program is running, which may support fewer commands than Tiller's program.
     bool isForeign() const;
     /// Reason for the last failure; empty if there was none or it is unknown.
     std::string lastError() const;

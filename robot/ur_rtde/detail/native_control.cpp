@@ -22,7 +22,8 @@ constexpr milliseconds kManualStart(60000);
 constexpr milliseconds kProgramTime(5000);
 constexpr milliseconds kAnswerTime(3000);
 constexpr milliseconds kJoinTime(500);
-// The connection counts as broken after this time without data. The robot has then already ended all motions.
+// After this time without data, the connection is considered broken. The robot has then already ended all
+// motions.
 constexpr milliseconds kDataTimeout(2500);
 // Lower than the defaults of the controller, as in ur_rtde.
 constexpr control::ForceSettings kCalmForce{0.025, 0.5};
@@ -97,7 +98,7 @@ control::PathEntry entryOf(const ur_rtde::PathEntry& entry) {
     return out;
 }
 
-// The ExternalControl URCap inserts the text into a program, so the enclosing definition is removed.
+// The ExternalControl URCap inserts the text into a program, so the enclosing definition must be removed.
 std::string insideOf(const QString& program) {
     const qsizetype begin = program.indexOf(QLatin1Char('\n')) + 1;
     const qsizetype end = program.lastIndexOf(QLatin1String("end"));
@@ -106,7 +107,7 @@ std::string insideOf(const QString& program) {
     return inside.replace(QLatin1String(kIndent), QLatin1String("\n")).toStdString();
 }
 
-// Distinguishes connection errors from errors caused by the state of the robot.
+// Distinguishes connection errors from errors due to the state of the robot.
 [[noreturn]] void raiseUnconnected(const Error& error, bool wasReached) {
     switch (error.code) {
         case ErrorCode::Timeout:
@@ -156,7 +157,7 @@ NativeControl::NativeControl(const SessionOptions& options, Pendant& pendant, Pr
                 const bool again = controller_.version().major > 0 && controller_.status().ticks > 0;
                 server_->setProgram(insideOf(program));
                 if (again) {
-                    pendant_.play();  // the program with the URCap's node requests the text at its start
+                    pendant_.play();  // the program with the URCap's node requests the text when it starts
                 }
                 return {};
             };
@@ -207,7 +208,7 @@ std::string NativeControl::lastError() const {
     return error_;
 }
 
-// Printed to standard error, as in ur_rtde. Repeated failures in a loop are printed once.
+// Also printed to standard error, as in ur_rtde. Repeated failures in a loop are printed once.
 NativeControl::Outcome NativeControl::failed(const Error& error) {
     const std::string text = error.toString().toStdString();
     const std::lock_guard lock(state_);
@@ -228,7 +229,7 @@ NativeControl::Outcome NativeControl::outcome(const Result<void>& done) {
     return failed(done.error());
 }
 
-// True if the user of this class, and not disconnect(), has cancelled the wait.
+// True if the user of this class has cancelled the wait, as opposed to disconnect().
 bool NativeControl::isUsersDoing(const Error& error) const {
     return error.code == ErrorCode::Cancelled && !disconnecting_;
 }
@@ -603,7 +604,7 @@ NativeControl::Outcome NativeControl::ask(const RecipeCommand& command) {
         }
         case CommandId::JointPositionsHistory: {
             const auto q = arm_.jointPositionsHistory(static_cast<int>(v[0]), soon);
-            // If the software has no history, the current value is returned.
+            // Without history, return the current value.
             if (isUnknown(q) && v[0] == 0 && status.inControl) {
                 return CommandResult{1, status.q};
             }
@@ -694,7 +695,7 @@ bool NativeControl::reupload() {
         pendant_.stop();  // the program does not respond
         again = programs_.reupload(within(kProgramTime));
     }
-    // No program runs during a protective or emergency stop. The connection is kept for use afterwards.
+    // No program runs during a protective or emergency stop. Keep the connection for use after the stop.
     const bool stopped = controller_.isConnected() && !allowsMotion(controller_.status().safetyMode);
     return stopped || outcome(again).has_value();
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Executes the commands of RTDEControlInterface through robot/control, without additional rules about motions and
-// their ends. Private to robot/ur_rtde.
+// Executes the commands of RTDEControlInterface through robot/control. The rules for motions and their ends
+// are those of robot/control. Private to robot/ur_rtde.
 
 #include <atomic>
 #include <mutex>
@@ -53,7 +53,7 @@ public:
 private:
     using TurnLock = std::unique_lock<Turn>;
     using Outcome = std::optional<CommandResult>;
-    /// Locks the motions. The returned lock is not owned if a stop occurred first.
+    /// Locks the motions. If a stop occurred first, the returned lock is not owned.
     TurnLock takeTurn();
     /// Returns true if in control. Regains control of a program that was paused and is running again.
     bool isReady();
@@ -90,7 +90,7 @@ private:
 
     Turn turn_;  ///< serializes motions; protects the streams below
     std::atomic<int> stopsMade_{0};
-    std::atomic<int> starts_{0};  ///< number of calls that start or end a motion, excluding set points
+    std::atomic<int> starts_{0};  ///< number of calls that started or ended a motion, excluding set points
     int streamStart_ = 0;         ///< value of starts_ at the start of the current stream
     std::atomic<bool> disconnecting_{false};
     control::JointServo jointServo_;
@@ -102,7 +102,7 @@ private:
     mutable std::mutex state_;  ///< protects the following members
     control::Motion motion_;    ///< the last motion
     control::Motion guiding_;
-    std::vector<double> force_;  ///< last force mode parameters; empty: none
+    std::vector<double> force_;  ///< last force mode parameters; empty: no force mode
     int operation_ = 0;
     mutable int changes_ = 0;
     mutable int reported_ = 0;  ///< last returned running state and progress

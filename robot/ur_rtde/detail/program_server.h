@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Serves the control program to the ExternalControl URCap, which connects to this machine. Private to
+// Serves the control program to the ExternalControl URCap, which connects to this PC. Private to
 // robot/ur_rtde.
 
 #include <atomic>
@@ -17,8 +17,7 @@ namespace tiller::urrtde {
 
 /// Serves up to kMaxClients connections at a time. Another connection replaces the one that has been inactive
 /// for the longest time. A client that does not read its program for 5 s is disconnected.
-/// Threads  one, with normal priority, from the constructor to the destructor. The destructor takes at most
-///          50 ms
+/// Threads  one, with normal priority, from construction to destruction. The destructor takes at most 50 ms
 class ProgramServer {
 public:
     /// Listens on all addresses. Throws std::runtime_error if the port is in use.
