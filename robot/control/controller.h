@@ -132,7 +132,7 @@ public:
 
     /// Ends the active motion and force mode. After this call returns, no earlier command can move the arm.
     /// Returns  the epoch of this stop. When ControllerStatus::restingEpoch reaches this value, the control
-    /// program has confirmed standstill
+    ///          program has confirmed standstill
     std::uint64_t stop(StopCause cause = StopCause::ApiCall);
     /// Number of stops so far, from any source. Ending or replacing a single motion does not count. Read this
     /// value before preparing a motion that must not start after a stop: see Motions.
@@ -143,7 +143,7 @@ public:
 
     MotionState motionState(MotionId motion) const;  ///< Phase, and the cause after the end.
     /// Threads  any with a real-time priority below that of the control thread. A thread with a higher
-    /// priority on the same CPU could preempt a write and then wait forever for its completion
+    ///          priority on the same CPU could preempt a write and then wait forever for its completion
     ControllerStatus status() const;
     MotionLimits limits() const;  ///< Includes the current speed cap [m/s].
     /// Joint limits, read from the configuration of the arm when control is taken.

@@ -32,7 +32,7 @@ struct JogReach {
 /// Simulates a Cartesian jog from rest at q.
 /// tcpOffset  flange to TCP [m, rad]
 /// direction  base frame: unit vector of a translation or of a rotation about an axis through the TCP; the
-/// other part is zero
+///            other part is zero
 /// farthest   maximum distance [m] or angle [rad]
 /// Threads    any. Blocks: never. Real-time: no (about 1 ms)
 JogReach jogReach(const JogConditions& arm, const JointPositions& q, const Pose& tcpOffset,

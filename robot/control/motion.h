@@ -90,8 +90,8 @@ public:
     /// limit.
     /// Returns  ok if the motion reached its target (for a Stop: standstill)
     /// Errors   Timeout, Cancelled (the motion continues), Stopped (with the cause), NoSolution, UnsafeState,
-    /// LinkLost, NotInControl, ScriptError (for a path or function, with line and text) Blocks   until the
-    /// end; polls every millisecond
+    ///          LinkLost, NotInControl, ScriptError (for a path or function, with line and text)
+    /// Blocks   until the end; polls every millisecond
     Result<void> wait(const Deadline& deadline) const;
 
     /// Ends the motion with a deceleration. Does not affect a motion that has replaced it.

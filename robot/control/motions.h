@@ -79,10 +79,11 @@ private:
 
 /// All arguments are checked before a command is sent. Errors contain the name of the invalid argument.
 /// Errors   of every command: NotInControl, UnsafeState, LinkLost; InvalidArgument (NaN, or a value that
-/// suggests degrees or millimetres), LimitExceeded (outside the range of a joint, above the limits of the
-/// arm, or a tool speed above the cap), NoSolution (unreachable pose), Stopped (a concurrent stop)
+///          suggests degrees or millimetres), LimitExceeded (outside the range of a joint, above the limits
+///          of the arm, or a tool speed above the cap), NoSolution (unreachable pose), Stopped (a concurrent
+///          stop)
 /// Threads  any. Blocks: never, except for functions with a deadline. The controller must outlive this object
-/// and all handles
+///          and all handles
 class Motions {
 public:
     explicit Motions(Controller& controller) : controller_(&controller) {}

@@ -21,7 +21,7 @@ inline constexpr std::chrono::hours kMaxPulse{1};
 /// replace the control program, so they start only when no output is pulsing, or fail with Timeout. A program
 /// that is killed or paused from outside (pendant, protective stop) cannot end its pulses.
 ///
-/// \n Errors   of every call: NotInControl, LinkLost, Timeout, Cancelled, InvalidArgument, LimitExceeded
+/// Errors   of every call: NotInControl, LinkLost, Timeout, Cancelled, InvalidArgument, LimitExceeded
 /// Threads  any. Blocks: until confirmed by the control program, typically 6 ms, at most until the deadline
 class OutputPulses {
 public:

@@ -77,18 +77,18 @@ enum class Pacing {
 
 /// Returns the target of this cycle, or nothing to end the loop (the arm stops).
 /// Threads  called in the control thread at its priority. The callback must return within the period and must
-/// not wait, lock or allocate. If it takes longer, the next cycle uses the newest packet, and the periods in
-/// between count as missed. No heartbeat is sent during the call, so a call of 100 ms stops the arm. The
-/// error then contains the duration of the call. At a real-time priority, no other thread runs on this CPU
-/// during the call, so leave a tenth of the period free.
+///          not wait, lock or allocate. If it takes longer, the next cycle uses the newest packet, and the
+///          periods in between count as missed. No heartbeat is sent during the call, so a call of 100 ms
+///          stops the arm. The error then contains the duration of the call. At a real-time priority, no
+///          other thread runs on this CPU during the call, so leave a tenth of the period free.
 template <class Target>
 using CycleCallback = std::function<std::optional<Target>(const CycleState&)>;
 
 /// Each function runs until the callback ends the loop, the stream is stopped by other means, or the deadline
 /// expires. The arm then stops, which may take another 0.1 s. Use stopJ() to wait for standstill.
 /// Errors   none if the callback ended the loop; Timeout at the deadline; Stopped if the robot stopped
-/// without a heartbeat during a long call, with the measured times; otherwise as Motions::startServo... and
-/// Motion::wait(). The report is always filled
+///          without a heartbeat during a long call, with the measured times; otherwise as
+///          Motions::startServo... and Motion::wait(). The report is always filled
 /// Threads  any but the control thread; one loop at a time. Blocks: until the loop has ended
 class PacketLoop {
 public:

@@ -68,9 +68,10 @@ public:
     bool isActive() const { return motion_.isActive(); }  ///< True if send() can still move the arm.
 
     /// Errors   Stopped (the stream has ended), InvalidArgument (NaN, or a value that suggests a wrong unit),
-    /// LimitExceeded (outside the limits of the arm, including torques; a servo target too far from the
-    /// previous target, or the first target too far from the arm: see kJointLeeway). A refused target is not
-    /// sent; the stream continues Blocks   never. Real-time: yes, unless an error is returned
+    ///          LimitExceeded (outside the limits of the arm, including torques; a servo target too far from
+    ///          the previous target, or the first target too far from the arm: see kJointLeeway). A refused
+    ///          target is not sent; the stream continues
+    /// Blocks   never. Real-time: yes, unless an error is returned
     Result<void> send(const Target& target);
     /// Sends a target with new parameters, which stay active.
     Result<void> send(const Target& target, const Parameters& parameters);

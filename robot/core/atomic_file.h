@@ -18,7 +18,7 @@ namespace tiller {
 /// A file that replaces `path` when commit() succeeds. Until then, the old file is unchanged. An object that
 /// is destroyed before commit() leaves no new file.
 /// Errors   of every call: DiskFull, FileNotWritable; the context is the path or the given text,
-/// controllerMessage contains the system's reason
+///          controllerMessage contains the system's reason
 /// Threads  one at a time. Blocks: for the file system. Real-time: no
 class AtomicFile {
 public:

@@ -44,7 +44,7 @@ public:
     using Clock = std::chrono::steady_clock;
 
     /// time  in any unit and representation, e.g. 5s, 0.5s, std::chrono::duration<double>(x). More than a
-    /// century: no limit. A negative value or NaN: already expired
+    ///       century: no limit. A negative value or NaN: already expired
     template <class Rep, class Period>
     static Deadline after(std::chrono::duration<Rep, Period> time, const CancelToken& token = CancelToken()) {
         using Seconds = std::chrono::duration<double>;

@@ -7,16 +7,16 @@
 // on DH parameters, joint torques and speeds); "assumed" means chosen for this project.
 //
 // - DH: description files. UR7e has the arm of the UR5e, UR12e that of the UR10e. Like the controller, this
-// file rounds pi/2 to 1.570796327; forward kinematics then agrees with a recorded pose to the last digit.
+//   file rounds pi/2 to 1.570796327; forward kinematics then agrees with a recorded pose to the last digit.
 // - Speeds: the rated values. The controller's ConfigurationData reports 0.2 rad/s more (observed on a UR5e).
 // - UR18 and UR8 Long torques and speeds: assumed as UR15, which has the same shoulder and wrists.
 // - Dashboard names of UR7e, UR12e and UR8 Long: assumed to be the names in their simulator image.
 // - Inertia of UR3, UR3e, UR5, UR5e, UR7e: cylinders, the only published values.
 // - Inertia of UR30: assumed. Shoulder and wrists as UR20 (same masses); upper arm and forearm scaled from
-// the UR20 by mass and length, because the public file repeats another robot's values.
+//   the UR20 by mass and length, because the public file repeats another robot's values.
 // - Torque per current: UR5e and UR7e from a simulated controller (gravity torque divided by reported
-// current). UR10e, UR10, UR12e, UR16e: gains measured on a UR10e. All others assumed: 9.93052 (T/150)^k with
-// T the joint's maximum torque, k = 0.146 below 150 Nm and 0.441 above, fitted to the known joints.
+//   current). UR10e, UR10, UR12e, UR16e: gains measured on a UR10e. All others assumed: 9.93052 (T/150)^k
+//   with T the joint's maximum torque, k = 0.146 below 150 Nm and 0.441 above, fitted to the known joints.
 
 namespace tiller {
 namespace {

@@ -120,7 +120,7 @@ struct SaveReport {
 
 /// Replaces the file atomically. After a crash, a full disk or a power failure, the old file is intact.
 /// known    fingerprints of the contents that may be replaced; without this argument, any content. A missing
-/// file is created
+///          file is created
 /// Errors   InvalidArgument for invalid values (not finite, no name); FileNotWritable, DiskFull
 /// Threads  any. Blocks: for the file system. Real-time: no
 Result<SaveReport> saveProject(const QString& path, const Project& document,

@@ -85,8 +85,8 @@ public:
     /// Waits for the next sample. While a subscriber waits, each package costs the receive thread one system
     /// call to wake it.
     /// Errors   Timeout, Cancelled; NotConnected if the receiver is stopped or destroyed. Without a
-    /// connection, the message contains the reason: "ConnectionRefused: connect to ..." Blocks   until the
-    /// deadline. Real-time: no
+    ///          connection, the message contains the reason: "ConnectionRefused: connect to ..."
+    /// Blocks   until the deadline. Real-time: no
     Result<void> next(Sample& sample, const Deadline& deadline);
     /// Waits for the next sample and returns it in a new object.
     Result<Sample> next(const Deadline& deadline);
@@ -148,11 +148,11 @@ public:
     /// Waits for a sample of the current connection that is not older than 100 ms, and returns it. For
     /// programs that compute their first target from the arm position.
     /// onRefusal  reaction if the connection is refused or the host name cannot be resolved before any data
-    /// have arrived: fail at once, or wait as for a robot that is booting
+    ///            have arrived: fail at once, or wait as for a robot that is booting
     /// Errors     the reason why the connection failed, if known (ConnectionRefused, HostUnreachable,
-    /// FieldUnknown, ...); Timeout, Cancelled; NotConnected if start() was not called Blocks     until the
-    /// deadline. The receiver continues to connect during the wait. If the robot has sent data before, the
-    /// call always waits
+    ///            FieldUnknown, ...); Timeout, Cancelled; NotConnected if start() was not called
+    /// Blocks     until the deadline. The receiver continues to connect during the wait. If the robot has
+    ///            sent data before, the call always waits
     Result<Sample> waitForData(const Deadline& deadline, OnRefusal onRefusal = OnRefusal::Fail) const;
     /// Age of the newest sample on the receiver's clock; the maximum value without a sample. Includes the
     /// time that the sample has waited in a backlog, according to the robot's time stamps.

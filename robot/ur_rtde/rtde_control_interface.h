@@ -177,7 +177,7 @@ public:
 
     // ---- streams of set points
     /// time  minimum time before the next set point is read [s]; 0: one control period. As in ur_rtde, the
-    /// motion continues until the next set point, a stop, or another end described above
+    ///       motion continues until the next set point, a stop, or another end described above
     bool speedJ(const std::vector<double>& qd, double acceleration = 0.5, double time = 0.0);
     bool speedL(const std::vector<double>& xd, double acceleration = 0.25, double time = 0.0);
     bool speedStop(double a = 10.0);

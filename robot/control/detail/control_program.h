@@ -44,7 +44,7 @@ public:
     SoftwareVersion version() const;
     ArmLimits arm() const;
     /// Errors  VersionUnsupported below these versions. cb3 zeros: not available on CB3. Zeros for PolyScope
-    /// X: available in all versions
+    ///         X: available in all versions
     Result<void> needs(const SoftwareVersion& eSeries, const SoftwareVersion& cb3, const QString& context,
                        const SoftwareVersion& polyScopeX = {}) const;
     /// Errors  VersionUnsupported if the controller does not have this built-in function

@@ -12,7 +12,7 @@
 // accelerations within kJointAccelerationLimit, and positions within kJointPositionLimit. If a motion cannot
 // continue within these limits, a joint-space stop replaces it, and a ProtectiveStop is raised.
 //
-// \n Threads  the caller's thread only. No allocation after construction.
+// Threads  the caller's thread only. No allocation after construction.
 
 #include <memory>
 #include <optional>
@@ -32,7 +32,7 @@ public:
     /// Joint move. For a pose, the inverse kinematics solution nearest to the current joint positions is
     /// used.
     /// Returns   a handle; the progress becomes Returned at the target, or where the blend zone begins if r >
-    /// 0
+    ///           0
     /// Errors    InvalidArgument, JointTargetOutOfRange, NoInverseKinematics, NotOperational, Busy
     /// Source    URScript movej
     MotionStart moveJ(const MoveTarget& target, const MoveParameters& parameters);

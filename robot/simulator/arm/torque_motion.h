@@ -22,7 +22,7 @@ public:
     void setExternal(const Vector6& torques) { external_ = torques; }
     /// Runs one control period.
     /// Returns  the reason if a joint is too fast or has reached the end of its range; `joint` is then set to
-    /// this joint
+    ///          this joint
     std::optional<StopReason> step(double period, const JointLimits& limits, JointTarget& state, int& joint);
 
 private:

@@ -29,7 +29,7 @@ public:
     /// root  URProgram; must outlive this object
     /// Returns  a `def` with this name
     /// Errors   FileCorrupt with line, node and reason. If one node cannot be translated, the whole program
-    /// is refused, because a partial program could behave differently
+    ///          is refused, because a partial program could behave differently
     Result<PendantProgram> translate(const XmlElement& root, const QString& name);
 
 private:

@@ -6,7 +6,7 @@
 // through symbolic links. The folder is checked at each access. Program files are:
 //
 // - `.urp` or `.urpx` files saved by the pendant. The `.script` file that the pendant saved with the program
-// runs. If there is none, pendant/pendant_program.h translates the nodes.
+//   runs. If there is none, pendant/pendant_program.h translates the nodes.
 // - Any other file, which contains URScript text.
 
 #include <QString>
@@ -36,7 +36,7 @@ public:
 
     /// name  relative to the folder, or a full path; `/programs/` and `/ursim/programs/` refer to the folder
     /// Errors   FileNotReadable: no such file in the folder; FileCorrupt, with the reason: the program cannot
-    /// be translated. After an error, the loaded program is unchanged
+    ///          be translated. After an error, the loaded program is unchanged
     Result<void> load(const QString& name);
     /// Loads the installation for programs that do not name one. Every robot has a default.installation.
     /// Errors   same as load()

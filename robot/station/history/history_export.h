@@ -28,7 +28,7 @@ Result<std::int64_t> exportSignals(const SignalStore& store, const std::vector<i
 /// missing row, as in recordings.
 /// Returns  number of rows written
 /// Errors   FileNotWritable, DiskFull; InvalidArgument if there is no sample in the range. An existing file
-/// is unchanged after an error
+///          is unchanged after an error
 Result<std::int64_t> exportCsv(const SignalStore& store, const std::vector<int>& shown, double t0, double t1,
                                const QString& path);
 

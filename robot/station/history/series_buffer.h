@@ -105,7 +105,7 @@ public:
     };
     /// file   must outlive the history
     /// marks  include the first and the last sample; samples between two marks are assumed to be evenly
-    /// spaced
+    ///        spaced
     /// gaps   samples directly after lost samples, ascending
     void lieIn(SampleFile& file, std::int64_t samples, std::vector<Mark> marks,
                std::vector<std::int64_t> gaps);

@@ -20,7 +20,7 @@ struct Spectrum {
 
 /// values  one every `period` seconds, without gaps; their mean is removed and appears only in the first line
 /// Errors  InvalidArgument with the suggested action: fewer than kMinSpectrumSamples samples, no period, a
-/// value that is not finite
+///         value that is not finite
 Result<Spectrum> spectrumOf(std::span<const double> values, double period);
 inline constexpr int kMinSpectrumSamples = 16;
 

@@ -30,7 +30,8 @@ public:
     RobotServices(RobotSession& session, SessionBackend& backend) : session_(session), d_(backend) {}
 
     /// confirmed  the operator agrees that the command ends a program of another client. Without
-    /// confirmation, PowerOff only emits RobotSession::powerOffQuestion() while such a program runs
+    ///            confirmation, PowerOff only emits RobotSession::powerOffQuestion() while such a program
+    ///            runs
     void perform(RobotCommand command, bool confirmed = false);
     /// Requires the operator's explicit confirmation.
     void unlockProtectiveStop(const UnlockConsent& consent);

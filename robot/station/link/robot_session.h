@@ -140,7 +140,7 @@ public:
     void setSurroundings(const collision::CellSurroundings& cell);
     /// Checks whether these moves are permitted in sequence from the current arm position.
     /// Errors  NoSolution with a sentence that names the two bodies that would be too close, and the position
-    /// on the path
+    ///         on the path
     Result<void> permits(std::span<const MoveRequest> moves) const;
     /// Like permits(), for a path of joint positions.
     Result<void> permitsPath(std::span<const JointPositions> way) const;
@@ -150,8 +150,8 @@ public:
     // again.
     using MotionId = std::uint64_t;
     /// guard  called before every move to a position of the project (MoveRequest::toProject, beginPath()).
-    /// Returns why the move must not start, as a sentence; empty if it may start. A refused move ends with
-    /// Cancelled and this sentence.
+    ///        Returns why the move must not start, as a sentence; empty if it may start. A refused move ends
+    ///        with Cancelled and this sentence.
     void setProjectGuard(std::function<QString()> guard) { projectGuard_ = std::move(guard); }
     Result<MotionId> beginJog(const control::JogTarget& target);
     /// Errors  include those of permits(), because every limited motion of a button starts here

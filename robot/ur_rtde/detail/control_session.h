@@ -96,7 +96,7 @@ private:
     std::string scriptFile_;
     mutable std::mutex mutex_;  ///< protects the pointer
     std::shared_ptr<ControlBackend> backend_;
-    std::string error_;  ///< time of connecting
+    std::string error_;
 };
 
 }  // namespace tiller::urrtde

@@ -38,7 +38,7 @@ public:
     /// Sends the data, and buffers the bytes that the socket does not accept.
     /// stamp  time stamp of the bytes, for delivered()
     /// Returns  false, without sending anything, if the data do not fit into the backlog because the client
-    /// is not reading
+    ///          is not reading
     bool send(std::span<const std::uint8_t> bytes, std::optional<double> stamp = {});
     bool send(std::string_view text);
     /// Time stamp of the newest bytes that the client can read completely; empty if they have no time stamp.

@@ -6,10 +6,10 @@
 //
 // - A size field below 3 ends the connection, because the following bytes cannot be parsed.
 // - A well-framed package of unknown type is ignored. The reply to a request with an invalid payload is a
-// refusal (version not accepted, recipe ID 0). A data package with an unknown recipe or wrong length is not
-// applied. No text message is sent, because clients would take it for the expected reply.
+//   refusal (version not accepted, recipe ID 0). A data package with an unknown recipe or wrong length is not
+//   applied. No text message is sent, because clients would take it for the expected reply.
 // - A frequency that is above the maximum or is not a positive number is set to the maximum. A frequency
-// below 1 Hz is set to 1 Hz.
+//   below 1 Hz is set to 1 Hz.
 // - A setup after START replaces the recipe from the next package on. An invalid setup stops the stream.
 // - START without a valid output recipe is refused; PAUSE is always accepted.
 // - PolyScope X notifies new clients while its safety configuration is unconfirmed.

@@ -35,9 +35,9 @@ public:
     /// considered:
     /// - While control is being taken, the stop is always sent.
     /// - With fresh data, it is sent if an external program is running or is just being paused or resumed, or
-    /// if the arm moves; for STOP also if a program is paused.
+    ///   if the arm moves; for STOP also if a program is paused.
     /// - Without fresh data, it is always sent for STOP. For the other keys, it is sent if control is in
-    /// doubt, if there were no data yet, or if the last data showed a program.
+    ///   doubt, if there were no data yet, or if the last data showed a program.
     /// - While in control, a stop is first sent to Tiller's own program, see control::StopConfirmation.
     static bool isMeant(control::StopCause cause, const SessionState& state);
 

@@ -27,7 +27,7 @@ public:
 
     /// Checks moves in sequence from the current arm position.
     /// Errors  NoSolution with a sentence that names the part of the arm, the object and the position on the
-    /// path, or the object whose position is unknown
+    ///         path, or the object whose position is unknown
     Result<void> permit(const SessionState& state, std::span<const MoveRequest> moves) const;
     /// Checks a path of joint positions from the current arm position.
     Result<void> permit(const SessionState& state, std::span<const JointPositions> way) const;

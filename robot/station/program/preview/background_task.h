@@ -20,7 +20,7 @@ public:
 
     /// Cancels the running task and starts this one.
     /// work     called in the thread; must end soon after `cancelled` becomes true, and must then not report
-    /// a result
+    ///          a result
     /// Threads  one. Blocks: a few milliseconds while a running task ends
     void start(std::function<void(const std::atomic<bool>& cancelled)> work);
     void cancel();  ///< Ends the running task.

@@ -30,7 +30,7 @@ struct RunPlan {
 /// tool     [m/s]
 /// joint    [rad/s]
 /// preview  of the same script, from the current arm position; the limit then applies to its joint moves.
-/// Null: the limit applies to any joint move and is much lower
+///          Null: the limit applies to any joint move and is much lower
 SpeedLimits heldLimits(double tool, double joint, const SessionState& state, const Preview* preview);
 
 /// The first collision of the preview as a sentence; empty if there is none.
