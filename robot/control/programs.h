@@ -57,8 +57,8 @@ public:
     ///              until the program is complete
     Result<void> runScript(const Text& program, const Deadline& deadline,
                            Supervision supervision = Supervision::Heartbeat);
-    /// As above.
-    /// Errors       in addition: Stopped, with the cause, if the motion ended before the program
+    /// Like runScript() above.
+    /// Errors       also Stopped, with the cause, if the motion ended before the program
     Result<void> runScript(const Text& program, const Deadline& deadline, const ScriptTerms& terms);
 
     /// Ends the control program. Robot data continue to arrive. reupload() starts the program again.

@@ -8,7 +8,7 @@ namespace tiller::control {
 
 namespace {
 
-// A stop takes about 20 ms to reach the arm. The arm then decelerates.
+// Time after which the arm must be decelerating. A stop takes about 20 ms to reach the arm.
 constexpr std::int64_t kBrakesAfterNs = 100 * kNsPerMs;
 constexpr std::int64_t kCompareEveryNs = 50 * kNsPerMs;
 // At standstill, the control program confirms a stop within this time.

@@ -78,13 +78,13 @@ public:
     /// Returns  false when no script is running any more
     bool step();
 
-    double stepTime() const;               ///< [s]
-    double time() const;                   ///< time since start() [s]
-    JointPositions q() const;              ///< target position: target_q [rad]
-    Pose tcpPose() const;                  ///< pose at this position: target_TCP_pose [m, rad], base frame
-    bool isStandstill() const;             ///< True if the arm does not move.
-    double tcpForce() const;               ///< force at the TCP as an RTDE client receives it [N]
-    std::uint64_t digitalOutputs() const;  ///< 0-7 standard, 8-15 configurable, 16-17 tool
+    double stepTime() const;   ///< [s]
+    double time() const;       ///< time since start() [s]
+    JointPositions q() const;  ///< target position: target_q [rad]
+    Pose tcpPose() const;      ///< pose at this position: target_TCP_pose [m, rad], base frame
+    bool isStandstill() const;
+    double tcpForce() const;                      ///< force at the TCP as an RTDE client receives it [N]
+    std::uint64_t digitalOutputs() const;         ///< 0-7 standard, 8-15 configurable, 16-17 tool
     std::array<double, 2> analogOutputs() const;  ///< at the terminals [A or V]
     /// Last value of a global variable in ScriptRunOptions::followedVariables, also after the end of the
     /// script: true or false, a number, a string, or a list of numbers for a pose or a list. Undefined if the

@@ -24,7 +24,7 @@ struct FileFormat {
     QByteArray magic;      ///< first bytes of a file; empty: any file that matches no other row
     /// Errors, threads as openRecording().
     Result<std::unique_ptr<Recording>> (*open)(const Text& path);
-    /// Errors, threads as exportRecording(). `style` only affects CSV.
+    /// Errors and threads: same as exportRecording(). `style` only affects CSV.
     Result<ExportReport> (*write)(const Recording& recording, const ExportChoice& choice,
                                   const CsvStyle& style);
     /// For RecorderOptions::format; null: a recorder cannot write this format.

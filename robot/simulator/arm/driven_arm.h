@@ -35,7 +35,6 @@ public:
     void setGravity(const Eigen::Vector3d& gravity);
     /// Places the arm at q at rest. The next target may be at any distance from the previous one.
     void place(const JointPositions& q);
-    /// Runs one control period with the given target.
     void step(const JointPositions& q, const JointVelocities& qd);
     /// Measured state after the last step, without contact.
     const ArmState& state() const;

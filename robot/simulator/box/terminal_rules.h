@@ -25,7 +25,6 @@ public:
     std::bitset<kDigitalPins> freedriveInputs;
     std::bitset<128> freedriveRegisters;
 
-    /// Called when a program has started or ended.
     void programChanged(bool running, Pins& pins, Registers& registers) const {
         for (std::size_t i = 0; i < digitalOutputs.size(); ++i) {
             apply(digitalOutputs[i], running,

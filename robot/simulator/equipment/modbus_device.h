@@ -41,7 +41,6 @@ public:
     // Fault injection.
     /// Writes values starting at this address. Addresses above 65535 are ignored.
     void write(Kind kind, int address, std::span<const std::int32_t> values);
-    /// Sets the value of a signal by its name.
     Result<void> writeSignal(std::string_view name, std::span<const std::int32_t> values);
     /// Sets the response of the device to a signal: 0 no error, 1 illegal function, 2 illegal address, 3
     /// illegal value, 4 failure, 6 busy ...
@@ -49,7 +48,6 @@ public:
     void setConnected(bool connected) { connected_ = connected; }
 
     void step(double dt);
-    /// Called when a program has started or ended.
     void programChanged(bool running);
     /// True if any input that acts as a freedrive button is high.
     bool freedriveWanted() const;

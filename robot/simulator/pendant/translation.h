@@ -20,7 +20,6 @@ namespace tiller::simulator::pendant {
 
 /// Converts text to a valid identifier as the pendant does: spaces and similar characters become underscores.
 QString identifier(const QString& text);
-/// Returns the text as a string literal.
 QString quoted(QString text);
 
 class Translation {

@@ -466,7 +466,6 @@ class Host : public virtual MotionHost,
              public virtual WorldHost {
 public:
     ArmFrames armFrames() const { return {flangePose(), tcpPose(Source::Actual)}; }
-    /// Converts a pose from one frame to another.
     Result<Pose> convertPose(const Pose& pose, const std::string& from, const std::string& to) {
         return world().convert(pose, from, to, armFrames());
     }

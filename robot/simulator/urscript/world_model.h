@@ -51,7 +51,6 @@ public:
     bool contains(const std::string& name) const { return isFixed(name) || frames_.contains(name); }
     Result<std::string> parentOf(const std::string& name) const;
     Result<std::vector<std::string>> childrenOf(const std::string& name) const;
-    /// Converts a pose from the frame `from` to the frame `to`.
     Result<Pose> convert(const Pose& pose, const std::string& from, const std::string& to,
                          const ArmFrames& arm) const;
     /// Pose of `name` relative to `relative`, in the axes of `axes`.

@@ -92,7 +92,6 @@ Q_SIGNALS:
     /// A damaged file was renamed to `copy`.
     void copyKept(const QString& copy);
     void saveFailed(const tiller::Error& error);
-    /// Automatic saving has succeeded again.
     void saveRecovered();
     /// Another window has the project open, so changes in this window are not saved.
     void openElsewhere();

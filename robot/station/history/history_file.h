@@ -75,7 +75,6 @@ private:
     bool readExtents(std::int64_t first, std::int64_t last, std::int64_t rowsEach, std::int64_t mostExtents);
     Result<void> readExtents(std::span<const Column> columns, recording::RowRange range,
                              std::int64_t rowsEach);
-    /// Computes the extents from the rows.
     Result<void> readExtentsOfRows(std::span<const Column> columns, recording::RowRange range,
                                    std::int64_t rowsEach);
 

@@ -41,7 +41,6 @@ struct SeriesColumn::RunningExtent {
         min = low < min ? low : min;
         max = high > max ? high : max;
     }
-    /// Adds the extents of several entries of one level.
     void add(const Extent<Value>* entries, std::size_t count) {
 #ifdef __SSE2__
         if constexpr (sizeof(Value) == sizeof(float)) {

@@ -16,7 +16,7 @@ constexpr double kThere = 0.001;
 /// Positions are considered reached this time in advance, because the reported positions are delayed by a few
 /// hundredths of a second [s].
 constexpr double kAhead = 0.08;
-/// Deceleration at the end of the trail [rad/s per rad].
+/// Speed per remaining distance at the end of the trail [1/s].
 constexpr double kApproach = 4.0;
 
 double apart(const JointPositions& a, const JointPositions& b) {

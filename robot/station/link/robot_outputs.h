@@ -70,7 +70,6 @@ public:
     /// Claims the inputs of the robot while in control, and releases them when they have not been used for
     /// some time.
     void followControl();
-    /// Releases the inputs of the robot immediately.
     void release();
     void reportSlider();
     /// Restores outputs if the robot has not ended their pulse because its control program was ended or

@@ -172,7 +172,6 @@ public:
     /// Errors   those of permits() that do not depend on the target, and of the project guard
     Result<MotionId> beginProgram(const QString& script, control::Holding holding, std::uint64_t stops,
                                   const script::StepGate& gate = {});
-    /// Changes which steps of the program may begin.
     void setStepGate(MotionId program, const script::StepGate& gate);
     /// Number of stops on this connection, from any cause. See MoveRequest::stops.
     std::uint64_t stops() const;

@@ -164,7 +164,6 @@ void RobotiqLink::lose(const QString& reason) {
     }
 }
 
-// Logs changes of the gripper state.
 void RobotiqLink::note(const io::RobotiqState& now) {
     if (now.fault != logged_) {
         logged_ = now.fault;

@@ -19,7 +19,6 @@ public:
     enum class Outcome { Collecting, Done, Moved, NoForce };
 
     void begin() { *this = {}; }
-    /// Adds the next state.
     Outcome add(const SessionState& state);
     /// Fraction of the samples collected so far: 0 ... 1.
     double progress() const { return static_cast<double>(count_) / kSamples; }

@@ -32,7 +32,6 @@ std::optional<StepPosition> positionOf(const project::Program& program, const QU
 /// omitted.
 Steps selectedSteps(const project::Program& program, const QSet<QUuid>& ids);
 
-/// Returns copies in which all steps have new IDs.
 Steps withNewIds(Steps steps);
 
 /// Inserts steps. Returns the unchanged program if the section does not exist or is not a section, or if the

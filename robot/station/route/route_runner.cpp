@@ -310,7 +310,6 @@ void RouteRunner::endActing() {
     acting_.reset();
 }
 
-/// Completes the current step.
 void RouteRunner::finishStep(Way way) {
     if (acting_) {
         done_.push_back(*acting_);

@@ -64,7 +64,6 @@ public:
     Result<MoveRequest> firstMove(Way way) const;
 
 Q_SIGNALS:
-    /// The next waypoint has changed.
     void routeChanged();
     /// The run has been aborted. `reason` is a translated sentence.
     void failed(const QString& reason);

@@ -34,7 +34,6 @@ void twist(const std::string& name, const List& xd);
 void jointMove(double speed, double acceleration, const control::JointLimits& arm);
 void toolMove(double speed, double acceleration);
 void flags(const char* name, const std::vector<int>& values, std::size_t size);
-/// Checks a TCP port number.
 void port(const char* name, int value);
 /// Checks for -1 (maximum) or 1 ... 500 Hz.
 void frequency(double value);

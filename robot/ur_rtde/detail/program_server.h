@@ -26,7 +26,6 @@ public:
     ProgramServer(const ProgramServer&) = delete;
     ProgramServer& operator=(const ProgramServer&) = delete;
 
-    /// Sets the program to serve.
     void setProgram(std::string program);
 
     static constexpr std::size_t kMaxClients = 8;

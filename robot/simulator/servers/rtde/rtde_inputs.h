@@ -48,7 +48,6 @@ public:
     /// partially applied in the previous period.
     void applyRest();
 
-    /// Number of packages applied so far.
     std::uint64_t packages() const { return packages_; }
 
 private:

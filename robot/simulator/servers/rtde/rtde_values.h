@@ -15,7 +15,7 @@
 
 namespace tiller::simulator {
 
-/// Reads one field.
+/// Source of one RTDE output field.
 struct FieldSource {
     using Read = void (*)(const Telemetry& now, std::size_t number, double* into);
     Read read = nullptr;

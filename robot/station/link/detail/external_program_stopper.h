@@ -64,7 +64,6 @@ public:
     /// per frame with the samples of the frame.
     /// Returns  the result of the request, once
     Outcome follow(const SessionState& state, const SampleBatch& batch);
-    /// Error of the last failed request.
     const Error& error() const { return error_; }
     /// The last measured stop, from the request or the safety stop to standstill.
     const control::StopMeasurement& last() const { return meter_.last(); }

@@ -161,7 +161,6 @@ struct SessionBackend {
     SerialExecutor pulses;  ///< blocked by a pulse until its output is off
     ExtraFieldStream further{*clock, worker};
 
-    /// Requests extraFields from the connected robot.
     void followExtraFields();
 
     /// Fetches the samples since the last frame into `into`, and the last one into `sample`.
@@ -170,7 +169,6 @@ struct SessionBackend {
     void read();
     /// The state of the last frame, with current values of everything relevant for a stop.
     SessionState stateNow() const;
-    /// Current evidence about a stop while in control.
     control::StopEvidence stopEvidence() const;
     bool isTakenOver() const;
 

@@ -19,7 +19,7 @@
 namespace tiller::program {
 namespace {
 
-constexpr int kCancelEvery = 500;       ///< number of control periods
+constexpr int kCancelEvery = 500;       ///< check for cancellation every n-th control period
 constexpr int kHeartbeatRegister = 24;  ///< integer input; the first register used by a run from the PC
 constexpr double kMaxStoppingTime = 2;  ///< maximum time from the stop of the program to standstill [s]
 

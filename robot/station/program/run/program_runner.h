@@ -85,12 +85,10 @@ public:
     /// The motion of a button that runs the program while it is held.
     /// plan  called when the button is pressed
     HoldMotion motion(std::function<RunPlan()> plan);
-    /// Ends the program, if it is running.
     void stop(control::StopCause cause);
 
     /// Pauses the program at standstill before its next step. The program stays active on the robot.
     void pause();
-    /// Continues a paused program.
     void resume();
     /// Steps before which a program pauses, also in called programs. New ones take effect at the next start; a
     /// program that waits before a removed one continues.
@@ -118,7 +116,6 @@ public:
     const StepLog& log() const { return log_; }              ///< Steps of the current or last run.
 
 Q_SIGNALS:
-    /// State, running step or times have changed.
     void changed();
 
 private:
