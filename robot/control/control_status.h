@@ -47,7 +47,7 @@ enum class LimiterKind : std::uint8_t {
 /// Jog: the current limit. Move: the limit along the whole path. Torque stream: the limit that ended it.
 struct Limiter {
     LimiterKind kind = LimiterKind::None;
-    int joint = -1;       ///< limiting joint 0..5, -1 if none
+    int joint = -1;       ///< limiting joint 0..5; -1: no joint
     double distance = 0;  ///< JointLimit: distance to the limit [rad]; collision limits: clearance [m]
     double scale = 1;     ///< factor applied to the requested speed, 0..1
     int link = -1;        ///< collision limits: as collision::Contact::link; otherwise -1

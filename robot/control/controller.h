@@ -100,12 +100,12 @@ public:
     Controller(const Controller&) = delete;
     Controller& operator=(const Controller&) = delete;
 
-    /// Connects, sets up the registers, uploads the control program and waits for its response. Returns
-    /// immediately if already in control. Only this call restores control after it was lost.
-    /// Errors   HostUnreachable, ConnectionRefused, Timeout, Cancelled, RegisterInUse, FieldUnknown, UnsafeState,
-    ///          RemoteControlRequired, ScriptError, ProtocolError, LinkLost; InvalidArgument and LimitExceeded for
-    ///          invalid ControllerOptions::limits; FieldUnknown for ControllerOptions::fields with each name that
-    ///          is not an RTDE output
+    /// Connects, sets up the registers, uploads the control program and waits for its response. Returns at
+    /// once if already in control. After a loss of control, only this call or joinProgram() restores it.
+    /// Errors   HostUnreachable, ConnectionRefused, Timeout, Cancelled, RegisterInUse, FieldUnknown,
+    ///          UnsafeState, RemoteControlRequired, ScriptError, ProtocolError, LinkLost; InvalidArgument and
+    ///          LimitExceeded for invalid ControllerOptions::limits; FieldUnknown for
+    ///          ControllerOptions::fields, listing the names that are not RTDE outputs
     /// Threads  any but the control thread; one at a time. Blocks: until the deadline
     Result<void> takeControl(const Deadline& deadline);
 

@@ -142,7 +142,7 @@ public:
     realtime::PriorityReport priority() const;
 
     const std::shared_ptr<const SampleLayout>& layout() const;  ///< Layout of all samples.
-    /// The newest sample; sequence 0 if there is none. Real-time: latest(Sample&) yes, latest() no
+    /// The newest sample; sequence 0 without data. Real-time: latest(Sample&) yes, latest() no
     Sample latest() const;
     void latest(Sample& into) const;  ///< Like latest(), without an allocation.
     /// Waits for a sample of the current connection that is not older than 100 ms, and returns it. For

@@ -63,7 +63,7 @@ struct RecordingSetup {
 class RecordingFormat {
 public:
     virtual ~RecordingFormat() = default;
-    /// Null if none of the fields can be recorded.
+    /// Null if no field can be recorded.
     virtual std::unique_ptr<RecordingEncoder> encoder(const RecordingSetup& setup) const = 0;
     /// False: the recorder writes notes to a CSV file next to the recording.
     virtual bool keepsNotes() const { return true; }

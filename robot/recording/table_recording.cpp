@@ -20,7 +20,7 @@ constexpr std::size_t kMaxRestarts = 100;
 // Number of rows for determining the usual interval.
 constexpr std::size_t kRowsForPeriod = 1000;
 
-/// Median of the intervals; 0 if there are none.
+/// Median of the intervals; 0 without intervals.
 double medianStep(std::span<const double> times) {
     std::vector<double> steps;
     for (std::size_t i = 1; i < times.size() && steps.size() < kRowsForPeriod; ++i) {

@@ -100,7 +100,8 @@ const std::vector<BehaviourOptionInfo>& assumptionTable();
 /// Parses "NAME=VALUE".
 /// Errors  InvalidArgument, listing all names, or the values of the option
 Result<void> assume(BehaviourOptions& assumptions, const QString& words);
-/// Returns "NAME=VALUE" for every option that differs from its default, in one line; empty if none differs.
+/// Returns "NAME=VALUE" for every option that differs from its default, in one line; empty if all have their
+/// defaults.
 QString assumptionText(const BehaviourOptions& assumptions);
 /// Help text with one paragraph per option.
 QString assumptionHelp();

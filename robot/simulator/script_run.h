@@ -68,14 +68,14 @@ public:
     ScriptRun& operator=(const ScriptRun&) = delete;
 
     /// Compiles the script without running it.
-    /// Returns  the error; empty if there is none
+    /// Returns  the error; empty without an error
     static std::optional<ScriptFault> check(const QString& script, const SoftwareVersion& software);
 
     /// Compiles the script and starts it. The first step() runs its first period.
-    /// Returns  the error; empty if there is none
+    /// Returns  the error; empty without an error
     std::optional<ScriptFault> start(const QString& script);
     /// Runs one control period.
-    /// Returns  false when no script is running any more
+    /// Returns  false when the script has ended
     bool step();
 
     double stepTime() const;   ///< [s]

@@ -74,7 +74,7 @@ public:
 
     /// Assigns the following errors to a user script that replaces the control program.
     void yieldTo(const script::SupervisedProgram& program);
-    /// Error reported by the controller since the last upload; code None if there was none.
+    /// Error reported by the controller since the last upload; code None without an error.
     Error complaint(const QString& context);
     /// Number of robot states received on the message connection. A state arrives after all messages sent
     /// before it.

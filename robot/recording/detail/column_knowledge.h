@@ -12,7 +12,7 @@ namespace tiller::recording {
 void addKnowledge(RecordedColumn& column);
 /// Unit of one component of a field: "m" for the first three numbers of a pose, "rad" for the others.
 std::string unitOf(std::string_view field, std::size_t component);
-/// The column `timestamp`, or the first column named time, seconds or t; empty if there is none.
+/// The column `timestamp`, or the first column named time, seconds or t; empty if no such column exists.
 std::optional<std::size_t> timeColumnOf(const std::vector<RecordedColumn>& columns);
 
 }  // namespace tiller::recording

@@ -26,8 +26,8 @@ Result<void> removeCsvNotes(const QString& recording);
 std::string csvNotesHeader();
 /// row  number of rows before the note
 std::string csvNoteLine(std::uint64_t row, const RecordedNote& note);
-/// Reads the notes file of a recording; empty if there is none. Unreadable lines are skipped. Each note is
-/// returned with the number of rows before it, without a time.
+/// Reads the notes file of a recording; empty if it does not exist. Unreadable lines are skipped. Each note
+/// is returned with the number of rows before it, without a time.
 std::vector<std::pair<std::uint64_t, RecordedEvent>> readCsvNotes(const QString& recording);
 
 }  // namespace tiller::recording

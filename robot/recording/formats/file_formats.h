@@ -22,7 +22,7 @@ struct FileFormat {
     QString name;          ///< Recording::format(), e.g. "MCAP"
     QStringList suffixes;  ///< lower case, without the period; new files get the first suffix
     QByteArray magic;      ///< first bytes of a file; empty: any file that matches no other row
-    /// Errors, threads as openRecording().
+    /// Errors and threads: same as openRecording().
     Result<std::unique_ptr<Recording>> (*open)(const Text& path);
     /// Errors and threads: same as exportRecording(). `style` only affects CSV.
     Result<ExportReport> (*write)(const Recording& recording, const ExportChoice& choice,
@@ -37,7 +37,7 @@ struct FileFormat {
 /// All formats, in the order of lists for users.
 /// Threads  any
 const std::vector<FileFormat>& fileFormats();
-/// The row with the suffix of this path, ignoring case; null if there is none.
+/// The row with the suffix of this path, ignoring case; null for other suffixes.
 /// Threads  any
 const FileFormat* fileFormatOf(const Text& path);
 /// The usual suffixes as text, e.g. ".csv or .mcap".

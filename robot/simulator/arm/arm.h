@@ -53,7 +53,7 @@ public:
     Environment& environment();  ///< actual environment: load, hand, surfaces, boxes
 
     // power and program time
-    /// Leaving Running stops the motion immediately (brakes) and discards all commands.
+    /// Leaving Running stops the motion at once (brakes) and discards all commands.
     void setDriveState(DriveState state);
     DriveState driveState() const;
     /// Speed slider, 0..1 (clamped). The value is ramped internally.
@@ -80,7 +80,7 @@ public:
     /// The protective stop triggered by the arm; empty after it has been cleared.
     const std::optional<ProtectiveStop>& protectiveStop() const;
     void clearProtectiveStop();
-    /// Returns each warning once; empty if there is none.
+    /// Returns each warning once; empty without a new warning.
     std::optional<MotionWarning> takeWarning();
 
     // tool and mounting

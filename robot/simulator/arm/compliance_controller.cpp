@@ -200,7 +200,7 @@ void ComplianceController::stepForceMode(const Wrench& measured) {
     Vector6 wanted;  // velocity, in the force frame
     wanted << R.transpose() * programTwist.head<3>(), R.transpose() * programTwist.tail<3>();
     if (onPath) {
-        // The motion of this step does not count as a deviation.
+        // The motion of this step is not a deviation.
         const Vector6 covered = 0.5 * (posture_.jacobian * command_.qd + programTwist) * period_;
         const Eigen::Vector3d way =
             program_.T_base_tcp.translation() - posture_.T_base_tcp.translation() - covered.head<3>();

@@ -202,7 +202,7 @@ bool MotionDrive::jointRunOut(double deceleration, Segment& segment, double pace
 }
 
 double MotionDrive::stopPace(bool scaled) const {
-    constexpr double kStandingTime = 1e-3;  // below this rate, program time counts as stopped
+    constexpr double kStandingTime = 1e-3;  // below this rate, program time is considered stopped
     // A pause freezes program time. A stop must end nevertheless, so it then runs in real time, like a stop
     // that is not scaled.
     return !scaled || held_ || programScale_ < kStandingTime ? 1 : programScale_;

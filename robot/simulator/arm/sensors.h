@@ -52,7 +52,7 @@ public:
     double contactForce() const { return contact_; }
     /// The joint torques [Nm] that correspond to unexplained().
     Vector6 unexplainedTorques() const;
-    /// Index of a joint that cannot hold its load even at standstill; -1 if none.
+    /// Index of a joint that cannot hold its load even at standstill; -1: no overload.
     int overloadedJoint();
 
 private:

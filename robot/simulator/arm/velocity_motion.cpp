@@ -7,7 +7,7 @@
 namespace tiller::simulator::arm {
 
 namespace {
-constexpr double kNoScale = 1e-3;     // below this rate, program time counts as stopped
+constexpr double kNoScale = 1e-3;     // below this rate, program time is considered stopped
 constexpr double kSingular = 0.06;    // singularity margin at which Cartesian motion ends
 constexpr double kCreeping = 1e-3;    // limit for standstill: rad/s, or fraction of the requested speed
 constexpr double kExpiryJoint = 2.0;  // rad/s2, minimum deceleration when a speed command expires

@@ -21,7 +21,7 @@ public:
     void close(int id) {
         std::erase_if(shown_, [id](const Shown& p) { return p.id == id; });
     }
-    /// Closes the newest popup, as its button does. Returns false if there is none.
+    /// Closes the newest popup, as its button does. Returns false if no popup is open.
     bool closeNewest() {
         if (shown_.empty()) {
             return false;

@@ -64,7 +64,7 @@ private:
 /// All values that programs write to one output integer register, including those overwritten within a
 /// period.
 struct WrittenIntegers {
-    std::optional<std::size_t> number;  ///< the register number; empty if none is followed
+    std::optional<std::size_t> number;  ///< register number; empty: no register is followed
     std::vector<std::int32_t> values;
 };
 

@@ -27,7 +27,7 @@ public:
 
     /// The name of the variable referenced by `child` of a node; empty if the node is unfinished.
     QString variable(const XmlElement& node, const char* child = "variable");
-    /// A feature pose in the base frame: the `feature` of a node or, if it has none, `otherwise`.
+    /// A feature pose in the base frame: the `feature` of a node or, if the node has no feature, `otherwise`.
     struct Frame {
         enum class Kind { Base, Tool, Other };
         Kind kind = Kind::Base;

@@ -32,7 +32,7 @@ struct XmlElement {
     const XmlElement* child(const char* wanted) const;
     /// The first child with this name, or the target of its reference; null if either does not exist.
     const XmlElement* target(const char* wanted) const;
-    /// The first descendant with this name, depth first; null if there is none.
+    /// The first descendant with this name, depth first; null if it does not exist.
     const XmlElement* descendant(const char* wanted) const;
     /// The element itself, or the target of its `reference`; null if the reference is invalid.
     const XmlElement* resolved() const;

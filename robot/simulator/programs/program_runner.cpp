@@ -225,7 +225,7 @@ void ProgramRunner::stepMain() {
         if (main_->error() && main_->error()->overrun) {
             plant_.safety().protectiveStop();  // exceeding the time limit causes a protective stop
         }
-        ended_ = true;  // this period still counts as playing
+        ended_ = true;  // in this period, the program is still playing
     }
 }
 

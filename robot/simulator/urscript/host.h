@@ -225,7 +225,7 @@ public:
         double maxOrientationError = 1e-10;   ///< [rad]
         std::optional<Pose> tcp;
     };
-    /// Returns the solution nearest to qNear; empty if there is none.
+    /// Returns the solution nearest to qNear; empty if the pose is unreachable.
     virtual std::optional<JointPositions> inverseKinematics(const InverseRequest& request) const = 0;
     virtual bool isWithinSafetyLimits(const MoveTarget& target) const = 0;
 

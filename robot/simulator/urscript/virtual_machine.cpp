@@ -276,7 +276,7 @@ ThreadId Interpreter::Machine::handleOf(const Value& v) const {
     if (!v.isNumber()) {
         fault(std::string("Type error: a thread handle is an integer, not ") + v.typeName());
     }
-    // 0 is not a thread handle, because the main body has none.
+    // The main body has no handle, so 0 is not a thread.
     const double d = v.number();
     return d >= 1 && d < static_cast<double>(nextId_) ? static_cast<ThreadId>(d) : -1;
 }

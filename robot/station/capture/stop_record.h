@@ -42,7 +42,7 @@ class StopRecorder : public QObject {
 public:
     explicit StopRecorder(RobotSession& session, QObject* parent = nullptr);
 
-    /// The last stop of this connection; empty if there was none.
+    /// The last stop of this connection; empty if no stop has occurred.
     const std::optional<StopRecord>& last() const { return record_; }
     /// Time since the stop on the controller's clock [s]; 0 without a stop.
     double secondsSince() const;

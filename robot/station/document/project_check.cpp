@@ -11,7 +11,7 @@ namespace {
 
 using Kind = ProjectFinding::Kind;
 
-/// The pair of bodies with the largest violation of the safety distance; empty if there is none.
+/// The pair of bodies with the largest violation of the safety distance; empty without a violation.
 std::optional<collision::Contact> closest(const collision::CollisionCheck& check, const JointPositions& q) {
     std::optional<collision::Contact> worst;
     double missing = collision::kSafetyTolerance;

@@ -50,7 +50,7 @@ public:
     void fill(std::int64_t block) override;
     /// Time of the first row on the time axis [s].
     double begin() const { return begin_; }
-    /// The last read error; empty if none.
+    /// The last read error; empty without an error.
     const QString& problem() const { return problem_; }
 
 private:

@@ -11,7 +11,7 @@
 
 namespace tiller {
 
-/// The first column is the time column of the file or, if there is none, `seconds` since the first row.
+/// The first column is the time column of the file or, without a time column, `seconds` since the first row.
 class SelectedSignals : public recording::Recording {
 public:
     struct Column {

@@ -60,7 +60,7 @@ public:
     /// Returns  its column number
     int addColumn(Precision precision = Precision::Single);
     const HistoryLimits& limits() const { return limits_; }
-    /// Takes effect immediately.
+    /// Takes effect at once.
     void setLimits(const HistoryLimits& limits);
     /// Memory used by all samples [bytes].
     std::size_t memoryBytes() const;

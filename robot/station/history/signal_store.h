@@ -93,7 +93,7 @@ public:
     bool sharpen(const SeriesBuffer& history, std::int64_t begin, std::int64_t end, int pixelColumns,
                  HistoryFile::Effort effort);
     std::vector<int> signalsOf(const QString& recording) const;
-    /// Closes all recordings. They must not be displayed any more.
+    /// Closes all recordings. They must not be displayed.
     void closeRecordings();
     bool hasRecordings() const { return tables_.size() > kFirstRecording; }
     /// Describes a read of these signals from the file of a long recording, for a worker. begin,

@@ -14,7 +14,7 @@ using rtde::Direction;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kLookEvery(20);
-constexpr milliseconds kSilenceLimit(2500);  // the connection counts as broken after this time without data
+constexpr milliseconds kSilenceLimit(2500);  // maximum time without data for an intact connection
 constexpr int kClearRecipe = 4;
 constexpr int kKickRecipe = 11;
 

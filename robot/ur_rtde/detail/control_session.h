@@ -67,7 +67,7 @@ public:
     bool isConnected() const { return backend()->isConnected(); }
     /// True if a user program is running, which may support fewer commands than Tiller's program.
     bool isForeign() const;
-    /// Reason for the last failure; empty if there was none or it is unknown.
+    /// Reason for the last failure; empty if unknown.
     std::string lastError() const;
     void keepError(const std::string& text);
     bool reupload();

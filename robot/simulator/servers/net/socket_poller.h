@@ -8,7 +8,7 @@
 
 namespace tiller::simulator {
 
-/// On systems without epoll, all clients and ports always count as readable.
+/// On systems without epoll, all clients and ports are always reported as readable.
 /// Threads  the simulator thread
 class SocketPoller {
 public:

@@ -23,7 +23,7 @@ namespace tiller::simulator::primary {
 struct VariableBodies {
     std::vector<Bytes> names, values;
 };
-/// Global variables of the program; empty if it has none.
+/// Global variables of the program; empty if it has no variables.
 VariableBodies variablesOf(const urscript::Interpreter& program, const SoftwareVersion& software);
 /// Adds the package frame to a body.
 Bytes variablePackage(std::uint64_t timestampNs, const Bytes& body);

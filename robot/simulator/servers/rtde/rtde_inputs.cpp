@@ -9,7 +9,7 @@ namespace tiller::simulator {
 
 namespace {
 
-/// Returns the number after `prefix`; empty if there is none.
+/// Returns the number after `prefix`; empty without a number.
 std::optional<std::size_t> numberAfter(std::string_view name, std::string_view prefix) {
     if (!name.starts_with(prefix)) {
         return std::nullopt;

@@ -35,7 +35,7 @@ public:
         std::vector<rtde::FieldAnswer> answers;
         std::optional<InputRecipe> recipe;  ///< empty if a name is unknown or owned by another client
     };
-    /// Takes ownership of all names, or of none.
+    /// Takes ownership of all names, or fails without any change.
     /// protocol  version used by the client, which determines some types
     Claim claim(ClientId client, const std::vector<std::string>& names, rtde::ProtocolVersion protocol);
     /// Releases the inputs of the client. A behaviour option determines whether they keep their values.

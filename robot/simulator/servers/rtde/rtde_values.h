@@ -23,7 +23,8 @@ struct FieldSource {
     std::size_t components = 1;
 };
 
-/// Source of a catalogue entry; empty if there is none. A test checks that every output field has a source.
+/// Source of a catalogue entry; empty if it does not exist. A test checks that every output field has a
+/// source.
 std::optional<FieldSource> fieldSource(const rtde::Field& field);
 
 /// The fields of one output recipe.

@@ -33,7 +33,7 @@ struct RunPlan {
 ///          Null: the limit applies to any joint move and is much lower
 SpeedLimits heldLimits(double tool, double joint, const SessionState& state, const Preview* preview);
 
-/// The first collision of the preview as a sentence; empty if there is none.
+/// The first collision of the preview as a sentence; empty without a collision.
 QString collisionText(const project::Project& project, const ProgramScript& script, const Preview& preview);
 
 /// Expected duration of a run with these speed limits [s], from the path of the preview.

@@ -39,7 +39,7 @@ inline constexpr qint64 kMaxTestFileBytes = 16LL * 1024 * 1024;
 
 struct ReadTestFile {
     TestFile file;
-    QVector<project::FileProblem> problems;  ///< the file is valid if there are none
+    QVector<project::FileProblem> problems;  ///< empty for a valid file
 };
 
 /// Reads the test file and its project.
