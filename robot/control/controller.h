@@ -153,8 +153,8 @@ public:
     std::uint16_t localPort() const;
     bool isConnected() const;  ///< True if the connection is open, with or without control.
     /// Sets the speed cap of TCP and elbow [m/s]; initially ControllerOptions::limits, 0.25 by default. A
-    /// change ends the active motion (StopCause::SelectionChanged), so that no motion continues with another
-    /// cap than at its start.
+    /// change ends the active motion (StopCause::SelectionChanged), so that the cap of a motion never
+    /// changes.
     /// Errors   InvalidArgument (NaN, or not above 0), LimitExceeded (above 3 m/s: probably in mm/s)
     Result<void> setSpeedCap(double metresPerSecond);
     /// Sets the objects that jogs must not approach: the arm itself, its tool and its environment. Jogs slow

@@ -98,9 +98,9 @@ public:
     /// Returns  false if the motion has already ended
     bool cancel(StopCause cause = StopCause::ApiCall) const;
 
-    /// Ends the motion and waits for standstill; returns immediately if another motion has replaced it.
+    /// Ends the motion and waits for standstill; returns at once if another motion has replaced it.
     /// Errors   Timeout, Cancelled (the arm is still decelerating); NotInControl if control was lost while
-    ///          waiting (standstill is not confirmed; the robot decelerates by itself)
+    ///          waiting (standstill is not confirmed; the robot decelerates without the controller)
     /// Blocks   until the end; polls every millisecond
     Result<void> stop(const Deadline& deadline) const;
 

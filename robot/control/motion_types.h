@@ -20,10 +20,10 @@ using tiller::operator<<;  // required for the enumerations below
 /// Maximum time between two refreshes of a Held motion. Also the maximum time without a heartbeat of this PC
 /// for motions without a target.
 inline constexpr std::chrono::milliseconds kHoldTime{100};
-/// Maximum time from the newest packet of this PC, after which no packets arrive or which contains a stop, to
-/// standstill of the arm. The deceleration increases with the speed of the arm. The deceleration of a joint
-/// never exceeds kJointAccelerationLimit, which is sufficient up to 4.4 rad/s. Stopping takes longer if the
-/// drives or the load do not permit the deceleration.
+/// Maximum time until the arm is at standstill, counted from the packet that contains the stop or, if packets
+/// stop arriving, from the last packet of this PC. The deceleration increases with the speed of the arm. The
+/// deceleration of a joint never exceeds kJointAccelerationLimit, which is sufficient up to 4.4 rad/s.
+/// Stopping takes longer if the drives or the load do not permit the deceleration.
 inline constexpr std::chrono::milliseconds kStandstillTime{210};
 /// Maximum of MoveParameters::silence. The control program ends after 5 s without a heartbeat.
 inline constexpr std::chrono::milliseconds kMaxHeartbeatTimeout{4'000};

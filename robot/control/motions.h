@@ -21,7 +21,7 @@
 // In addition, all motions end with a newer command, a stop, cancel() of the handle, a robot mode other than
 // RUNNING, a safety mode other than NORMAL or REDUCED, the end or pause of the control program, or the loss
 // of the connection. The robot ends both Held and Free motions without a target after 100 ms without a
-// heartbeat of this computer, so that the arm stops if the process crashes or hangs.
+// heartbeat of this PC, so that the arm stops if the process crashes or hangs.
 //
 // Speed limit: TCP and elbow never exceed the cap, 0.25 m/s by default (ControllerOptions::limits,
 // Controller::setSpeedCap). Moves are slowed down accordingly. Motion::plan() and ControllerStatus::limiter

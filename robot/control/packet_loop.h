@@ -64,12 +64,12 @@ struct CycleReport {
 
 /// When the cycle of a packet starts.
 enum class Pacing {
-    /// At regular intervals. Each cycle is delayed relative to the usual packet arrival by the delay that
-    /// only one packet in a thousand exceeds (at most 0.5 ms and a quarter of a period), plus a small margin.
-    /// At a real-time priority, the whole wait is a busy wait, otherwise only the last 0.1 ms. If a packet
-    /// has not arrived in time, its cycle runs without it (CycleState::fresh), up to five times in a row. The
-    /// timing is known 300 packets after takeControl() (0.6 s at 500 Hz). Until then, cycles start on
-    /// arrival. If the previous callback is still running when a packet arrives, the delay is reduced.
+    /// At regular intervals. Cycles start at a fixed delay after the usual arrival of the packets: the delay
+    /// that only one packet in a thousand exceeds (at most 0.5 ms and a quarter of a period), plus a small
+    /// margin. At a real-time priority, the whole wait is a busy wait, otherwise only the last 0.1 ms. If a
+    /// packet has not arrived in time, its cycle runs without it (CycleState::fresh), up to five times in a
+    /// row. The timing is known 300 packets after takeControl() (0.6 s at 500 Hz). Until then, cycles start
+    /// on arrival. If the previous callback is still running when a packet arrives, the delay is reduced.
     Even,
     /// On arrival of the packet: newest data, with the jitter of the network.
     AtOnce,

@@ -137,8 +137,8 @@ public:
     /// Runs `script` (lines of URScript) as a function with this name, then restarts the control program.
     /// unattended  false: an inserted watchdog thread ends the script if this process ends or the connection
     ///             is lost; names starting with tiller_heartbeat are reserved. true: the script is sent
-    ///             unchanged, and moves the arm even if this process is killed. Not available in ur_rtde.
-    ///             Also applies to the next two functions
+    ///             unchanged, and moves the arm even if this process is killed. The argument has the same
+    ///             meaning in the next two functions and is not available in ur_rtde
     bool sendCustomScriptFunction(const std::string& function_name, const std::string& script,
                                   bool unattended = false);
     bool sendCustomScript(const std::string& script, bool unattended = false);
