@@ -100,7 +100,7 @@ public:
 
     /// Ends the motion and waits for standstill; returns at once if another motion has replaced it.
     /// Errors   Timeout, Cancelled (the arm is still decelerating); NotInControl if control was lost while
-    ///          waiting (standstill is not confirmed; the robot decelerates without the controller)
+    ///          waiting (standstill is not confirmed; the robot still decelerates)
     /// Blocks   until the end; polls every millisecond
     Result<void> stop(const Deadline& deadline) const;
 

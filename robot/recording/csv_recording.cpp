@@ -277,7 +277,7 @@ private:
     }
 
     /// Cells are separated by blanks if the header and the first row have the same number of blank-separated
-    /// parts, more than one.
+    /// parts, at least two.
     void separateByBlanks(std::string_view line) {
         const auto headings = blankSeparated(heading_);
         if (headings.size() < 2 || blankSeparated(line).size() != headings.size()) {

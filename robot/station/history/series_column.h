@@ -145,7 +145,7 @@ private:
     struct RunningExtent;
     /// Summary of a block stored in a file, used while its rows are not in memory.
     struct Outline {
-        /// The two halves of the block. Sufficient without levels.
+        /// Extents of the two halves of the block, used if there are no levels.
         std::array<MinMax, 2> halves;
         std::unique_ptr<Levels<float>> single;
         std::unique_ptr<Levels<double>> exact;

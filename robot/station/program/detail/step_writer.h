@@ -41,7 +41,7 @@ public:
 
     // ---- the step and its fields ------------------------------------------------------------------------
     const project::ProgramStep& step() const;
-    int number() const;                ///< number of the step
+    int number() const;
     int parentNumber() const;          ///< number of the enclosing section; 0 at the top level
     const StepKind* previous() const;  ///< kind of the previous enabled step, skipping comments; may be null
     const StepKind* next() const;      ///< kind of the next enabled step, skipping comments; may be null
