@@ -65,8 +65,8 @@ struct ChunkIndex {
     std::uint64_t endTime = 0;
     std::uint64_t offset = 0;  ///< offset of the chunk record in the file
     std::uint64_t length = 0;  ///< length of the whole record
-    /// Channels and the offsets of their index records. A vector saves memory: a recording of several hours
-    /// has a hundred thousand chunks.
+    /// Channels and the offsets of their index records. A vector instead of a map, because a recording of
+    /// several hours has a hundred thousand chunks.
     std::vector<std::pair<std::uint16_t, std::uint64_t>> messageIndexes{};
     std::uint64_t messageIndexLength = 0;  ///< total length of the index records
     std::string compression{};

@@ -182,8 +182,8 @@ void Sensors::updateBase(const JointTarget& target, ArmState& state) {
     angular_ = now.angular;
 }
 
-// Acceleration of a point fixed to the flange, from the target motion. The actual motion differs only by the
-// lag and contains noise.
+// Acceleration of a point fixed to the flange, from the target motion, which is free of noise. The actual
+// motion differs only by the lag.
 Eigen::Vector3d Sensors::accelerationOf(const Eigen::Vector3d& point) const {
     const Eigen::Vector3d w = targetTwist_.angular;
     const Eigen::Vector3d arm = point - target_.T_base_tcp.translation();

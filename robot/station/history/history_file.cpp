@@ -48,7 +48,8 @@ std::vector<SeriesBuffer::Mark> marksOf(const recording::Recording& file,
             if (behind < sample) {
                 marks.push_back({behind, std::min(time, before + gap->seconds)});
             } else {
-                // The part may begin with a note from within the gap, before its first row.
+                // The chunk of this mark may begin with a log entry from within the gap, before its first
+                // row.
                 time = std::max(time, before + gap->seconds);
             }
         }

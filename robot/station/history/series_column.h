@@ -36,7 +36,7 @@ public:
     static constexpr std::int64_t kSummary = 32;
     /// Like kSummary, but far fewer summaries must be read.
     static constexpr std::int64_t kCoarseSummary = 256;
-    /// Exceeds the number of rows of any extent.
+    /// Resolution of a block without extents. Exceeds the number of rows of any extent.
     static constexpr std::int64_t kUnknown = std::int64_t{1} << 40;
 
     /// rowsBefore  number of rows that the other columns already have; this column has no values for them
