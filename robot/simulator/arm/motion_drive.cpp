@@ -203,8 +203,8 @@ bool MotionDrive::jointRunOut(double deceleration, Segment& segment, double pace
 
 double MotionDrive::stopPace(bool scaled) const {
     constexpr double kStandingTime = 1e-3;  // below this rate, program time is considered stopped
-    // A pause freezes program time. A stop must end nevertheless, so it then runs in real time, like a stop
-    // that is not scaled.
+    // A pause freezes program time. Because a stop must end even then, it runs in real time, like a stop that
+    // is not scaled.
     return !scaled || held_ || programScale_ < kStandingTime ? 1 : programScale_;
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 // Sources of the values of all RTDE output fields. All values are simulated. Fields of equipment that does
-// not exist (Euromap, conveyor encoders) have the values of unconnected equipment.
+// not exist (Euromap) have the values of unconnected equipment.
 
 #include <optional>
 #include <string_view>
