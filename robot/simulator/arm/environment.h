@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Environment of the arm that the controller does not know: the actual load, a hand that pushes the arm,
+// Environment of the arm, which is unknown to the controller: the actual load, a hand that pushes the arm,
 // surfaces and boxes that the tool can touch, and moving conveyors.
 
 #include <Eigen/Core>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Table of the answers that a device on the network, such as a camera or a gripper, gives to a program. The
-// table is stored in a text file.
+// Table of replies of a device on the network, such as a camera or a gripper. The table is stored in a text
+// file.
 //
 //     protocol xml-rpc                    or: protocol lines
 //     address 192.168.1.20:4242           address used by programs

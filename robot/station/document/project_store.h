@@ -23,7 +23,7 @@ class ProjectStore : public QObject {
     Q_OBJECT
 
 public:
-    /// Reason why changes are not saved to the file.
+    /// Why changes are not saved to the file.
     enum class Obstacle {
         None,
         OpenElsewhere,   ///< another window has the project open

@@ -66,7 +66,7 @@ std::optional<Steps> stepsFromText(const QByteArray& text);
 /// The values of a step in one line, in display units and with the names of waypoints and other entities,
 /// e.g. "pick, 50 mm/s".
 QString summaryOf(const project::Project& project, const project::ProgramStep& step);
-/// Name of the step kind, or its ID in the file if this version does not know the kind.
+/// Name of the step kind; for a kind unknown to this version, its ID in the file.
 QString kindName(const project::ProgramStep& step);
 /// Name of the kind of a step with this number in the script. Empty if the step does not exist.
 QString stepName(const project::Project& project, const ProgramScript& script, int number);
