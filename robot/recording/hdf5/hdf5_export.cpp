@@ -60,7 +60,7 @@ void makeNamesUsable(std::vector<Field>& fields) {
     std::set<std::string> used{"time", "gaps"};  // names of data sets written in addition to the fields
     for (Field& field : fields) {
         std::string name = field.name;
-        // A slash would create a group, and names of dots refer to groups.
+        // A slash would create a group, and names consisting of dots refer to groups.
         std::replace(name.begin(), name.end(), '/', '_');
         if (name.find_first_not_of('.') == std::string::npos) {
             std::replace(name.begin(), name.end(), '.', '_');

@@ -67,7 +67,7 @@ class ProgramRunner : public QObject {
 public:
     enum class State {
         Idle,     ///< no program has been started
-        Sending,  ///< the control program ends and the program is sent
+        Sending,  ///< the control program is ending, and the program is being sent
         Running,
         Stopping,  ///< the program is ending, and control is being taken again
         Ended,
