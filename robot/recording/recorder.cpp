@@ -19,6 +19,7 @@
 #include "robot/recording/detail/csv_notes.h"
 #include "robot/recording/detail/recording_file.h"
 #include "robot/recording/detail/restart_note.h"
+#include "robot/recording/detail/row_times.h"
 
 namespace tiller::recording {
 
@@ -106,8 +107,8 @@ struct Recorder::Worker {
     RecordingFileFactory makeFile;
     std::unique_ptr<RecordingFile> file;  ///< null: no open file
     std::unique_ptr<RecordingFile>
-        notesFile;  ///< created for the first note if the format does not support notes
-    std::uint64_t rowsInFile = 0;
+        notesFile;      ///< created for the first note if the format does not support notes
+    RowTimes rowTimes;  ///< of the open file
     std::unique_ptr<RecordingEncoder> encoder;
     receive::Subscription subscription;
     receive::Sample sample;
@@ -143,7 +144,7 @@ struct Recorder::Worker {
         if (!options.format->keepsNotes()) {
             noteFailed(removeCsvNotes(to));
         }
-        rowsInFile = 0;
+        rowTimes = {};
         bytes = 0;
         firstNs = lastNs = 0;
         ++files;
@@ -195,7 +196,9 @@ struct Recorder::Worker {
         lastNs = row.hostTimeNs;
         encoder->add(row, missing, row.hostTimeNs + steadyToUtc);
         ++unwritten;
-        ++rowsInFile;
+        if (!options.format->keepsNotes()) {
+            rowTimes.add(row.hostTimeNs + steadyToUtc, receive::RobotState(row).timestamp(), missing == 0);
+        }
     }
 
     Result<void> takeSample() {
@@ -298,7 +301,7 @@ struct Recorder::Worker {
                 return headed;
             }
         }
-        return notesFile->write(csvNoteLine(rowsInFile, note), written);
+        return notesFile->write(csvNoteLine(rowTimes.rowsBefore(note.utcNs), note), written);
     }
 
     Result<void> drain() {

@@ -484,25 +484,36 @@ void TestRecorder::notesOfACsvRecordingAreInASecondFile() {
         TRY_COMPARE(recorder.progress().rows, std::uint64_t(rows));
     };
     sendUntil(100);
-    recorder.note({1'700'000'000'000'000'000, 20, "tiller", QStringLiteral("Recording to a file")});
-    recorder.note({1'700'000'000'000'000'000, 30, kNoteSource, QStringLiteral("part \"2\", jammed\nagain")});
-    TRY_COMPARE(QFileInfo(notes).size() > 60, true);
+    const auto utcNs = [] { return QDateTime::currentMSecsSinceEpoch() * 1'000'000; };
+    // Times are stored in milliseconds.
+    QTest::qWait(5);
+    const std::int64_t between = utcNs();
+    QTest::qWait(5);
     sendUntil(200);
+    recorder.note({between, 20, "tiller", QStringLiteral("Recording to a file")});
+    // The note is entered later than the time that it belongs to.
+    recorder.note({between, 30, kNoteSource, QStringLiteral("part \"2\", jammed\nagain")});
+    recorder.note({utcNs(), 30, kNoteSource, QStringLiteral("now")});
+    recorder.note({1'700'000'000'000'000'000, 30, kNoteSource, QStringLiteral("before the recording")});
+    TRY_COMPARE(QFileInfo(notes).size() > 120, true);
     recorder.stop();
     QCOMPARE(recorder.progress().state, RecorderState::Finished);
 
     const auto recording = openCsv(path);
     QVERIFY2(recording.ok(), qPrintable(recording.error().toString()));
     const std::vector<RecordedEvent>& events = recording.value()->events();
-    QCOMPARE(events.size(), std::size_t(1));
-    QCOMPARE(events.front().level, 30);
-    QCOMPARE(events.front().source, QString(kNoteSource));
-    QCOMPARE(events.front().text, QString("part \"2\", jammed again"));
-    const double at = events.front().seconds;
+    QCOMPARE(events.size(), std::size_t(3));
+    QCOMPARE(events[1].level, 30);
+    QCOMPARE(events[1].source, QString(kNoteSource));
+    QCOMPARE(events[1].text, QString("part \"2\", jammed again"));
+    const double at = events[1].seconds;
     QVERIFY2(at > 0.15 && at < 0.25, qPrintable(QString::number(at)));
     QFile file(notes);
     QVERIFY(file.open(QIODevice::ReadOnly));
-    QVERIFY(file.readAll().contains("100,2023-11-14T22:13:20.000Z,30,"));
+    const QByteArray lines = file.readAll();
+    for (const char* line : {"\n100,", "\n200,", "\n0,2023-11-14T22:13:20.000Z,30,"}) {
+        QVERIFY2(lines.contains(line), lines.constData());
+    }
 }
 
 void TestRecorder::aRestartOfTheControllerIsAnEvent() {
