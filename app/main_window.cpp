@@ -2,6 +2,7 @@
 #include "app/main_window.h"
 
 #include <QApplication>
+#include <QCheckBox>
 #include <QCloseEvent>
 #include <QDialog>
 #include <QDockWidget>
@@ -1213,7 +1214,8 @@ void MainWindow::askForProgram() {
 
 void MainWindow::askToEndProgram(const QString& name, const QString& title, const QString& effect,
                                  const QString& accept, const QString& reject,
-                                 const std::function<void()>& accepted) {
+                                 const std::function<void(bool optionChecked)>& accepted,
+                                 const QString& option) {
     if (findChild<QMessageBox*>(name) != nullptr) {
         return;
     }
@@ -1241,7 +1243,13 @@ void MainWindow::askToEndProgram(const QString& name, const QString& title, cons
     keep->setObjectName(name + QStringLiteral(".keep"));
     question->setDefaultButton(keep);
     question->setEscapeButton(keep);
-    connect(end, &QPushButton::clicked, session_.get(), accepted);
+    auto* box = option.isEmpty() ? nullptr : new QCheckBox(option);
+    if (box != nullptr) {
+        box->setObjectName(name + QStringLiteral(".option"));
+        question->setCheckBox(box);
+    }
+    connect(end, &QPushButton::clicked, session_.get(),
+            [accepted, box] { accepted(box != nullptr && box->isChecked()); });
     question->open();
 }
 
@@ -1249,24 +1257,27 @@ void MainWindow::askToTakeControl() {
     askToEndProgram(QStringLiteral("takeControlQuestion"), tr("Take control"),
                     tr("Taking control stops the program. The program cannot be resumed, only restarted."),
                     tr("Stop program and take control"), tr("Keep program"),
-                    [this] { session_->takeControl(RobotSession::ForeignProgram::Stop); });
+                    [this](bool) { session_->takeControl(RobotSession::ForeignProgram::Stop); });
 }
 
 void MainWindow::askToChange(const QString& what, const std::function<void()>& change) {
     askToEndProgram(
         QStringLiteral("changeQuestion"), tr("Change while a program is active"),
         what + QLatin1Char('\n') + tr("The change takes effect immediately and may disturb the program."),
-        tr("Change anyway"), tr("Cancel"), [this, change] {
+        tr("Change anyway"), tr("Cancel"),
+        [this, change](bool isLast) {
             session_->confirmChanges();
             change();
-        });
+            session_->confirmChanges(isLast);
+        },
+        tr("Do not ask again during this program"));
 }
 
 void MainWindow::askToPowerOff() {
     askToEndProgram(QStringLiteral("powerOffQuestion"), commandText(RobotCommand::PowerOff),
                     tr("Powering off stops the program. The program cannot be resumed, only restarted."),
                     tr("Stop program and power off"), tr("Keep program"),
-                    [this] { session_->services().perform(RobotCommand::PowerOff, true); });
+                    [this](bool) { session_->services().perform(RobotCommand::PowerOff, true); });
 }
 
 void MainWindow::showSettings(bool atRecording) {

@@ -157,8 +157,10 @@ private:
     /// Asks for confirmation before `accepted` ends a program of another client. The default button does not
     /// end the program.
     /// name  object name of the dialog
+    /// option  text of a check box, if any
     void askToEndProgram(const QString& name, const QString& title, const QString& effect,
-                         const QString& accept, const QString& reject, const std::function<void()>& accepted);
+                         const QString& accept, const QString& reject,
+                         const std::function<void(bool optionChecked)>& accepted, const QString& option = {});
     void askToTakeControl();
     void askToChange(const QString& what, const std::function<void()>& change);
     void askToPowerOff();

@@ -6,6 +6,7 @@
 // real sockets, with the simulated robot in virtual time.
 
 #include <QAbstractButton>
+#include <QCheckBox>
 #include <QDialog>
 #include <QLineEdit>
 #include <QMessageBox>
@@ -435,6 +436,26 @@ private Q_SLOTS:
         bench.window.showTab(QStringLiteral("io"));
         bench.cell.robot.drainSockets();
         bench.cell.advanceMs(500);
+        QVERIFY(bench.runs());
+    }
+
+    void eachChangeDuringAForeignProgramNeedsConfirmation() {
+        Bench bench;
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.startMoving());
+        const auto question = [&] { return bench.window.findChild<QMessageBox*>("changeQuestion"); };
+        const auto isOn = [&](int output) { return (bench.cell.truth().digitalOutputs >> output & 1U) != 0; };
+        for (const int output : {1, 2}) {
+            bench.window.session().outputs().setDigitalOutput(output, true);
+            QVERIFY2(question() != nullptr, qPrintable(QString::number(output)));
+            const bool last = output == 2;
+            question()->findChild<QCheckBox*>("changeQuestion.option")->setChecked(last);
+            question()->findChild<QPushButton*>("changeQuestion.take")->click();
+            QVERIFY(bench.within([&] { return isOn(output) && question() == nullptr; }));
+        }
+        bench.window.session().outputs().setDigitalOutput(3, true);
+        QVERIFY(question() == nullptr);
+        QVERIFY(bench.within([&] { return isOn(3); }));
         QVERIFY(bench.runs());
     }
 

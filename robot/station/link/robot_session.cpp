@@ -813,8 +813,8 @@ bool RobotSession::asksBeforeChange(const QString& what, const std::function<voi
     return true;
 }
 
-void RobotSession::confirmChanges() {
-    d_->changesConfirmed = d_->state.foreignProgramRuns();
+void RobotSession::confirmChanges(bool confirmed) {
+    d_->changesConfirmed = confirmed && d_->state.foreignProgramRuns();
 }
 
 void RobotSession::reportControllerMessages() {

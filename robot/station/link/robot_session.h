@@ -121,8 +121,8 @@ public:
     bool asksBeforeChange(const QString& what, const std::function<void()>& change);
     /// True if asksBeforeChange() would ask now.
     bool mustAskBeforeChange() const;
-    /// The operator has agreed. asksBeforeChange() returns false until this program ends.
-    void confirmChanges();
+    /// The operator has agreed. asksBeforeChange() returns false until this program ends or confirmed is false.
+    void confirmChanges(bool confirmed = true);
 
     // Control. The result is reported by stateChanged and message.
     /// Handling of another client's program that is running or paused on the robot.

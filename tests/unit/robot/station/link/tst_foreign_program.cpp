@@ -97,7 +97,7 @@ class TestForeignProgram : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void changesDuringAProgramOfAnotherClientAreAskedAboutOnce() {
+    void changesDuringAProgramOfAnotherClientNeedConfirmation() {
         ProgramBench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         const auto change = [] {};
@@ -111,12 +111,15 @@ private Q_SLOTS:
         QCOMPARE(asked, QStringList{"DO 3"});
         bench.session.confirmChanges();
         QVERIFY(!bench.session.asksBeforeChange("DO 4", change));
+        bench.session.confirmChanges(false);
+        QVERIFY(bench.session.asksBeforeChange("DO 4", change));
+        bench.session.confirmChanges();
         QVERIFY(bench.cell.robot.inject("script-error").ok());
         QVERIFY(bench.within([&] { return !bench.state().hasForeignProgram(); }));
         QVERIFY2(!bench.session.asksBeforeChange("DO 4", change), "no program is running");
         QVERIFY(bench.sendMovingProgram() && bench.within([&] { return bench.state().moving; }));
         QVERIFY(bench.session.asksBeforeChange("DO 5", change));
-        QCOMPARE(asked.size(), 2);
+        QCOMPARE(asked.size(), 3);
     }
 
     void aStopThatFailsDuringAnOutageIsNotExecutedLater() {
