@@ -214,6 +214,7 @@ PlotDock::PlotDock(RobotSession& session, QWidget* parent)
     connect(pages_, &PlotPages::zeroChanged, this, &PlotDock::updateHeader);
     connect(pages_, &PlotPages::arrangementChanged, this, [this] {
         announceContent();
+        session_.recording().reportDisplayed(store_->shownFields());
         updateHeader();
         values_->follow(view());
         analysis_->follow(&view());

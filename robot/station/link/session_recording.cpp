@@ -116,8 +116,15 @@ void SessionRecording::start(const RecordingOrder& order) {
     const std::shared_ptr<receive::Receiver> source = receiverFor(options.fields);
     std::erase_if(options.fields,
                   [&source](const std::string& field) { return source->layout()->find(field) == nullptr; });
+    contained_.clear();
     if (everyField) {
         options.fields.clear();
+        for (const receive::SampleLayout::Entry& entry : source->layout()->entries()) {
+            contained_ << QString::fromStdString(entry.name);
+        }
+    }
+    for (const std::string& field : options.fields) {
+        contained_ << QString::fromStdString(field);
     }
     recording::McapFormatOptions extras;
     extras.facts["robot"] = d_.address.host.toStdString();
@@ -181,6 +188,21 @@ void SessionRecording::stop() {
             session_.refresh();
         });
     });
+}
+
+void SessionRecording::reportDisplayed(const QStringList& fields) {
+    QStringList missing;
+    for (const QString& field : fields) {
+        if (wasRecording_ && !contained_.contains(field)) {
+            missing << field;
+        }
+    }
+    if (!missing.isEmpty()) {
+        contained_ << missing;
+        Q_EMIT session_.message(Severity::Warning, tr("The current recording does not contain %1. Start a "
+                                                      "new recording to record displayed signals.")
+                                                       .arg(missing.join(QStringLiteral(", "))));
+    }
 }
 
 void SessionRecording::reportFailure() {

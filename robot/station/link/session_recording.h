@@ -46,6 +46,9 @@ public:
     /// no project is stored.
     void setProject(const QString& name, const QByteArray& content);
     void stop();
+    /// Reports displayed signals that the current recording does not contain, each once.
+    /// fields  RTDE names
+    void reportDisplayed(const QStringList& fields);
 
     // For the session.
     void reportFailure();
@@ -60,6 +63,7 @@ private:
     SessionBackend& d_;
     bool wasRecording_ = false;
     bool reportedNotes_ = false;  ///< a failure to write notes was reported
+    QStringList contained_;       ///< RTDE names in the current recording, and the reported ones
     QString projectName_;
     QByteArray project_;
 };

@@ -48,6 +48,16 @@ private Q_SLOTS:
         const QString path = folder.filePath(QStringLiteral("run.") + format);
         session.recording().start({.path = path, .fields = fields, .shown = registers, .format = format});
         QVERIFY(within([&] { return session.state().recording.rows > 200; }));
+        QStringList messages;
+        const auto listening = QObject::connect(&session, &RobotSession::message, &session,
+                                                [&](Severity, const QString& text) { messages << text; });
+        session.recording().reportDisplayed(registers);
+        QVERIFY2(messages.isEmpty(), qPrintable(messages.join('\n')));
+        session.recording().reportDisplayed(registers + QStringList{"output_int_register_5"});
+        session.recording().reportDisplayed(registers + QStringList{"output_int_register_5"});
+        QCOMPARE(messages.size(), 1);
+        QVERIFY2(messages.front().contains("output_int_register_5"), qPrintable(messages.front()));
+        QObject::disconnect(listening);
         session.recording().stop();
         QVERIFY(within([&] { return !session.state().recording.active; }));
         const auto file = recording::openRecording(path);
