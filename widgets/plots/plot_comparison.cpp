@@ -85,7 +85,7 @@ void PlotComparison::run(const QString& recording, std::optional<RobotModelId> m
     }
     const CancelToken cancel = entry.cancel;
     entries_.insert(recording, entry);
-    place_.marks.forgetOf(recording);
+    place_.marks.forgetAlarmsOf(recording);
     place_.replay.setFurtherEvents(recording, {});
     if (model) {
         divergence::Choice choice;

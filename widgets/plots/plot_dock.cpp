@@ -591,6 +591,12 @@ void PlotDock::showRecording(std::unique_ptr<recording::Recording> file, std::op
         rows == 0 ? Result<std::vector<double>>(std::vector<double>()) : file->times({rows - 1, 1});
     const double length = last && !last->empty() ? last->front() : 0;
     const double begin = placeOf(*file, length, incident);
+    std::vector<PlotMark> notes;
+    for (const recording::RecordedEvent& event : file->events()) {
+        if (event.source == QLatin1String(recording::kNoteSource)) {
+            notes.push_back({begin + event.seconds, event.text});
+        }
+    }
     const Result<QString> opened = store_->open(std::move(file), begin);
     if (!opened) {
         Q_EMIT session_.message(Severity::Error, texts::errorText(opened.error()));
@@ -598,6 +604,9 @@ void PlotDock::showRecording(std::unique_ptr<recording::Recording> file, std::op
     }
     if (incident) {
         incidents_[*opened] = begin + *incident;
+    }
+    for (const PlotMark& note : notes) {
+        marks_->addOf(*opened, note);
     }
     turnTo(*opened);
     goTo(*opened, moment);

@@ -37,8 +37,8 @@ void PlotMarks::drop(Which which) {
     }
 }
 
-void PlotMarks::forgetOf(const QString& recording) {
-    drop([&](const PlotMark& one) { return one.recording == recording; });
+void PlotMarks::forgetAlarmsOf(const QString& recording) {
+    drop([&](const PlotMark& one) { return one.recording == recording && one.alarm; });
 }
 
 void PlotMarks::forgetRecordings() {

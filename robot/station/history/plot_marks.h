@@ -36,9 +36,10 @@ public:
         : QObject(parent), store_(store) {}
 
     void addNote(double time, const QString& text);
-    /// Adds a mark to a recording. forgetOf() removes it.
+    /// Adds a mark to a recording.
     void addOf(const QString& recording, PlotMark mark);
-    void forgetOf(const QString& recording);
+    /// Removes the alarms of a recording, but not its notes.
+    void forgetAlarmsOf(const QString& recording);
     void forgetRecordings();
     const std::deque<PlotMark>& marks() const { return marks_; }
     void forgetBefore(double time);  ///< Keeps marks of recordings.

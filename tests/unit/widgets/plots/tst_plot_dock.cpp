@@ -1619,9 +1619,18 @@ private Q_SLOTS:
                            (i < 2500 ? "0" : "8") + ",7," + (i == 4000 ? "1000" : "0") + '\n');
             }
         }
+        QFile notes(folder.filePath("yesterday.notes.csv"));
+        QVERIFY(notes.open(QIODevice::WriteOnly));
+        notes.write("row,utc,level,source,text\n1000,,20,note,jammed\n1500,,30,robot,not a note\n");
+        notes.close();
         QSignalSpy messages(&b.session, &RobotSession::message);
         b.dock.openRecording(path);
         QTRY_COMPARE_WITH_TIMEOUT(b.dock.pages().count(), 2, 60'000);
+        QCOMPARE(b.dock.marks().marks().size(), std::size_t(1));
+        const PlotMark& mark = b.dock.marks().marks().front();
+        QCOMPARE(mark.text, QString("jammed"));
+        QCOMPARE(mark.recording, QString("yesterday.csv"));
+        QVERIFY(near(mark.time, b.dock.history().lastTime() - 11.998 + 2, 0.01));
         QVERIFY2(messages.last().at(1).toString().contains("yesterday.csv"),
                  qPrintable(messages.last().at(1).toString()));
         SignalStore& store = b.dock.store();
@@ -1653,6 +1662,7 @@ private Q_SLOTS:
         QVERIFY(near(store.valueAt(store.find("yesterday.csv (2)/actual_TCP_force_2"), 51).value(), 5, 0.02));
         // Closing the recordings keeps the live signals, and data continue to arrive.
         b.dock.closeRecordings();
+        QVERIFY(b.dock.marks().marks().empty());
         QCOMPARE(b.dock.pages().count(), 2);  // without the page that showed only the second recording
         QCOMPARE(store.find("yesterday.csv/actual_TCP_force_2"), -1);
         b.dock.pages().setCurrent(1);
