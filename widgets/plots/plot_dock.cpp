@@ -32,6 +32,7 @@
 #include "robot/recording/formats/export_recording.h"
 #include "robot/recording/formats/open_recording.h"
 #include "robot/recording/incident.h"
+#include "robot/recording/recording_format.h"
 #include "robot/station/history/history_export.h"
 #include "robot/station/history/history_feed.h"
 #include "robot/station/history/lane_text.h"
