@@ -581,7 +581,10 @@ void PlotView::setTimeAxis(TimeAxis axis, std::function<QDateTime(double)> clock
 
 void PlotView::placeTicks() {
     // Reference of the labels. The time of day refers to midnight, so that ticks are round numbers.
-    double reference = timeAxis_ == TimeAxis::Relative ? reference_ : 0;
+    double reference = timeAxis_ == TimeAxis::Relative ? reference_
+                       : timeAxis_ == TimeAxis::Controller
+                           ? window_.end() - store_.controllerTime(window_.end())
+                           : 0;
     QDateTime midnight;
     if (timeAxis_ == TimeAxis::Clock) {
         if (const QDateTime now = clock_ ? clock_(window_.end()) : QDateTime(); now.isValid()) {
@@ -607,7 +610,10 @@ void PlotView::placeTicks() {
             const QDateTime then = midnight.addMSecs(std::llround(value * 1e3));
             return then.toString(step < 1 ? QStringLiteral("HH:mm:ss.zzz") : QStringLiteral("HH:mm:ss"));
         }
-        return format::number(value / unit, digits) + (minutes ? tr(" min") : tr(" s"));
+        // The clock of the controller may have been restarted within the window.
+        const double shown =
+            timeAxis_ == TimeAxis::Controller ? store_.controllerTime(value + reference) : value;
+        return format::number(shown / unit, digits) + (minutes ? tr(" min") : tr(" s"));
     };
     std::vector<AxisTick> ticks;
     timeLabels_.clear();

@@ -94,7 +94,7 @@ Result<std::int64_t> exportCsv(const SignalStore& store, const std::vector<int>&
         if (sample == end) {
             break;
         }
-        line = QByteArray::fromStdString(recording::csvNumber(history.time(sample)));
+        line = QByteArray::fromStdString(recording::csvNumber(store.controllerTime(history.time(sample))));
         for (const int signal : shown) {
             const std::optional<double> value = store.buffer(signal) == &history
                                                     ? store.value(signal, sample)

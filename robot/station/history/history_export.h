@@ -22,7 +22,7 @@ class SignalStore;
 Result<std::int64_t> exportSignals(const SignalStore& store, const std::vector<int>& shown, double t0,
                                    double t1, const QString& path);
 
-/// Writes every sample of t0 ... t1 [s] as CSV: "timestamp", then one column per signal, named as in
+/// Writes every sample of t0 ... t1 [s] as CSV: "timestamp" of the controller, then one column per signal, named as in
 /// recordings. Rows are the samples of the standard stream. Additionally requested signals have their last
 /// valid value at that time. A value that the robot does not send is an empty cell. A lost sample is a
 /// missing row, as in recordings.

@@ -81,6 +81,7 @@ bool HistoryFeed::place(const receive::Sample& sample, double robotTime, double 
             const double silence =
                 static_cast<double>(sample.hostTimeNs - lastHostNs_) / static_cast<double>(kNsPerSecond);
             offset_ = newest + std::max(kRestartDistance, silence) - robotTime;
+            store_.beginClock(plotTime(robotTime), offset_);
             gap = true;
         } else if (lastStep_ > 0 && forward > kHole * lastStep_) {
             gap = true;

@@ -348,6 +348,18 @@ int SignalStore::findOrDerive(const QString& key) {
     return made ? *made : -1;
 }
 
+double SignalStore::controllerTime(double time) const {
+    const auto next = std::upper_bound(
+        clocks_.begin(), clocks_.end(), time,
+        [](double wanted, const std::pair<double, double>& clock) { return wanted < clock.first; });
+    if (next == clocks_.begin()) {
+        return time;
+    }
+    // The sum with the offset was rounded. Time stamps have at most nine decimal places.
+    constexpr double kPerSecond = 1e9;
+    return std::round((time - (next - 1)->second) * kPerSecond) / kPerSecond;
+}
+
 QStringList SignalStore::shownFields() const {
     return fieldsFor(wanted_, true);
 }

@@ -13,6 +13,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "robot/core/result.h"
@@ -121,6 +122,11 @@ public:
     void appendFurther(std::span<const SeriesBuffer::Row> rows, Source source) {
         append(tables_[kFurther], rows, source);
     }
+    /// The clock of the controller was restarted: from this time of the plots' time axis on, the axis differs from
+    /// the clock by `offset` [s].
+    void beginClock(double from, double offset) { clocks_.emplace_back(from, offset); }
+    /// The time of the controller's clock at a time of the plots' time axis [s].
+    double controllerTime(double time) const;
     /// Names of the components in column order, e.g. "actual_q_0".
     const std::vector<std::string>& liveColumns() const { return tables_[kLive].columns; }
     const std::vector<std::string>& furtherColumns() const { return tables_[kFurther].columns; }
@@ -209,6 +215,7 @@ private:
     std::vector<Table> tables_;
     std::vector<Signal> signals_;
     QHash<QString, int> byKey_;
+    std::vector<std::pair<double, double>> clocks_;  ///< see beginClock(), in the order of their times
     QHash<const void*, QSet<int>> wanted_;
     QStringList furtherFields_;
     QString problem_;

@@ -29,6 +29,7 @@
 #include <array>
 #include <cmath>
 
+#include "robot/station/history/history_export.h"
 #include "robot/station/history/plot_marks.h"
 #include "robot/station/history/signal_store.h"
 #include "robot/station/history/state_lane.h"
@@ -63,6 +64,7 @@ struct Bench {
     PlotDock dock{session};
     test::SampleStream stream;
     int next = 0;                            ///< index of the next sample
+    int restartedAt = 0;                     ///< index of the sample at which the controller started
     std::pair<QDateTime, QDateTime> framed;  ///< times before and after displaying the newest sample
 
     Bench() {
@@ -81,7 +83,7 @@ struct Bench {
             const double time = next * 0.002;
             receive::Sample& sample = stream.add(time, static_cast<std::uint64_t>(next) + 1);
             std::fill(sample.values.begin(), sample.values.end(), 0.0);
-            stream.set(sample, "timestamp", time);
+            stream.set(sample, "timestamp", (next - restartedAt) * 0.002);
             stream.set(sample, "actual_TCP_force_2", time);
             stream.set(sample, "actual_current_0", 1);
             stream.set(sample, "actual_q_1", std::sin(time));
@@ -1127,6 +1129,28 @@ private Q_SLOTS:
         for (const QString& label : b.view().timeLabels()) {
             QVERIFY2(kClock.match(label).hasMatch(), qPrintable(label));
         }
+        // After a restart, the controller's clock is shown and exported.
+        b.restartedAt = b.next;
+        b.runTo(90);
+        choose(TimeAxis::Controller);
+        b.view().showRange(65, 85);
+        QVERIFY2(b.view().timeLabels().contains("10 s"), qPrintable(b.view().timeLabels().join('|')));
+        QVERIFY2(!b.view().timeLabels().contains("70 s"), qPrintable(b.view().timeLabels().join('|')));
+        QTemporaryDir folder;
+        const QString path = folder.filePath("range.csv");
+        const SignalStore& store = b.dock.store();
+        QVERIFY(exportCsv(store, {store.find("actual_TCP_force_2")}, 50, 80, path).ok());
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        file.readLine();
+        int rows = 0;
+        for (; !file.atEnd(); ++rows) {
+            const QByteArrayList cells = file.readLine().trimmed().split(',');
+            const double time = cells.at(1).toDouble();  // of the test
+            QVERIFY(near(cells.at(0).toDouble(), time > 60.001 ? time - 60.002 : time, 1e-4));
+        }
+        QVERIFY(rows > 14'000);
+        choose(TimeAxis::Clock);
         // The time axis is saved with the layout.
         const QByteArray kept = b.dock.arrangement();
         choose(TimeAxis::Relative);
