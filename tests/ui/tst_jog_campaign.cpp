@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Ten thousand random operator inputs: press, hold for some time, and end in different ways. In all cases,
-// the arm must stop within the limit of the contract and not move before a new press.
+// Random operator inputs: press, hold for some time, and end in different ways. In all cases, the arm must
+// stop within the limit of the contract and not move before a new press. Three thousand inputs take 35 s;
+// TILLER_CAMPAIGN_SEQUENCES=1000 runs ten thousand.
 
 #include <QRandomGenerator>
 #include <QTest>
@@ -17,7 +18,7 @@ namespace {
 
 // Divided into parts because Qt Test limits the time of a test function.
 constexpr int kParts = 10;
-constexpr int kSequences = 1000;  // per part
+constexpr int kSequences = 300;  // per part
 constexpr quint32 kSeed = 20261121;
 /// Maximum time from the end of holding to standstill [ms]. A window that hangs is detected after 100 ms, and
 /// then 250 mm/s decelerate at 2 m/s2.
@@ -117,7 +118,10 @@ private Q_SLOTS:
 
         QRandomGenerator random(seed);
         int moved = 0;
-        for (int sequence = 0; sequence < kSequences; ++sequence) {
+        bool isGiven = false;
+        const int given = qEnvironmentVariableIntValue("TILLER_CAMPAIGN_SEQUENCES", &isGiven);
+        const int sequences = isGiven ? given : kSequences;
+        for (int sequence = 0; sequence < sequences; ++sequence) {
             column.selectors().setSpeedClass(static_cast<int>(random.bounded(5)));
             HoldToRunButton& key = *jogKeys[random.bounded(jogKeys.size())];
             const auto end = static_cast<End>(random.bounded(kEnds));
@@ -147,7 +151,7 @@ private Q_SLOTS:
             QVERIFY2(session.state().control == ControlState::InControl,
                      qPrintable(what + ": " + session.state().controlReason));
         }
-        QVERIFY2(moved > kSequences / 2,
+        QVERIFY2(moved > sequences / 2,
                  qPrintable(QStringLiteral("only %1 sequences moved the arm").arg(moved)));
     }
 };
