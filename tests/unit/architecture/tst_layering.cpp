@@ -266,7 +266,6 @@ QString unitOf(const QString& file) {
     return file.section('.', 0, 0);
 }
 
-/// The includes of the header and the source of a unit.
 QStringList includesOf(const QString& unit) {
     static const QRegularExpression kInclude("^\\s*#\\s*include\\s*[<\"]([^>\"]+)[>\"]",
                                              QRegularExpression::MultilineOption);

@@ -103,7 +103,7 @@ double nearest(const CollisionCheck& check, const DhParameters& dh, const JointP
 
 struct Sampled {
     double nearest = 1e9;
-    double hitAt = -1;  ///< see Contact::at; negative: none
+    double hitAt = -1;  ///< like Contact::at; negative if there is no contact
 };
 
 /// Samples the path in steps of at most 1 mm at the outermost point.
@@ -230,7 +230,7 @@ private Q_SLOTS:
         QVERIFY(contact->with == Contact::With::Obstacle);
         QCOMPARE(contact->other, 0);
         QVERIFY(contact->link >= 3);
-        // Moves down to the floor, tool first.
+        // The arm moves down to the floor, tool first.
         JointPositions low = beside;
         low[1] += 0.6;
         const auto down = check.along(std::vector{beside, low});
@@ -378,7 +378,6 @@ private Q_SLOTS:
             if (nearest(check, robot.dh, from, 0.002) < 0.002) {
                 continue;
             }
-            // A path with corners.
             std::vector<JointPositions> way = {from};
             for (int i = 0; i < 2; ++i) {
                 Vector6 turn;
@@ -399,8 +398,8 @@ private Q_SLOTS:
                 ++hits;
                 QVERIFY2(contact, what);
                 QVERIFY2(contact->at <= truth.hitAt + 1e-9, what);
-                // The collision is not reported much too early: the two bodies are nearly in contact at this
-                // point.
+                // The bodies are nearly in contact at the reported point, so the collision is not reported
+                // too early.
                 QVERIFY2(nearest(check, robot.dh, contact->q, 0) < 0.001, what);
             } else {
                 ++misses;

@@ -82,7 +82,7 @@ private Q_SLOTS:
         QVERIFY(report.limit);
         QVERIFY(report.limit->singular == MoveLimit::Singular::Wrist);
         QVERIFY(report.limit->share > 0.3);
-        // Joint moves are not affected.
+        // A joint move may pass through the singularity.
         QVERIFY(!examined({from, to, false, 1, 1}).limit);
     }
 

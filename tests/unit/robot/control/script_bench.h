@@ -79,7 +79,6 @@ struct ScriptBench {
             }
         }
     }
-    /// Sets a value of a package by its index.
     void put(std::size_t i, double value) {
         constexpr std::size_t kInts = 10;
         const auto at = static_cast<std::size_t>(first);

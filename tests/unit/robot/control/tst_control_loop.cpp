@@ -133,7 +133,7 @@ private Q_SLOTS:
         QCOMPARE(bench.mailbox.epoch().isActive(jog), !ends);
         if (ends) {
             QCOMPARE(bench.causeOf(jog), StopCause::UnsafeMode);
-            // Normal mode again: the previous jog has ended, and another one must be started.
+            // After the return to normal mode, the previous jog has ended and a new jog must be started.
             bench.data.robotMode = RobotMode::Running;
             bench.data.safetyMode = SafetyMode::Normal;
             QCOMPARE(bench.tick(5).kind, ScriptCommand::Idle);

@@ -394,7 +394,7 @@ private Q_SLOTS:
         const MotionId next = bench.startJog(0.05);
         bench.tick(3);
         bench.data.tcpSpeed.linear.x() = 0;
-        bench.tick(10);  // accidental standstill, not the end of the requested stop
+        bench.tick(10);  // standstill by chance, not the end of the requested stop
         QCOMPARE(bench.loop.status().lastStop.count, 0U);
         bench.mailbox.end(next, StopCause::Released, bench.now());
         bench.tick(10);

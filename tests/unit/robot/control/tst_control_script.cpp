@@ -90,7 +90,7 @@ private Q_SLOTS:
         QCOMPARE(bench.count<urscript::Move>(), 1);
         const auto target = [](const urscript::Move& move) { return std::get<JointPositions>(move.target); };
         QCOMPARE(target(*bench.last<urscript::Move>()), there);
-        // A second move directly follows the first one, with its own parameters.
+        // A second move directly follows the first one and uses the parameters of its own package.
         const JointPositions elsewhere(-0.2, -0.9, 1.1, -1.2, -1.4, 0.5);
         bench.hold(ScriptCommand::MoveJ, 3, 60, elsewhere.array());
         QCOMPARE(bench.count<urscript::Move>(), 2);
@@ -126,7 +126,7 @@ private Q_SLOTS:
             const auto* servoed = std::get_if<urscript::ServoJ>(&motion.command);
             QVERIFY(servoed == nullptr || (servoed->q == bench.host.q && servoed->lookahead >= 0.03));
         }
-        // A request is executed with its own parameters.
+        // A request uses the parameters of its package.
         bench.idleEpoch = 9;
         QCOMPARE(bench.ask(RequestKind::SetPayload, 1, {1.5, 0, 0, 0.1, 0, 0}).outcome, Outcome::Done);
         QCOMPARE(bench.host.load.mass, 1.5);
@@ -155,8 +155,8 @@ private Q_SLOTS:
         }
     }
 
-    // The output for other clients starts only after half a second, when the program's own client has also
-    // lost control.
+    // The control program starts to count for other clients after 0.5 s, when its own client has also lost
+    // control.
     void theTimeWithoutAClientIsCounted() {
         for (const auto range : {RegisterRange::Lower, RegisterRange::Upper}) {
             Bench bench(range);

@@ -370,7 +370,7 @@ private Q_SLOTS:
         }
         bench.hold(ScriptCommand::SpeedL, 2, 60, {0, 0, -0.05, 0, 0, 0});
         QCOMPARE(bench.state(), ScriptState::Contact);
-        bench.hold(ScriptCommand::SpeedL, 2, 5, {0, 0, -0.05, 0, 0, 0});  // permanently ended
+        bench.hold(ScriptCommand::SpeedL, 2, 5, {0, 0, -0.05, 0, 0, 0});  // the contact has ended this motion permanently
         QVERIFY(bench.last<urscript::SpeedL>() == nullptr);
     }
 
@@ -412,7 +412,7 @@ private Q_SLOTS:
         bench.frame(400);
         QCOMPARE(bench.state(), finishes ? ScriptState::Done : ScriptState::Expired);
         bench.frame(static_cast<int>(6 / bench.host.step));
-        QVERIFY(bench.running());  // for the next client
+        QVERIFY(bench.running());  // the program waits for the next client
     }
 
     void aMoveMayHaveALongerHeartbeatTimeout_data() { movesContinueAfterTheClientSignsOff_data(); }

@@ -29,7 +29,7 @@ private Q_SLOTS:
         }
     }
 
-    // A peer that loses power never ends a connection, so the system must detect this.
+    // A peer that loses power does not close the connection. Only keep-alive detects this.
     void keepAliveIsEnabled() {
 #ifdef __linux__
         QTcpServer server;
@@ -95,7 +95,7 @@ private Q_SLOTS:
         QCOMPARE(connectTcp("127.0.0.1", server.serverPort(), Deadline::after(1h, cancelled)).error().code,
                  ErrorCode::Cancelled);
 
-        int asked = 0;  // the host interrupts the call after some time
+        int asked = 0;  // number of polls; the token cancels at the fourth
         const CancelToken polled([&asked] { return ++asked > 3; });
         QCOMPARE(connectTcp("127.0.0.1", server.serverPort(), Deadline::after(1h, polled)).error().code,
                  ErrorCode::Cancelled);

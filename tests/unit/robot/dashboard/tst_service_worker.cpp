@@ -116,7 +116,7 @@ private Q_SLOTS:
             link.send(kGreeting);
             link.readLine();
             link.send("Powering on\n");
-        });  // and disconnects after each reply
+        });  // the peer disconnects after each reply
         ServiceWorker worker(at(peer.port(), RawPeer::deadPort()));
         worker.start();
         for (int round = 1; round <= 3; ++round) {

@@ -41,7 +41,6 @@ public:
             keep();
         }
     }
-    /// Runs until the command is complete.
     void finish(const simulator::arm::MotionStart& start) {
         while (arm.motion().progress(start.id) == simulator::arm::MotionProgress::Running) {
             run(1);

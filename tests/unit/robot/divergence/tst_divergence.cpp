@@ -92,7 +92,6 @@ void TestDivergence::anUndisturbedArmNeverDiverges() {
     for (const Outcome& each : report.outcomes) {
         QVERIFY(each.missing.empty());
         QCOMPARE(each.rows, report.rows - report.leftOut);
-        // The actual value is much smaller.
         QVERIFY2(each.greatest && each.greatest->amount < each.limit / 10,
                  qPrintable(QString::number(each.greatest ? each.greatest->amount : -1)));
     }

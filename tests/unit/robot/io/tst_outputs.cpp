@@ -22,7 +22,7 @@ Deadline patience() {
     return Deadline::after(kPatience);
 }
 
-/// A robot whose reports are set by the test, or which executes the commands.
+/// A simulated robot. Either the test sets its reports, or the robot executes the received commands.
 struct Bench {
     explicit Bench(test::RtdePeerOptions robot = {})
         : peer(std::move(robot)), outputs(options(), feedback()) {}
@@ -170,7 +170,7 @@ void TestOutputs::waitsForConfirmationByTheRobot() {
              ErrorCode::Cancelled);
 }
 
-// The controller may have closed the connection, while sending data succeeds forever.
+// The controller may have closed the connection although sending still succeeds.
 void TestOutputs::afterAMissingConfirmationANewConnectionIsUsed() {
     Bench bench;
     bench.obedient = false;
@@ -264,9 +264,8 @@ void TestOutputs::connectsAutomaticallyWhenNeeded() {
     QVERIFY(!bench.outputs.isConnected());
     QVERIFY(bench.outputs.setDigitalOutput(0, false, patience()).ok());
     QCOMPARE(bench.peer.connections(), 2);
-    // The robot was switched off and on. This is detected at the next command or the one after it. Each
-    // command has time to reconnect, and does not wait too long for a command sent on the previous
-    // connection.
+    // The robot was power-cycled. One of the next two commands detects this and reconnects. A command waits
+    // only a limited time on the previous connection, so that it still has time to reconnect.
     bench.peer.closeConnection();
     QTRY_VERIFY_WITH_TIMEOUT(
         bench.outputs.setDigitalOutput(0, true, Deadline::after(5s)).ok() && bench.peer.connections() >= 3,

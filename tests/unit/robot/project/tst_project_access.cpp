@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Several windows and programs with one project file. None of them replaces content that it has not read.
+// Several windows and programs with one project file. They do not overwrite content that they have not read.
 
 #include <QCoreApplication>
 #include <QDir>

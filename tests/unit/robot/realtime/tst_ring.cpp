@@ -44,7 +44,7 @@ void TestRing::recordsAreReadInOrder() {
     auto cursor = ring.atBegin();
     Record got{};
     QVERIFY(!ring.pop(cursor, got));
-    // Wraps around more than once, but the reader is never further behind than the capacity.
+    // The writer wraps around more than once, but the reader never lags by more than the capacity.
     for (std::uint64_t i = 0; i < 20; i += 4) {
         for (std::uint64_t k = 0; k < 4; ++k) {
             push(ring, i + k);

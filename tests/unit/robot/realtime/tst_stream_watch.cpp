@@ -121,7 +121,7 @@ void TestStreamWatch::aControllerRestartIsNotAGap() {
     QCOMPARE(verdict.lost, std::uint64_t(0));
     QVERIFY(!verdict.late);
     QVERIFY(!watch.add(0.004, 30 * kNsPerSecond + 2 * kNsPerMs).late);
-    // A repeated timestamp does not count either.
+    // A repeated timestamp does not count as a lost packet.
     QCOMPARE(watch.add(0.004, 30 * kNsPerSecond + 2 * kNsPerMs).lost, std::uint64_t(0));
 }
 

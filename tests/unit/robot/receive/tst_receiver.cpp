@@ -28,13 +28,12 @@ ReceiverOptions to(std::uint16_t port) {
     options.port = port;
     options.priority = 0;
     options.reconnectDelays = {1ms};
-    // Only the test ends a connection, even if a thread is scheduled late.
+    // Too long to expire, even if a thread is scheduled late.
     options.connectTimeout = 1h;
     options.silenceLimit = 1h;
     return options;
 }
 
-/// Waits for the next sample.
 bool fetch(Subscription& subscription, Sample& sample) {
     return QTest::qWaitFor([&] { return subscription.pending() > 0; }, kWaitTimeoutMs) &&
            subscription.next(sample);
@@ -148,7 +147,7 @@ void TestReceiver::unknownNamesAreRefused() {
     QCOMPARE(receiver.state(), ReceiverState::Stopped);
     QCOMPARE(receiver.lastError().code, ErrorCode::FieldUnknown);
     QCOMPARE(receiver.waitForData(Deadline::after(1h)).error().code, ErrorCode::NotConnected);
-    QCOMPARE(Receiver({}).start().error().code, ErrorCode::InvalidArgument);  // the host does not exist
+    QCOMPARE(Receiver({}).start().error().code, ErrorCode::InvalidArgument);  // no host
 }
 
 void TestReceiver::waitsForData() {
@@ -169,8 +168,8 @@ void TestReceiver::waitingForDataReportsWhyNoneArrived() {
     Receiver refused(to(portNobodyListensOn()));
     QVERIFY(refused.start().ok());
     TRY_VERIFY(refused.state() == ReceiverState::Waiting);
-    // No server listens on this port, and none did before. waitForData() fails immediately unless
-    // OnRefusal::Wait is given.
+    // No server has ever listened on this port. waitForData() fails immediately unless OnRefusal::Wait is
+    // given.
     QCOMPARE(refused.waitForData(Deadline::never()).error().code, ErrorCode::ConnectionRefused);
     QCOMPARE(refused.waitForData(Deadline::after(1ms), OnRefusal::Wait).error().code,
              ErrorCode::ConnectionRefused);
@@ -483,7 +482,7 @@ void TestReceiver::closesASilentConnection() {
     QCOMPARE(peer.connections(), 1);
     clock.advanceNs(200 * kNsPerMs);
     TRY_COMPARE(receiver.state(), ReceiverState::Waiting);
-    // Repeated, because only the receiver knows when its wait of 1 ms begins.
+    // Advances the clock repeatedly, because the start of the receiver's 1 ms wait is unknown.
     TRY_VERIFY((clock.advanceNs(kNsPerMs), peer.connections() == 2));
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// For every row of the table of formats: a file written with a row is opened with the same row, regardless of
-// its name.
+// A file is opened in the format in which it was written, regardless of its name. Tested for every format of
+// the table.
 #include <QSet>
 #include <QTemporaryDir>
 #include <QTest>

@@ -135,8 +135,8 @@ void TestHdf5::cancelledExportKeepsTheExistingFile() {
              ErrorCode::FileNotWritable);
 }
 
-// libhdf5 reads the files, and its handling of broken files cannot be changed here. The mutations are
-// therefore those of a disk or a transfer, and each file is opened in this process.
+// libhdf5 itself does not withstand arbitrary damage. The mutations are therefore limited to the damage that
+// a disk or a transfer can cause.
 void TestHdf5::brokenFilesAreReported() {
     const auto source = made(path("d.mcap"));
     exportHdf5(*source, {.path = path("d.h5"), .columns = {"actual_q", "robot_mode"}}).value();
@@ -270,7 +270,7 @@ void TestHdf5::episodesByNotes() {
     QCOMPARE(found[0].rows.first, std::uint64_t(300));
     QCOMPARE(found[0].rows.count, std::uint64_t(400));
     QCOMPARE(found[1].rows.first, std::uint64_t(700));
-    // A file of an earlier version.
+    // A file written by an earlier version.
     recording = file("old.mcap", {line, {samples.utcNs(300), 20, "operator", "Notiz: hier"}});
     const auto old = findEpisodes(*recording, EpisodeChoice::Cut::Notes).value();
     QCOMPARE(old.size(), std::size_t(1));

@@ -83,7 +83,7 @@ struct Bench {
 class BadDisk : public RecordingFile {
 public:
     struct Story {
-        int failsFrom = std::numeric_limits<int>::max();  ///< the write, counted from 1
+        int failsFrom = std::numeric_limits<int>::max();  ///< first write that fails, counted from 1
         std::atomic<int> writes{0};
         std::atomic<bool> standsStill{false};  ///< stalls at the next write until reset
     };

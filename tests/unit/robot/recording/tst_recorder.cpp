@@ -40,7 +40,7 @@ receive::ReceiverOptions to(std::uint16_t port) {
     options.port = port;
     options.priority = 0;
     options.reconnectDelays = {1ms};
-    // Only the test ends a connection, even if a thread is scheduled late.
+    // Too long to expire, even if a thread is scheduled late.
     options.connectTimeout = 1h;
     options.silenceLimit = 1h;
     return options;
@@ -105,7 +105,7 @@ struct Story {
     int rowsBeforeNote = 0;
 };
 
-/// CSV that also remembers the notes, which CSV itself ignores.
+/// CSV encoder that also stores the notes, which the CSV format omits.
 class NotedEncoder : public RecordingEncoder {
 public:
     NotedEncoder(std::unique_ptr<RecordingEncoder> csv, Story& story) : csv_(std::move(csv)), story_(story) {}
@@ -215,7 +215,6 @@ void TestRecorder::writesOneRowPerPackage() {
     for (int i = 1; i <= 2500; ++i) {
         QCOMPARE(table->values[0][static_cast<std::size_t>(i) - 1], i * 0.002);
     }
-    // The columns of listing 4 of the paper.
     for (const char* column :
          {"actual_q_0", "actual_q_1", "actual_q_2", "actual_q_3", "actual_q_4", "actual_q_5"}) {
         QVERIFY2(table->column(column) != nullptr, column);
@@ -281,8 +280,8 @@ void TestRecorder::aRingOverrunIsAlsoAGap() {
     QVERIFY(recorder.start({path, {}}, receiver).ok());
     peer.send(0.002);
     TRY_COMPARE(recorder.progress().rows, std::uint64_t(1));
-    // Many more packages than the ring holds. The number of packages read depends on the machine, but the sum
-    // does not.
+    // Many more packages than the ring holds. The numbers of recorded and lost packages depend on the
+    // machine, but their sum does not.
     for (int i = 2; i <= 2000; ++i) {
         peer.send(i * 0.002);
     }
@@ -304,7 +303,7 @@ void TestRecorder::rowsReachTheFileWhileRecording() {
     Recorder recorder;
     QVERIFY(recorder.start({bench.path(), defaultRecordedFields()}, bench.receiver).ok());
     bench.send(1, 10);
-    // Without stop(): the recorder writes at its own intervals.
+    // The recorder also writes without stop(), at regular intervals.
     TRY_COMPARE(recorder.progress().rows, std::uint64_t(10));
     const auto table = readCsv(bench.path());
     QVERIFY(!table->truncated);
@@ -537,7 +536,7 @@ void TestRecorder::aRestartOfTheControllerIsAnEvent() {
              qPrintable(story.notes.front().text));
     QCOMPARE(story.rowsBeforeNote, 100);
 
-    // CSV contains no notes; the reader finds the event in the time stamps.
+    // CSV contains no notes, so the reader detects the restart of the controller from the timestamps.
     const auto file = openCsv(bench.path());
     QVERIFY2(file.ok(), qPrintable(file.error().toString()));
     const Recording& recording = *file.value();
@@ -632,7 +631,7 @@ void TestRecorder::aWriteBackErrorEndsInFailed() {
     Recorder recorder([&] { return std::make_unique<TreacherousFile>(story); });
     QVERIFY(recorder.start({bench.path(), {}}, bench.receiver).ok());
     bench.send(1, 3);
-    // Without stop(): the progress must not report a running recording.
+    // The progress reports the failure even before stop() is called.
     TRY_COMPARE(recorder.progress().state, RecorderState::Failed);
     QCOMPARE(recorder.error().code, ErrorCode::FileNotWritable);
     QCOMPARE(recorder.error().controllerMessage, QStringLiteral("Input/output error"));

@@ -37,7 +37,6 @@ receive::ReceiverOptions to(std::uint16_t port) {
 struct Bench {
     Bench() : receiver(to(peer.port())) { receiver.start().value(); }
     QString path(const char* name) const { return folder.filePath(QString::fromLatin1(name)); }
-    /// Sends `count` further packages with this force.
     void send(int count, double force) {
         peer.set("actual_TCP_force", {0, 0, force, 0, 0, 0});
         for (int i = 0; i < count; ++i) {

@@ -188,7 +188,6 @@ void TestCodec::everyPackageRoundTrips() {
     QVERIFY(reply.fields == inputs);
     QCOMPARE(int(reply.recipeId), 255);
 
-    // All type names.
     std::vector<FieldAnswer> types;
     for (int i = 0; i <= static_cast<int>(DataType::Vector6UInt32); ++i) {
         types.push_back(FieldAnswer::of(static_cast<DataType>(i)));

@@ -350,7 +350,7 @@ void TestConnection::aFloodOfTextDoesNotBlockTheReader() {
 }
 
 void TestConnection::slowReaderOfInputsNeverBlocks() {
-    // Replies to the handshake and then reads nothing.
+    // Replies to the handshake and then stops reading.
     std::atomic<bool> drain{false};
     ScriptedPeer peer([&](ScriptedPeer::Link& link) {
         for (int answers = 0; answers < 3 && !link.isOver();) {

@@ -374,7 +374,7 @@ void TestSession::wrongCountsAndGarbageAreErrors() {
         talk.giveVersion();
         talk.giveOutputs(0, {kDouble});
         QCOMPARE(talk.session.error().code, ErrorCode::Rejected);
-        // The session cannot be restored.
+        // A failed session stays failed, even after a valid reply.
         talk.sent.clear();
         talk.giveOutputs(1, {kDouble});
         QVERIFY(talk.session.isFailed());

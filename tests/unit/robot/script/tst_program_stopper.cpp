@@ -82,7 +82,7 @@ private Q_SLOTS:
             }
             obey(link);
         });
-        VirtualClock clock;  // nothing is sent again
+        VirtualClock clock;  // stopped, so nothing is sent again
         ProgramStopperOptions options = to(peer.port());
         options.clock = &clock;
         ProgramStopper stopper(options);
@@ -160,7 +160,7 @@ private Q_SLOTS:
         RawPeer peer([&, obey = obedient(heard)](RawPeer::Link& link) {
             if (back) {
                 obey(link);
-            }  // otherwise it disconnects immediately
+            }  // otherwise, the peer disconnects immediately
         });
         ProgramStopper stopper(to(peer.port()));
         stopper.start();

@@ -124,8 +124,8 @@ private Q_SLOTS:
             const QString row =
                 QStringLiteral("| `%1` | `%2` |").arg(info.name, info.readings.join(QStringLiteral("`, `")));
             QVERIFY2(text.contains(row), qPrintable(row));
-            // The remaining columns contain what depends on the assumption, how the control program handles
-            // it, and the source.
+            // The remaining columns state the effect of the assumption, its handling in the control program,
+            // and the source.
             const QStringList rest = text.section(row, 1, 1).section(QLatin1Char('\n'), 0, 0).split('|');
             QCOMPARE(rest.size(), 4);
             for (const QString& told : rest.first(3)) {
@@ -177,7 +177,7 @@ private Q_SLOTS:
         QVERIFY2(periods[true] >= 10 * periods[false], qPrintable(QString::number(periods[true])));
     }
 
-    // Does not depend on the progress of a pause or on the duration of the preceding motion.
+    // The result depends neither on the progress of the pause nor on the duration of the motion before it.
     void pausedMoveDoesNotAccelerateAtProgramEnd_data() {
         QTest::addColumn<QString>("words");
         QTest::newRow("as by default") << QString();

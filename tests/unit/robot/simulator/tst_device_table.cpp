@@ -142,7 +142,7 @@ private Q_SLOTS:
         QVERIFY2(parsed.error().context.contains(reason), qPrintable(parsed.error().context));
     }
 
-    // The server reads the values that the program writes, and the program reads those of the server.
+    // Values written by the program are read by the server, and vice versa.
     void callsAndRepliesRoundTrip() {
         using namespace urscript;
         const std::vector<Value> values{Value(3),

@@ -61,7 +61,7 @@ class TestPeer : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    /// A reset connection is detected on sending, possibly before the received data were read.
+    /// A send may detect that the connection was reset before the received data have been read.
     void dataSentBeforeTheEndOfAConnectionAreRead() {
         Connected c;
         const QByteArray program(40'000, 'p');

@@ -10,7 +10,6 @@ using simulator::PowerSystem;
 class TestPowerSystem : public QObject {
     Q_OBJECT
 
-    /// Returns the modes during the given number of seconds.
     static QList<int> modes(PowerSystem& power, double seconds) {
         QList<int> seen{static_cast<int>(power.mode())};
         for (int i = 0; i < static_cast<int>(seconds / 0.002 + 0.5); ++i) {

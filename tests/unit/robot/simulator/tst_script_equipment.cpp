@@ -26,7 +26,7 @@ SimulatorOptions running(SoftwareVersion software = {5, 22, 1, 0}) {
 
 constexpr SoftwareVersion kX{10, 12, 0, 0};
 
-/// A simulated robot that stores its messages to primary clients.
+/// A simulated robot that records the messages it sends to primary clients.
 struct Robot {
     explicit Robot(const SimulatorOptions& options = running()) : plant(options) {}
 
@@ -140,7 +140,8 @@ private Q_SLOTS:
         const arm::Payload& load = robot.plant.arm().payload();
         QVERIFY(std::abs(load.mass - 2) < 1e-12);
         QVERIFY((load.centreOfGravity - Eigen::Vector3d(0.05, 0, 0.1)).norm() < 1e-9);
-        // Two points at 0.05 m on either side of the middle, and the centre of the body itself.
+        // Steiner's theorem: two masses at 0.05 m on either side of the centre of gravity, plus the inertia
+        // of the body.
         QVERIFY(std::abs(load.inertia[0] - 0.01) < 1e-9);
         QVERIFY(std::abs(load.inertia[1] - (0.01 + 2 * 0.05 * 0.05)) < 1e-9);
     }
@@ -297,7 +298,7 @@ private Q_SLOTS:
     }
     void theJacobianDerivativeMatchesItsChange() {
         Robot robot;
-        // Over a short time, the Jacobian is the integral of its derivative.
+        // Compares the derivative with a finite difference of the Jacobian.
         QCOMPARE(robot.told("q = [0.3,-1.2,1.4,-0.9,-1.5,0.2]\nqd = [0.1,0.4,-0.3,0.2,0.5,-0.6]\nh = 0.0001\n"
                             "change = (get_jacobian(q + h * qd) - get_jacobian(q)) / h - "
                             "get_jacobian_time_derivative(q, qd)\nworst = 0\ni = 0\nwhile i < 6:\n"
@@ -359,7 +360,7 @@ private Q_SLOTS:
         row("optimovej([0,0,0,0,0,0])", "10.8", true);
         row("is_frame(\"a\")", "5.25", false);
         row("is_frame(\"a\")", "10.11", true);
-        row("force_mode_set_gain_scaling(1)", "3.15", true);  // and fails when called
+        row("force_mode_set_gain_scaling(1)", "3.15", true);  // fails when called
         row("force_mode_set_gain_scaling(1)", "5.0", true);
         row("set_tool_communication(True,115200,0,1,1.5,3.5)", "3.15", false);
         row("ft_rtde_input_enable(False)", "5.8", false);

@@ -28,7 +28,8 @@ SoftwareVersion versionOf(const QString& text) {
     return {parts[0].toUInt(), parts[1].toUInt(), parts.size() > 2 ? parts[2].toUInt() : 0, 0};
 }
 
-/// The release before the first one that has a feature. There is none below 3.0 and 5.0.
+/// Returns the release before the first one that has a feature; empty for 3.0 and 5.0, which have no
+/// predecessor.
 std::optional<SoftwareVersion> before(SoftwareVersion first) {
     if (first.bugfix > 0) {
         --first.bugfix;
@@ -62,7 +63,6 @@ bool hasInput(const char* name, SoftwareVersion software, bool isListed) {
     return inputs.claim(1, {name}, rtde::ProtocolVersion::V2).recipe.has_value();
 }
 
-/// Types of the parts of a RobotState package.
 std::multiset<int> partsOf(const std::vector<std::uint8_t>& package) {
     std::multiset<int> types;
     for (std::size_t at = 5; at + 5 <= package.size();) {
@@ -118,7 +118,7 @@ private Q_SLOTS:
         QCOMPARE(has({3, 15, 0, 0}, true), has({3, 15, 0, 0}) && field->since.confirmed);
     }
 
-    // Source: dashboard guide and client tables. The "latest" columns apply where they disagree.
+    // Source: dashboard guide and client tables. Where they disagree, the "latest" columns apply.
     void everyDashboardCommandExistsFromItsVersionOn_data() {
         QTest::addColumn<QString>("cb3");  // "-": never
         QTest::addColumn<QString>("eSeries");

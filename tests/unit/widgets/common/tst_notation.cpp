@@ -34,7 +34,7 @@ private Q_SLOTS:
     void init() { applyNotation(*qApp, {}); }
     void cleanupTestCase() { applyNotation(*qApp, {}); }
 
-    // The typed text remains, so the box must show that the text is not the value.
+    // The typed text remains, so the box marks it as different from the value.
     void aRefusedNumberIsMarkedUntilItIsCorrected() {
         applyTheme(*qApp, Theme::light());
         QWidget window;
@@ -81,7 +81,7 @@ private Q_SLOTS:
         QTest::keyClick(box, Qt::Key_Escape);
         QVERIFY2(!isMarked(), "the last value is shown again");
         QCOMPARE(box->text(), QString("50.00"));
-        // A value set by the program replaces the text, also if it is the previous one.
+        // A value set by the program replaces the text, even if the value is unchanged.
         for (const double value : {30.0, 30.0}) {
             type("500");
             other->setFocus();
@@ -144,7 +144,7 @@ private Q_SLOTS:
         QTest::keyClick(&box, Qt::Key_Return);
         QCOMPARE(box.value(), -12.5);
         QCOMPARE(box.text(), QStringLiteral("−12.50 mm"));
-        // Spreadsheets and scripts use only a hyphen. The box accepts both characters.
+        // Spreadsheets and scripts use a hyphen as the minus sign. The box accepts both characters.
         box.selectAll();
         QTest::keyClick(&box, Qt::Key_C, Qt::ControlModifier);
         QCOMPARE(QApplication::clipboard()->text(), QStringLiteral("-12.50"));

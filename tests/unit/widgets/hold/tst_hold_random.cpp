@@ -30,7 +30,7 @@ struct ExpiringSession {
     std::uint64_t running = 0;
     std::int64_t refreshedNs = 0;
     QSet<std::uint64_t> stopped;
-    bool broken = false;  // a stopped motion was held or ended once more
+    bool broken = false;  // a stopped motion was refreshed or ended again
 
     bool moving() const { return running != 0 && clock.nowNs() - refreshedNs <= kExpiryNs; }
 

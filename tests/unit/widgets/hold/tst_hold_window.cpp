@@ -162,7 +162,7 @@ private Q_SLOTS:
         QCOMPARE(s.target.begun, 0);
         QCOMPARE(refused.count(), 1);
         s.release();
-        // The window is active again. The earlier press has ended, and another press starts a motion.
+        // The window is active again. The earlier press has ended, and a new press starts a motion.
         s.window.activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&s.window));
         QCOMPARE(s.target.begun, 0);

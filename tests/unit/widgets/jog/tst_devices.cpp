@@ -29,7 +29,7 @@ struct Stick {
     DeviceReading reading;
     DeviceShape shape;
     bool plugged = true;
-    std::function<void()> duringRead;  ///< behaviour of the driver in the meantime
+    std::function<void()> duringRead;  ///< called during each read, to simulate the driver
 };
 
 class FakeDevice : public InputDevice {

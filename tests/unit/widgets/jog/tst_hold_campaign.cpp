@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Ten thousand random sequences of operator inputs and window system events, with all kinds of input in
 // parallel and in any order: keys with any modifier and layout, lost and late events, wheels, focus, windows,
-// dialogs, devices, a frozen display. Every motion has stopped 250 ms after the release of the last input
-// that held it. Short steps end by themselves or with any stop. A stopped motion never moves the arm again.
+// dialogs, devices, a frozen display. Every motion stops within 250 ms after the last input that holds it was
+// released. Short steps end by themselves or with any stop. A stopped motion never moves the arm again.
 #include <QDialog>
 #include <QRandomGenerator>
 #include <QWheelEvent>

@@ -349,7 +349,7 @@ void provoke(const QByteArray& rule, Holder& holder) {
 
 }  // namespace
 
-// Nothing that holds a motion exists without the policy of its window.
+// Every hold-to-run control must be constructed with the policy of its window.
 static_assert(!std::is_constructible_v<HoldToRunButton, QString, QWidget*>);
 static_assert(!std::is_constructible_v<HoldGuard, QWidget&>);
 static_assert(!std::is_constructible_v<HoldRules, std::function<void(StopCause)>>);
@@ -610,7 +610,8 @@ private Q_SLOTS:
         QCOMPARE(hands.arm.next, asked ? 0U : 1U);
     }
 
-    // Also in a panel that opens long after the window: its policy is the one of the window.
+    // Also applies to a panel that is created long after the window. Its buttons use the policy of the
+    // window.
     void aButtonCreatedLateHasTheKeyStateCheck() {
         Hands hands;
         Holder pad(hands, wayOf("pad"));
@@ -633,7 +634,7 @@ private Q_SLOTS:
         late->guard().pump();
         QVERIFY2(!hands.arm.moves(), "the release is known from the display server");
         QCOMPARE(hands.arm.ends, QList<StopCause>{StopCause::Released});
-        // Only one hold at a time, also with a button created late.
+        // Only one hold is active at a time, including buttons created later.
         pad.press();
         QVERIFY(hands.arm.moves());
         hands.mouse(*late, QEvent::MouseButtonPress);

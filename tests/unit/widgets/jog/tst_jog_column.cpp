@@ -155,7 +155,7 @@ private Q_SLOTS:
 
     void homeMovesWhileHeldOnly() {
         JogScene s;
-        s.choose("jogMotion", 2);  // also in this case
+        s.choose("jogMotion", 2);
         s.press("homeKey");
         QCOMPARE(s.session.moves.size(), 1);
         QCOMPARE(s.session.moves.first().kind, MoveRequest::Kind::MoveJ);

@@ -172,7 +172,7 @@ private Q_SLOTS:
         }
         QCOMPARE(s.session.jogs.size(), 1);
         QVERIFY(s.session.moves.isEmpty());
-        // Ready again. The earlier press has ended, and another press starts a motion.
+        // Ready again. The earlier press has ended, and a new press starts a motion.
         s.column.applyState(s.state);
         QCOMPARE(s.session.jogs.size(), 1);
         QVERIFY(pad->reason().isEmpty());

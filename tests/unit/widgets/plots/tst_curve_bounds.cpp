@@ -54,8 +54,8 @@ struct Drawn {
     }
 };
 
-/// For every column: minimum and maximum of its samples, and of the lines to the samples before and after it,
-/// up to the middle of a step.
+/// Minimum and maximum of each column: its samples, and the lines to the neighbouring samples up to the
+/// middle between the columns.
 std::vector<MinMax> boundsOf(const SeriesBuffer& history, const ColumnGrid& grid) {
     const auto columns = static_cast<std::size_t>(grid.columns());
     std::vector<MinMax> own(columns);

@@ -71,7 +71,7 @@ struct Bench {
         stream.layout = std::make_shared<const receive::SampleLayout>(
             std::vector<std::string>{"timestamp", "actual_TCP_force", "actual_current", "actual_q",
                                      "actual_digital_input_bits", "robot_mode"});
-        session.shutDown();  // the test triggers the frames
+        session.shutDown();  // disables automatic frames; the test triggers them
         dock.resize(1500, 375);
         dock.show();
         runTo(60);
@@ -105,7 +105,6 @@ struct Bench {
         QApplication::sendEvent(view().viewport(), &event);
     }
     PlotPane& forces() { return *view().panes()[0]; }
-    /// Clicks a name in a legend.
     void clickLegend(int signal, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
         const auto& panes = view().panes();
         const auto entry = [&] {
@@ -647,7 +646,7 @@ private Q_SLOTS:
                  QString("0 Moving, 30 Protective stop, 40 Moving, 60 Power off, 80 At standstill"));
         QVERIFY(b.view().laneItem().segments()[1].kind == LaneKind::Stopped);
         QVERIFY(b.view().laneItem().segments()[3].kind == LaneKind::Off);
-        // New live states do not appear there, also while the page follows the newest samples.
+        // Later live states do not appear there, even while the page follows the newest samples.
         b.view().follow();
         b.runTo(62);
         Q_EMIT b.session.stateChanged(running(62, true));
@@ -704,7 +703,8 @@ private Q_SLOTS:
         QCOMPARE(b.dock.pages().current(), 0);
         QCOMPARE(b.view().window().span(), 12.0);
         QVERIFY(b.view().window().follows());
-        // The tabs carry the range of the recording to the live page, which is not a choice of the user.
+        // Switching the tab applies the range of the recording to the live page. This range was not selected
+        // by the user.
         b.dock.pages().setCurrent(1);
         b.view().setSpan(90);
         b.dock.pages().setCurrent(0);

@@ -255,7 +255,7 @@ private Q_SLOTS:
             QPainter painter(&picture);
             sheet->paint(&painter, nullptr, nullptr);
             painter.end();
-            constexpr int kSpikeRow = kRows / 10;  // 8 of -10 ... 10
+            constexpr int kSpikeRow = kRows / 10;  // 8 in a range of -10 ... 10
             for (const int spike : spikes) {
                 const double column = (spike * kStep - start) / width;
                 if (column < 1 || column > kColumns - 2) {

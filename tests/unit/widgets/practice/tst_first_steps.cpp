@@ -25,7 +25,6 @@ using namespace tiller::test;
 
 namespace {
 
-/// Returns a waypoint taught with these joints.
 project::Waypoint taughtAt(const JointPositions& q) {
     project::Waypoint point;
     point.id = QUuid::createUuid();

@@ -25,7 +25,7 @@ using control::StopCause;
 namespace {
 
 constexpr int kLongMs = 60'000;
-constexpr double kStandstillTime = 0.25;  ///< the stop contract [s]
+constexpr double kStandstillTime = 0.25;  ///< maximum stopping time according to the jog contract [s]
 
 struct TabBench {
     VirtualClock clock;
@@ -98,7 +98,8 @@ struct TabBench {
     bool awaitEnd() {
         return cell.advanceUntil([this] { return runner().state() == ProgramRunner::State::Ended; }, kLongMs);
     }
-    /// Time from now to standstill [s]. Includes a second in which the arm must not move again.
+    /// Returns the time until the arm is at standstill [s]. Also waits for a second in which the arm must not
+    /// move again.
     double standstill() {
         const double from = cell.truth().timestamp;
         double last = from;
@@ -121,7 +122,6 @@ struct TabBench {
         release(start());
         return arrived;
     }
-    /// Text of the first column of a row.
     QString row(int index) const {
         const QAbstractItemModel& model = *find<StepTree>("program.tree").model();
         return model.index(index, 0).data().toString();
@@ -400,7 +400,7 @@ private Q_SLOTS:
         QCOMPARE(bench.runner().log().timings()[0].count, 0);
         QCOMPARE(bench.runner().log().timings()[1].count, 1);
         QCOMPARE(bench.runner().log().timings()[2].count, 1);
-        // The button and every edit return to the beginning.
+        // The button and every edit reset the run to start from the beginning.
         bench.from().click();
         QCOMPARE(bench.from().text(), QStringLiteral("Start from here"));
         QVERIFY(!bench.from().isChecked());

@@ -24,7 +24,7 @@ using namespace tiller;
 
 namespace {
 
-/// Clicks this button in the next question.
+/// Clicks this button in the next message box.
 class Answer {
 public:
     explicit Answer(const char* key) {

@@ -296,7 +296,7 @@ private Q_SLOTS:
         QCOMPARE(project::loadProject(*copy)->waypoints.size(), 2);
         QCOMPARE(project::loadProject(path_)->waypoints.at(0).name, QString("theirs"));
         QCOMPARE(store_->statusText(), QString("cell-7-2.tiller — saved"));
-        // Alternatively, the other version is shown.
+        // Alternatively, the version of the other window is loaded.
         QVERIFY(project::saveProject(*copy, foreign).ok());
         QTRY_COMPARE_WITH_TIMEOUT(changed.count(), 2, 60'000);
         QVERIFY(store_->reload().ok());

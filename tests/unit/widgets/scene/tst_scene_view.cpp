@@ -123,8 +123,7 @@ struct ShownView : SceneView {
 class PaintCounter : public QObject {
 public:
     explicit PaintCounter(QWidget& watched) { watched.installEventFilter(this); }
-    /// Waits until there are no paint events, then resets the count. The last wait may end late, so paint
-    /// events during it may not have been checked.
+    /// Waits for ten intervals without a paint event. The count is reset before each interval.
     void waitForQuiet() {
         int quiet = 0;
         for (int looks = 0; looks < 500 && quiet < 10; ++looks) {

@@ -248,7 +248,7 @@ private Q_SLOTS:
         for (int i = 0; i < 8; ++i) {
             menu.addAction(QStringLiteral("Record everything"));
         }
-        // This would cover the lower half of the button.
+        // The menu would cover the lower half of the button.
         menu.popup(stop->mapToGlobal(QPoint(stop->width() / 2, stop->height() / 2)));
         const QRect place(stop->mapToGlobal(QPoint(0, 0)), stop->size());
         QVERIFY2(!menu.geometry().intersects(place), "the menu covers STOP");

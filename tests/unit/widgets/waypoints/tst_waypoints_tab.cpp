@@ -247,7 +247,7 @@ private Q_SLOTS:
         QCOMPARE(document_->waypoints().size(), 4);
     }
 
-    // A notice reduces the table height at the lower end. No row moves, and none is covered.
+    // A notice reduces the table height at the lower end. The rows do not move and are not covered.
     void aNoticeMovesAndCoversNoRow() {
         teachThree();
         tab_->resize(tab_->width(), 700);
@@ -602,7 +602,7 @@ private Q_SLOTS:
         QCOMPARE(document_->waypoints().at(0), after);
         QVERIFY(std::abs(z->value() - (from + 50)) < 0.01);
 
-        // A pose that defines the waypoint may be anywhere. It is kept and marked.
+        // If the pose defines the waypoint, the pose may be out of reach. It is kept and marked.
         tab_->findChild<QComboBox*>("waypoint.details.frame")->setFocus();
         QTest::keyClick(tab_->findChild<QComboBox*>("waypoint.details.frame"), Qt::Key_Down);
         QVERIFY(document_->waypoints().at(0).ruling == project::TargetKind::Pose);

@@ -82,7 +82,7 @@ void TestArmCompliance::forceModeHoldsTenNewtonOnASurface() {
 }
 
 void TestArmCompliance::forceModeInFreeSpaceReturnsToTheStart() {
-    // The published run: 2 s down and 2 s up, streamed, ending near the start.
+    // Published experiment: a streamed motion, 2 s down and 2 s up, that ends near its start position.
     WatchedArm arm(false, RobotModelId::UR5e, JointPositions(-1.54, -1.83, -2.28, -0.59, 1.60, 0.023));
     arm.run(0.1);
     arm->zeroForceSensor();

@@ -399,7 +399,7 @@ void TestArmMoves::moveFromMotionStartsSmoothly() {
     arm->motion().moveJ(kTo, {.a = 3, .v = 1.5});
     arm.run(0.6);
     QVERIFY(arm.worstSpeed > 0.2);
-    // As after killing a thread, the next move starts while the arm is still moving.
+    // The next move starts while the arm is still moving, as after a thread was killed.
     const JointPositions goal(-1.2, -1.4, -2.0, -1.0, 1.4, 0.3);
     const MotionStart move = arm->motion().moveJ(goal, {.a = 3, .v = 1.5});
     QVERIFY(move.ok());

@@ -127,7 +127,7 @@ void TestArmServo::directTorqueAcceleratesAccordingToTheInertia() {
             arm->motion().directTorque(torque, Vector6::Ones(), Vector6::Ones());
             arm.step();
         }
-        // The pose has hardly changed.
+        // The inertia can be treated as constant, because the pose has hardly changed.
         const Vector6 reached = arm.state().targetQd.values / (10 * kTick);
         QVERIFY2((reached - expected).norm() < 0.02 * expected.norm(), qPrintable(QString::number(j)));
     }

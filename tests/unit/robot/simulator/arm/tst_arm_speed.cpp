@@ -353,7 +353,7 @@ void TestArmSpeed::randomCommandsStayWithinTheLimits() {
                                             Vector6::Ones(), Vector6::Ones());
                     break;
                 case 17:
-                    // Sets the next tool, even during a motion.
+                    // Changes the TCP, even during a motion.
                     arm->setTcp(Pose(number(-0.1, 0.1), number(-0.1, 0.1), number(0, 0.2), 0.1, 0.2, 0));
                     break;
                 default:

@@ -29,7 +29,7 @@ public:
     };
     std::vector<Started> motions;
     std::vector<ThreadId> abandoned;
-    std::vector<std::string> calls;  ///< all functions without a separate member
+    std::vector<std::string> calls;  ///< calls of all functions that have no separate member
     std::vector<Popup> popups;
     bool popupAnswered = false;
     std::optional<RequestAnswer> answer;
@@ -44,7 +44,7 @@ public:
     Twist tcpVelocity{{0.5, 0, 0}, {0, 0, 0.25}};
     double inertia = 2;  ///< of each joint, without coupling to other joints [kg m2]
     bool steady = true;
-    std::function<JointPositions(int)> history;  ///< joint positions that many steps ago
+    std::function<JointPositions(int)> history;  ///< joint positions the given number of steps ago
     Pose tcp;
     Payload load;
     std::array<bool, 128> boolIn{}, boolOut{};

@@ -84,7 +84,6 @@ const char* const kReferenceNames =
     "attach_frame move_frame delete_frame delete_all_frames reset_world_model get_pose convert_pose is_frame "
     "get_frame_parent get_children";
 
-// The numbers of a printed pose or list.
 QList<double> numbersOf(const std::string& text) {
     QList<double> out;
     for (const QString& part : QString::fromStdString(text).remove('p').remove('[').remove(']').split(", ")) {

@@ -24,7 +24,7 @@ struct Bench {
     SafetyMode safety = SafetyMode::Normal;
 
     Bench() {
-        session.shutDown();  // the test triggers the frames
+        session.shutDown();  // disables automatic frames; the test triggers them
         stream.layout = std::make_shared<const receive::SampleLayout>(
             std::vector<std::string>{"timestamp", "actual_q", "actual_current", "target_current",
                                      "actual_TCP_force", "actual_TCP_speed", "safety_mode"});

@@ -29,7 +29,7 @@ struct Long {
     QTemporaryDir folder;
     QString path = folder.filePath("long.mcap");
     std::vector<float> force;           ///< indexed by row
-    std::vector<std::uint64_t> spikes;  ///< number of rows
+    std::vector<std::uint64_t> spikes;  ///< row numbers
     std::uint64_t gap;                  ///< first row after the gap
 
     explicit Long(std::uint64_t rows = kRows, std::uint64_t firstAfterGap = kGap, bool noteInGap = false)

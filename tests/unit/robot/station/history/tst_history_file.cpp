@@ -96,8 +96,8 @@ private Q_SLOTS:
                  long_->force[5]);
     }
 
-    /// The draft contains all spikes, and none is wider than about two columns. After refinement, each spike
-    /// is in its exact column.
+    /// The draft contains all spikes, each at most about two columns wide. After refinement, each spike is in
+    /// its exact column.
     void noSpikeIsLostAtAnyZoom() {
         Opened opened(long_->path);
         QVERIFY(opened.store.want(this, {opened.signal}));
@@ -283,7 +283,6 @@ private Q_SLOTS:
         // Signals of two files, or of a file and live data, are not in the same packets and cannot be
         // combined.
         QVERIFY(!opened.store.derive(QStringLiteral("x = %1 - actual_q_0").arg(q0)).ok());
-        // The file may have any name.
         Opened strange(path);
         const auto one = strange.store.derive(
             QStringLiteral("x = %1").arg(DerivedSignal::written(strange.name + "/actual_q_0")));
@@ -319,7 +318,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(lane[3].end - long_->timeOf(kRows - 1)) <= width);
     }
 
-    // The parts of the file hold 250 rows each. The gap may be at any place in them.
+    // Each part of the file holds 250 rows. The gap may be anywhere in a part.
     void noPictureShowsDataInAGap_data() {
         QTest::addColumn<std::uint64_t>("gap");
         QTest::addColumn<bool>("noteInGap");
@@ -362,7 +361,7 @@ private Q_SLOTS:
                 int columns = 0;
                 for (int c = 0; c < kColumns; ++c) {
                     const double left = start + c * width;
-                    constexpr double kAccuracy = 0.01;  // of times by marks
+                    constexpr double kAccuracy = 0.01;  // accuracy of times computed from marks [s]
                     if (left < begin + kAccuracy || left + width > end - kAccuracy) {
                         continue;
                     }

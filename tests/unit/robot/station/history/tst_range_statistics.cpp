@@ -141,7 +141,7 @@ private Q_SLOTS:
     void longCalculationsAreSplitIntoParts() {
         SignalStore store;
         std::vector<SeriesBuffer::Row> rows;
-        constexpr int kCount = 200'000;  // all signals of the store take memory
+        constexpr int kCount = 200'000;  // every signal of the store uses this many rows
         for (int i = 0; i < kCount; ++i) {
             rows.push_back({i * kPeriod, false});
         }
@@ -252,8 +252,8 @@ private Q_SLOTS:
         QVERIFY(!sums.statistics(opened.signal, kBegin, to));
     }
 
-    /// Another file was recorded under the same name. The window still has the earlier recording open, and a
-    /// worker must not read the other file instead.
+    /// Another recording has replaced the file while the window still has the earlier one open. A worker must
+    /// not read the other file.
     void aReplacedFileIsDetected() {
         const QString path = long_->folder.filePath("anew.mcap");
         QVERIFY(QFile::copy(long_->path, path));

@@ -48,7 +48,7 @@ void fill(SeriesBuffer& buffer, Plain& plain, int count, std::mt19937& random) {
     std::uniform_int_distribution<std::int64_t> word(0, std::int64_t{1} << 52);
     double time = plain.rows.empty() ? 100.0 : plain.rows.back().time;
     double bits = 7;
-    // Batches of the size of a frame, and occasionally more rows than a block holds.
+    // Batches of one frame, and occasionally batches that are larger than a block.
     while (count > 0) {
         const int now = std::min(count, chance(random) == 0 ? 5000 : batch(random));
         count -= now;
@@ -58,7 +58,7 @@ void fill(SeriesBuffer& buffer, Plain& plain, int count, std::mt19937& random) {
             const bool gap = chance(random) == 0;
             time += gap ? 0.002 * (2 + chance(random)) : 0.002;
             if (chance(random) == 0 && chance(random) < 20) {
-                bits = static_cast<double>(word(random));  // rarely changes: whole blocks have the same value
+                bits = static_cast<double>(word(random));  // rarely changes, so whole blocks have the same value
             }
             const float spike = chance(random) == 0 ? 500.0F : 0.0F;
             plain.rows.push_back({time,

@@ -80,7 +80,7 @@ private Q_SLOTS:
             QVERIFY(arm.q[0] < 0.6);
         }
         QVERIFY2(arm.q[0] > 0.58, qPrintable(QString::number(arm.q[0])));
-        // Nothing is left that could be retraced.
+        // There is no path left to retrace.
         QVERIFY(!arm.motion.begin().ok());
         arm.comeTo(0.8, 0);
         QCOMPARE(arm.motion.begin().error().context, QStringLiteral("too close"));
@@ -105,7 +105,7 @@ private Q_SLOTS:
         int turns = 0;
         for (; turns < 5000 && arm.go(*id); ++turns) {
             QVERIFY(arm.target.qd.values.cwiseAbs().maxCoeff() <= speed + 1e-9);
-            // Never off the path: the arm is on one of its two straight halves.
+            // The arm stays on the path, which consists of two straight segments.
             const double off = std::min(std::abs(arm.q[0] - 0.5), std::abs(arm.q[1]));
             QVERIFY2(off < 0.045, qPrintable(QString::number(off)));
             corner = std::min(corner, std::hypot(arm.q[0] - 0.5, arm.q[1]));

@@ -103,8 +103,8 @@ private Q_SLOTS:
         QVERIFY(bench.state().controlInDoubt);
         bench.cell.advanceMs(200);
         QVERIFY(!bench.state().controlInDoubt);
-        // This doubt is permanent. Data that become late afterwards give no new information about the
-        // previous connection.
+        // The doubt does not return. A later delay of the data contains no information about the previous
+        // connection.
         bench.silence();
         QVERIFY(!bench.state().isFresh());
         QVERIFY(!bench.state().controlInDoubt);

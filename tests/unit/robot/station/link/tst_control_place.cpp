@@ -15,7 +15,7 @@ using control::StopCause;
 
 namespace {
 
-/// Session time within which the remote switch is queried. The reply itself takes real time.
+/// Session time within which the session queries the control mode [ms]. The reply itself takes real time.
 constexpr int kNoticedMs = 600;
 constexpr int kWaitTimeoutMs = 20'000;
 
@@ -248,15 +248,15 @@ private Q_SLOTS:
                    other.canSetAnalogOutput();
         };
         bench.cell.advanceMs(1000);
-        QTest::qWait(200);  // no condition to wait for: nothing is claimed
+        QTest::qWait(200);  // nothing is claimed, so there is no event to wait for
         QVERIFY2(areFree(), "claimed while only monitoring");
-        // A single change without control.
+        // A single command without control releases the inputs after a while.
         bench.session.outputs().setSpeedSlider(0.5);
         QVERIFY(bench.within([&] { return bench.cell.truth().speedSlider == 0.5; }));
         QVERIFY(!areFree());
         bench.cell.advanceMs(4000);
         QVERIFY(bench.answered(areFree));
-        // Control.
+        // While Tiller is in control, the inputs stay claimed.
         bench.session.takeControl();
         QVERIFY(bench.within([&] { return bench.isInControl(); }));
         QVERIFY(bench.answered([&] { return !areFree(); }));

@@ -71,8 +71,8 @@ private Q_SLOTS:
         played.link = LinkState::Lost;
         QVERIFY(meansIt(played));
     }
-    // A program may have started since then. Esc and Space may have another function in the window, but STOP
-    // always stops.
+    // A program may have started since the last data. Esc and Space may have another function in the window,
+    // but STOP always stops.
     void oldDataConfirmNoStandstill() {
         for (const LinkState link : {LinkState::Live, LinkState::Stale, LinkState::Lost}) {
             SessionState stopped = live(RuntimeState::Stopped);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How a session classifies the program that runs on the robot: a program of another client, its own, or the
-// control program of a client that has exited.
+// How a session classifies the program that runs on the robot: a program of another client, Tiller's program,
+// or the control program of a client that has exited.
 #include <QElapsedTimer>
 #include <QTest>
 #include <chrono>
@@ -36,7 +36,7 @@ struct ProgramBench {
     }
     bool isInControl() const { return state().control == ControlState::InControl; }
 
-    /// Advances in real time, because other clients are involved.
+    /// Advances in real time, because another client is involved.
     bool within(const std::function<bool()>& condition) {
         QElapsedTimer waited;
         waited.start();
@@ -46,7 +46,7 @@ struct ProgramBench {
         }
         return condition();
     }
-    /// Like within(), while no data arrive. The cell would wait for them.
+    /// Like within(), but while no data arrive. The virtual cell itself would wait for data.
     bool withoutData(const std::function<bool()>& condition) {
         QElapsedTimer waited;
         waited.start();
@@ -123,7 +123,7 @@ private Q_SLOTS:
     }
 
     void aStopThatFailsDuringAnOutageIsNotExecutedLater() {
-        QStringList messages;  // outlives the session, which reports its end
+        QStringList messages;  // must outlive the session, which reports its end in the destructor
         ProgramBench bench;
         QObject::connect(&bench.session, &RobotSession::message, &bench.session,
                          [&](Severity, const QString& text) { messages << text; });
@@ -148,7 +148,7 @@ private Q_SLOTS:
     }
 
     void theLogNamesProgramsOfOtherClients() {
-        QStringList messages;  // outlives the session, which reports its end
+        QStringList messages;  // must outlive the session, which reports its end in the destructor
         ProgramBench bench;
         QObject::connect(&bench.session, &RobotSession::message, &bench.session,
                          [&](Severity, const QString& text) { messages << text; });
@@ -294,7 +294,7 @@ private Q_SLOTS:
         QVERIFY2(move.error().context.contains("crate"), qPrintable(move.error().context));
         QVERIFY(!bench.session.permits({&request, 1}).ok());
         QVERIFY(!bench.session.permitsPath({&target, 1}).ok());
-        // The operator watches a jog, and may need it to teach the position again.
+        // Jogs are permitted. The operator watches them and may need them to teach the position again.
         control::JogTarget up;
         up.twist.linear.z() = 0.05;
         const auto jog = bench.session.beginJog(up);

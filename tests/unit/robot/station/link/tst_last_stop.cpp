@@ -134,9 +134,9 @@ private Q_SLOTS:
         QVERIFY(bench.state().lastStop.durationMs > 0);
     }
 
-    // The controller ends the motion while the window hangs; it is reported when the window continues.
+    // The controller ends the motion while the window hangs. The stop is reported when the window continues.
     void aStopDuringAHangOfTheWindowIsReported() {
-        QStringList messages;  // outlives the session, which reports its end
+        QStringList messages;  // must outlive the session, which reports its end in the destructor
         Bench bench;
         QObject::connect(&bench.session, &RobotSession::message, &bench.session,
                          [&](Severity, const QString& text) { messages << text; });
@@ -168,7 +168,7 @@ private Q_SLOTS:
         QVERIFY(bench.state().lastStop.durationMs > 0);
     }
 
-    // The stop of the jog before must not be shown as the result of the safety stop.
+    // The stop of the previous jog must not be shown as the result of the safety stop.
     void aSafetyStopOfAnotherProgramWithoutDataIsUnknown() {
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));

@@ -46,7 +46,7 @@ private Q_SLOTS:
         QCOMPARE(QFileInfo(recordingPath(choice, {}, kNow)).fileName(), QString("weld.mcap"));
         QCOMPARE(recordingFormat("mcap").name, QString("MCAP"));
         QCOMPARE(recordingFormat("of another time").name, QString("CSV"));
-        choice.format = "h5";  // a recorder cannot write it
+        choice.format = "h5";  // a format that the recorder cannot write
         QCOMPARE(choice.sane().format, QString("csv"));
         QCOMPARE((RecordingChoice{.keepFree = -1}.sane().keepFree), 0);
     }

@@ -121,7 +121,7 @@ private Q_SLOTS:
         const project::Program program = sample();  // a b(c d(e) f) g
         QCOMPARE(shapeOf(withNested(program, idsOf(program, {"g"})).steps), QString("a b(c d(e) f g)"));
         QCOMPARE(shapeOf(withNested(program, idsOf(program, {"f"})).steps), QString("a b(c d(e f)) g"));
-        QVERIFY(withNested(program, idsOf(program, {"a"})) == program);  // no element above it
+        QVERIFY(withNested(program, idsOf(program, {"a"})) == program);  // no step above it
         QVERIFY(withNested(program, idsOf(program, {"b"})) == program);  // "a" is not a section
         QCOMPARE(shapeOf(withUnnested(program, idsOf(program, {"e"})).steps), QString("a b(c d e f) g"));
         QCOMPARE(shapeOf(withUnnested(program, idsOf(program, {"c", "f"})).steps),

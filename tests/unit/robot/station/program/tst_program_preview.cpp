@@ -64,7 +64,8 @@ private Q_SLOTS:
     void anEndlessProgramIsPreviewedForTwoCycles() {
         const project::Project project = sampleProject();
         const auto wait = [](double time) { return step("wait", {{"time", time}}); };
-        // Steps: 2 is the endless loop, 3 a counted loop at its beginning, 5 the last step of a cycle.
+        // Step 2 is the endless loop, step 3 is a counted loop at the start of each cycle, and step 5 is the
+        // last step of a cycle.
         const Ran ran = run(
             project, makeProgram("Endless",
                                  {wait(0.1), step("loop", {{"times", 0}},

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Marks of the recoverability check. They are compared with stops that are executed: the program is stopped in
-// the simulated controller, continued by a run from the step of the mark, and must have the result of the
-// undisturbed program exactly if the mark says so.
+// Recoverability marks, compared with executed stops. Each program is stopped in the simulated controller and
+// continued from the step of the mark. The result must equal that of the undisturbed program if and only if
+// the mark predicts this.
 
 #include <QRandomGenerator>
 #include <QTest>
@@ -23,7 +23,7 @@ namespace {
 
 constexpr double kOperatorTime = 1;  // default of PreviewOptions
 
-/// What a program has done in the end.
+/// State of the robot at the end of a program.
 struct Result {
     bool completed = false;
     std::uint64_t outputs = 0;
@@ -250,7 +250,7 @@ public:
         return mark(step, kind).recovery;
     }
 
-    /// Executes the stop. Returns a difference between mark and execution; empty if there is none.
+    /// Executes the stop. Returns the difference between the mark and the result; empty if they agree.
     QString disagreement(const StopPoint& point, StopKind kind) {
         const StopMark& mark = point.marks[static_cast<std::size_t>(kind)];
         if (hasOwnReason(mark)) {
@@ -327,7 +327,7 @@ private:
         return mark.recovery == Recovery::Unsafe &&
                (mark.reason.contains("force section") || mark.reason.contains("URScript text"));
     }
-    /// Outputs when the step begins in the undisturbed program.
+    /// Output states at the start of the step in the undisturbed program.
     std::uint64_t outputsBefore(const QUuid& step) {
         Bench bench(start(), tcp(), inputs_);
         const int number = script.numberOf(step);
@@ -636,7 +636,7 @@ private Q_SLOTS:
         QCOMPARE(made.recovery(5), Recovery::Unsafe);
         QCOMPARE(made.recovery(6), Recovery::Unsafe);
         QVERIFY2(made.mark(6).reason.contains("part"), qPrintable(made.mark(6).reason));
-        // With the part, the next move can be repeated, but not after a power loss.
+        // While the gripper holds the part, the next move can be repeated, except after a power loss.
         QCOMPARE(made.recovery(7), Recovery::MoveBack);
         QCOMPARE(made.recovery(7, StopKind::PowerLoss), Recovery::Unsafe);
         QVERIFY(made.mark(7, StopKind::PowerLoss).reason.contains("part"));
@@ -669,7 +669,7 @@ private Q_SLOTS:
         QCOMPARE(made.recovery(2), Recovery::Unsafe);  // a later step uses n
         QVERIFY2(made.mark(2).reason.contains("n"), qPrintable(made.mark(2).reason));
         QCOMPARE(made.recovery(4), Recovery::Continue);
-        QCOMPARE(made.recovery(7), Recovery::Unsafe);  // the folder would count again
+        QCOMPARE(made.recovery(7), Recovery::Unsafe);  // the folder would increment the register again
         QVERIFY2(made.mark(7).reason.contains("register"), qPrintable(made.mark(7).reason));
         QCOMPARE(made.recovery(8), Recovery::Continue);
         QCOMPARE(made.recovery(8, StopKind::PowerLoss), Recovery::Unsafe);  // the register is lost
@@ -700,8 +700,8 @@ private Q_SLOTS:
         QCOMPARE(made.recovery(3), Recovery::MoveBack);
         QCOMPARE(made.map.steps[2].from, 2);
         QCOMPARE(made.recovery(4), Recovery::MoveBack);  // the output is still on
-        QCOMPARE(made.recovery(5), Recovery::Unsafe);    // it would be on twice in a cycle
-        // A count of the cycles is lost.
+        QCOMPARE(made.recovery(5), Recovery::Unsafe);  // the output would turn on twice in one cycle
+        // The variable `n`, which counts the cycles, is lost.
         Case counting(project, makeProgram("p", {move("home"), step("loop", {{"times", 0}, {"variable", "n"}},
                                                                     {move("pick"), move("place")})}));
         QCOMPARE(counting.recovery(4), Recovery::Unsafe);

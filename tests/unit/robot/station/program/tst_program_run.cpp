@@ -18,7 +18,7 @@ using control::StopCause;
 namespace {
 
 constexpr int kLongMs = 60'000;
-constexpr double kStandstillTime = 0.25;  ///< the stop contract [s]
+constexpr double kStandstillTime = 0.25;  ///< maximum stopping time according to the jog contract [s]
 
 bool isStill(const simulator::SimulatedState& state) {
     return state.tcpSpeed.linear.norm() < 0.001 && state.qd.values.cwiseAbs().maxCoeff() < 0.001;
@@ -31,7 +31,7 @@ struct RunBench {
     ProgramRunner runner{session};
     project::Project project = sampleProject();
     QUuid program;
-    QList<int> steps;  ///< running steps in their order
+    QList<int> steps;  ///< numbers of the steps, in the order in which they ran
 
     explicit RunBench(const JointPositions& start = sampleProject().waypoints.at(0).joints)
         : cell(clock, session, [&] {
@@ -121,7 +121,7 @@ struct RunBench {
     bool reachMotion() {
         return cell.advanceUntil([this] { return cell.truth().tcpSpeed.linear.norm() > 0.05; }, kLongMs);
     }
-    /// Time from now to standstill [s]. Fails if the arm moves in the following second.
+    /// Returns the time until the arm is at standstill [s]. Fails if the arm moves in the following second.
     double standstill() {
         const double from = cell.truth().timestamp;
         double last = from;
@@ -133,7 +133,7 @@ struct RunBench {
         }
         return last - from;
     }
-    /// Like standstill(), without waiting for packets, because none arrive.
+    /// Like standstill(), but without waiting for packets, because none arrive.
     double standstillWithoutLink() {
         const double from = cell.truth().timestamp;
         double last = from;
@@ -186,13 +186,12 @@ private Q_SLOTS:
         QVERIFY(std::abs(timings[1].total - 0.2) < 0.02);
         QCOMPARE(timings[3].count, 2);
         QVERIFY(bench.runner.endText(bench.project).contains("ended after"));
-        // Control is back, and the arm can be moved.
         QVERIFY(bench.session.state().canMove());
         QVERIFY(!bench.session.state().programRuns);
         const auto jog = bench.session.beginJog({.twist = Twist{{0, 0, 0.05}, {0, 0, 0}}});
         QVERIFY2(jog.ok(), qPrintable(jog ? QString() : jog.error().toString()));
         bench.session.endMotion(*jog, StopCause::Released);
-        // The next run begins with new counts.
+        // The next run resets the counts.
         QVERIFY(bench.begin(Holding::Free));
         QVERIFY(bench.awaitEnd());
         QCOMPARE(bench.runner.log().timings()[3].count, 2);
@@ -274,7 +273,7 @@ private Q_SLOTS:
         QVERIFY(bench.session.state().canMove());
     }
 
-    // The pause begins during step 1, or during the first step in it.
+    // The pause begins during step 1, or during the first step inside it.
     void aRunPausesAtStandstillBeforeTheNextStep_data() {
         using Steps = std::vector<project::ProgramStep>;
         QTest::addColumn<Steps>("first");
@@ -334,7 +333,7 @@ private Q_SLOTS:
         QFETCH(int, running);
         QFETCH(int, waiting);
         RunBench bench;
-        // The rows refer to a waypoint of another project.
+        // The sample steps refer to waypoints of another project.
         const std::function<void(std::vector<project::ProgramStep>&)> bind = [&](auto& list) {
             for (project::ProgramStep& each : list) {
                 if (!each.fields["waypoint"].toString().isEmpty()) {
@@ -375,7 +374,7 @@ private Q_SLOTS:
         QVERIFY(bench.awaitEnd());
         QCOMPARE(bench.runner.end(), ProgramRunner::End::Completed);
         QVERIFY((bench.cell.truth().q.values - expected.endJoints.values).cwiseAbs().maxCoeff() < 0.002);
-        // Waiting has not run a step twice.
+        // No step ran twice because of the wait.
         QCOMPARE(bench.runner.log().timings()[static_cast<std::size_t>(waiting - 1)].count,
                  expected.timings[static_cast<std::size_t>(waiting - 1)].count);
     }
@@ -600,7 +599,8 @@ private Q_SLOTS:
         QVERIFY(!chooseStartStep(project, program.id, program.steps[3].steps[0].id, {}, script, &full)
                      .obstacle.isEmpty());
 
-        // Run in a session. The run is refused unless the arm is at the start position of the step.
+        // Runs the program in a session. The run is refused unless the arm is at the start position of the
+        // step.
         const StartStep start = *chooseStartStep(project, program.id, fourth, {}, script, &full).start;
         {
             RunBench elsewhere;
@@ -679,7 +679,7 @@ private Q_SLOTS:
         QVERIFY(bench.reachMotion());
     }
 
-    // No motion starts if nothing has confirmed the button since the press.
+    // No motion starts if the button has not been confirmed since the press.
     void aButtonOfAnEarlierConnectionDoesNotHoldARun() {
         RunBench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));

@@ -150,7 +150,7 @@ private Q_SLOTS:
         QVERIFY2(script.ok() && script.problems.empty(), qPrintable(describe(script)));
         QVERIFY2(compileError(script.text).isEmpty(),
                  qPrintable(compileError(script.text) + '\n' + script.text));
-        // A run with a step gate has the same lines, except for the calls of the gate.
+        // With a step gate, the script has the same lines, plus the calls to the gate.
         const QStringList lines = script.text.split('\n');
         const QStringList gated = script.gatedText().split('\n');
         QCOMPARE(gated.size(), lines.size());
@@ -367,7 +367,7 @@ private Q_SLOTS:
         using Steps = std::vector<project::ProgramStep>;
         QTest::addColumn<Steps>("skipped");
         QTest::addColumn<Steps>("rest");
-        QTest::addColumn<QStringList>("words");  ///< of the reason; empty: the program can start
+        QTest::addColumn<QStringList>("words");  ///< words in the reason; empty if the program can start
         const auto assign = [](const char* value) {
             return step("assign", {{"variable", "count"}, {"type", "whole"}, {"value", value}});
         };

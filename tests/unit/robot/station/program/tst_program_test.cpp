@@ -349,7 +349,7 @@ private Q_SLOTS:
     }
 
     void lostLinkEndsTheProgramAfterTheHeartbeatTimeout() {
-        // Before the timeout, the program still runs.
+        // Until the timeout, the program keeps running.
         QJsonObject test = parsed(R"({"name": "a", "program": "endless", "timeLimit": 1,
             "faults": [{"fault": "linkLoss", "at": 0.95}], "expect": {"end": "running"}})");
         const TestOutcome running = run(test);
@@ -457,7 +457,7 @@ private Q_SLOTS:
         const std::vector<TestOutcome> outcomes = runTests(files);
         const std::vector<ProgramCoverage> coverage = coverageOf(files, outcomes);
         QCOMPARE(coverage.size(), std::size_t(1));
-        QCOMPARE(coverage[0].steps.size(), std::size_t(12));  // without the comment
+        QCOMPARE(coverage[0].steps.size(), std::size_t(12));  // without the comment step
         QCOMPARE(coverage[0].executed(), 12);
         QCOMPARE(coverage[0].steps.at(0).count, 2);
         const std::vector<TestOutcome> last{outcomes.at(1)};

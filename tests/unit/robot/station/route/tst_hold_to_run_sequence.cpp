@@ -73,7 +73,7 @@ private Q_SLOTS:
         QVERIFY(id.ok());
         QCOMPARE(b.notes, Notes{"begin a after 7"});
         QVERIFY(b.motion.hold(*id));
-        QVERIFY(b.motion.hold(*id));  // a is complete, and b begins in the same cycle
+        QVERIFY(b.motion.hold(*id));  // `a` is complete, and `b` begins in the same cycle
         QCOMPARE(b.notes, (Notes{"begin a after 7", "begin b after 7"}));
         QVERIFY(b.motion.hold(*id) && b.motion.hold(*id));
         QVERIFY(!b.motion.hold(*id));
