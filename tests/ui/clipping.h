@@ -273,8 +273,8 @@ inline QStringList clipped(const QWidget& window) {
     return found;
 }
 
-/// The problems that remain when the layouts of a visible window have settled. A search takes a long time,
-/// and QTRY_VERIFY2 would repeat it five times.
+/// Returns the problems that remain after the layouts of a visible window have settled. A search takes a long
+/// time, and QTRY_VERIFY2 would repeat it five times.
 inline QStringList stillClipped(const QWidget& window) {
     QStringList found;
     (void)QTest::qWaitFor(

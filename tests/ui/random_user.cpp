@@ -196,7 +196,7 @@ void Patience::wait() {
 }
 
 double Patience::ms() const {
-    constexpr double kTurnMs = 10;  // in a longer iteration, other processes used the CPU
+    constexpr double kTurnMs = 10;  // longer iterations were delayed by other processes
     const double robot = (robot_.truth().timestamp - began_) * 1000;
     return std::min({static_cast<double>(real_.elapsed()), robot, turns_ * kTurnMs});
 }
@@ -430,7 +430,7 @@ QList<QWidget*> RandomUser::windowsInReach() const {
     QList<QWidget*> found;
     for (QWidget* top : QApplication::topLevelWidgets()) {
         const bool stop = top->objectName() == QLatin1String("stopAboveDialog");
-        // The user could delete files in a file dialog; see endFileDialog().
+        // In a file dialog, the random user could delete files. See endFileDialog().
         if (!top->isVisible() || top->windowHandle() == nullptr ||
             qobject_cast<QFileDialog*>(top) != nullptr || (top->windowType() == Qt::ToolTip && !stop) ||
             (modal != nullptr && top != modal && !stop)) {

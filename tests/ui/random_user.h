@@ -26,15 +26,15 @@
 
 namespace tiller::test {
 
-/// Measures the time that was available to the window. Time in which the CPU was busy or robot time did not
-/// advance does not count.
+/// Measures the time that the window had for its work. Excludes time in which other processes used the CPU or
+/// robot time did not advance.
 class Patience {
 public:
     explicit Patience(const simulator::Simulator& robot);
     /// Processes events for a moment.
     void wait();
     double ms() const;  ///< time so far
-    /// True if so much time has passed that something must be hanging.
+    /// True if the time exceeds that of every possible operation, so that the window must be hanging.
     bool isHopeless() const;
 
 private:
@@ -62,7 +62,8 @@ public:
     QString failure() const { return failure_; }
     int steps() const { return number_; }
 
-    // Statistics of the actions. A user who never moves the arm would not find any errors.
+    // Statistics of the actions. They show whether the random user was effective: without motions, it would
+    // not find any errors.
     int stepsInMotion() const { return stepsInMotion_; }
     int watchedClicks() const { return watchedClicks_; }
     int comparedValues() const { return truth_.compared(); }
@@ -100,7 +101,7 @@ private:
     std::optional<Target> somePixel();
     std::optional<Target> someHoldKey();
 
-    // Actions of the user.
+    // User actions.
     void clickControl();
     void clickPixel();
     void clickAgain();
@@ -119,7 +120,7 @@ private:
     void wait();
     void click(const Target& target);
 
-    // Events of the robot.
+    // Robot events.
     void faultOrCure();
     void care();
     void inject(const QString& words);

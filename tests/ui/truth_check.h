@@ -32,8 +32,8 @@ public:
 
     /// standing  true after the arm has stopped; the header must then not show motion
     QList<Lie> lies(const simulator::SimulatedState& truth, bool standing);
-    /// Number of displayed values compared so far. Otherwise, a window that marks every value as unknown
-    /// would pass.
+    /// Number of displayed values compared so far. Without this check, a window that marks every value as
+    /// unknown would pass.
     int compared() const { return compared_; }
 
 private:

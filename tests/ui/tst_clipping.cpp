@@ -54,7 +54,7 @@ struct Bench : WindowBench {
         preferences.density = row == "touch" ? Density::Touch : Density::Mouse;
         window.applyPreferences(preferences);
     }
-    /// Returns the dialog that a command has opened.
+    /// Triggers the command and returns the dialog that it opens.
     QDialog* open(const char* id) {
         QAction* action = window.actions().find(QLatin1String(id));
         action->setEnabled(true);

@@ -251,7 +251,7 @@ private Q_SLOTS:
         chooseMotion(0);
         cell_->advanceMs(40);
 
-        // An obstacle is added on the path of the arm.
+        // An obstacle is added on the arm's path.
         const Eigen::Vector3d from = state().tcpPose.position;
         jog("jog.Z+", 4000);
         QVERIFY((state().tcpPose.position - from).norm() > 0.15);
@@ -328,8 +328,8 @@ private Q_SLOTS:
         cell_->advanceMs(200);
         QVERIFY2(!isShown(QStringLiteral("table")), qPrintable(line->limiter().what));
     }
-    // The display is never empty during the calculation. It shows the marked old number, or a symbol that a
-    // new number is being calculated.
+    // The display is never empty during the calculation. It shows the previous number, marked as outdated, or
+    // a symbol for a calculation in progress.
     void aValueOnAKeyIsMarkedWhileItIsRecalculated() {
         cell_ = &cell();
         addTable(0.08);
@@ -410,7 +410,6 @@ private Q_SLOTS:
         trigger("delete");
         QVERIFY(document().cell().planes.isEmpty());
 
-        // Add a box from two corners.
         const Eigen::Vector3d first = state().tcpPose.position;
         trigger("corner");
         for (const char* name : {"jog.X+", "jog.Y+", "jog.Z+"}) {

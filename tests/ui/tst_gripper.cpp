@@ -160,7 +160,7 @@ private Q_SLOTS:
         cell().advanceMs(500);
         QTest::qWait(300);
         QVERIFY(text("gripper.holds").contains("object"));
-        // The gripper can still be opened, like an output can still be switched.
+        // The gripper can still be opened, just as an output can still be switched.
         click("gripper.open");
         QVERIFY(until([this] { return text("gripper.opening") == "85.0 mm"; }));
         QVERIFY(until([this] { return text("gripper.holds") == "nothing"; }));

@@ -53,7 +53,7 @@ struct Bench : WindowBench {
     QTextBrowser* shown() {
         return help() == nullptr ? nullptr : help()->findChild<QTextBrowser*>("help.manual");
     }
-    /// The displayed page, as in the table.
+    /// Returns the name of the displayed page, as in the table.
     QString page() {
         const QTextBrowser* browser = shown();
         if (browser == nullptr) {

@@ -469,7 +469,7 @@ void TestIncident::armAndModelDifferWhereTheArmWasPushed() {
                                   .store()
                                   .sampleAt(name, mark->time)
                                   .layout->indexOfComponent("actual_TCP_force_2"))) < 5);
-    // The curves are visible in both themes, also if the view is not repainted by new data.
+    // The curves are visible in both themes, even if no data arrive that would repaint the view.
     const auto colourful = [&view] {
         const QImage picture = const_cast<PlotView&>(view).grab().toImage();
         int count = 0;

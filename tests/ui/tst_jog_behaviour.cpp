@@ -104,7 +104,7 @@ private Q_SLOTS:
         };
         QVERIFY(std::abs(movedMm([&] { tap(Qt::Key_Right); }) - 1) < 0.05);
         QVERIFY(std::abs(movedMm([&] { QTest::keyPress(&window(), Qt::Key_Up); }) - 1) < 0.05);
-        // The arm does not move again while the key is held, even after the motion becomes "Hold".
+        // The arm does not move again while the key is held, even after the motion type changes to "Hold".
         bench_->find<SegmentedControl>("jogMotion").setCurrentIndex(0);
         QVERIFY(movedMm([&] {}) < 0.01);
         QVERIFY(movedMm([&] { QTest::keyRelease(&window(), Qt::Key_Up); }) < 0.01);

@@ -224,7 +224,8 @@ private Q_SLOTS:
         click(*turn->segment(0));
         QCOMPARE(selection.motion, MotionChoice::Hold);
         QCOMPARE(motion->currentIndex(), 0);
-        // A rotation of 5° with a length that must be held runs to its end.
+        // Hold applies to lengths, but the selected rotation is a step of 5°. The step continues to its end
+        // after the release.
         click(*motion->segment(4));
         click(*turn->segment(3));
         const Pose from = cell().truth().tcpPose;

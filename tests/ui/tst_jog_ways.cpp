@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// All inputs other than the pad buttons that move the arm, and all ends of their motions. Uses the real
-// window, real events and real sockets, with the simulated robot in virtual time. The limits are those of the
-// jog contract.
+// All inputs other than the pad buttons that move the arm, and all events that end their motions. Uses the
+// real window, real events and real sockets, with the simulated robot in virtual time. The limits are those
+// of the jog contract.
 
 #include <QDialog>
 #include <QTest>

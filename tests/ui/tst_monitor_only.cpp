@@ -210,7 +210,7 @@ private Q_SLOTS:
             if (name.startsWith(QStringLiteral("power.")) || name.startsWith(QStringLiteral("control."))) {
                 QVERIFY2(!action->isEnabled(), qPrintable(name));
             }
-            action->setEnabled(true);  // simulates that the rule that disables the action is missing
+            action->setEnabled(true);  // simulates an action that is enabled by mistake
             QTimer::singleShot(0, &bench.window, closeDialogs);
             action->trigger();
             closeDialogs();

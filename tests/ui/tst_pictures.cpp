@@ -100,7 +100,7 @@ private:
         release(button);
         bench_->cell.advanceMs(400);
     }
-    /// Returns the dialog that a command has opened, after its layout.
+    /// Triggers the command and returns the dialog that it opens, after its layout.
     QDialog& opened(const char* id, const char* name) {
         window().actions().find(QLatin1String(id))->trigger();
         QTest::qWait(100);

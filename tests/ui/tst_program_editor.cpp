@@ -353,7 +353,7 @@ private Q_SLOTS:
         QTRY_VERIFY2_WITH_TIMEOUT(status().startsWith("The program can run"), qPrintable(status()), 60'000);
     }
 
-    // A running program stops by every way to stop the arm, and the arm stays stopped.
+    // Every input that stops the arm also stops a running program, and the arm stays at standstill.
     void everyStopInputStopsAProgram_data() {
         QTest::addColumn<bool>("held");
         QTest::addColumn<QString>("way");
@@ -396,7 +396,8 @@ private Q_SLOTS:
         QVERIFY2(way == "close" || status().startsWith("Stopped in step"), qPrintable(status()));
     }
 
-    // Looking at another tab or opening a dialog ends what is held, but not a program that runs by itself.
+    // Switching the tab or opening a dialog ends held motions, but not a program that runs without a held
+    // button.
     void aProgramThatRunsByItselfContinues_data() {
         QTest::addColumn<QString>("event");
         for (const char* event : {"other tab", "dialog", "settings"}) {

@@ -372,7 +372,7 @@ private Q_SLOTS:
         window_->session().takeControl();
         QTRY_VERIFY_WITH_TIMEOUT(state().canMove(), 20'000);
         for (const char* id : {"control.load", "control.play", "control.pause", "control.stopProgram"}) {
-            // Late data may temporarily be a different reason.
+            // Late data may temporarily be displayed as a different reason.
             QTRY_VERIFY2_WITH_TIMEOUT(
                 !action(id)->isEnabled() &&
                     app::ActionTable::obstacleOf(*action(id)).contains("Give control back"),

@@ -195,7 +195,7 @@ private Q_SLOTS:
         answer("projectFit.cancel");
         auto* notice = window().waypoints().findChild<NoticeBar*>();
         QVERIFY(notice->isVisible());
-        // The reason for the missing ghost is the other model instead of the reach.
+        // The text names the different arm model as the reason for the missing ghost, instead of the reach.
         const QString ghost = window().findChild<SceneView*>()->ghostText();
         QVERIFY2(ghost.contains("another robot model"), qPrintable(ghost));
         window().session().disconnectFromRobot();

@@ -140,7 +140,7 @@ struct Board {
     TruthCheck check{window};
 
     Board() {
-        session.shutDown();  // other updates must not replace these states
+        session.shutDown();  // other updates must not replace the states set by the test
         truth.robotMode = state.robotMode;
         truth.safetyMode = state.safetyMode;
         truth.q = state.q;
@@ -445,7 +445,7 @@ private Q_SLOTS:
         QVERIFY2(warned.isEmpty(), qPrintable(QStringLiteral("warned of: %1").arg(warned.join("; "))));
     }
 
-    // A random user whose actions have no effect would not find any errors.
+    // If its actions have no effect, the random user cannot find any errors.
     void randomActionsWereEffective() {
         if (steps_ < 3 * kRowSteps) {
             QSKIP("too few steps to tell");

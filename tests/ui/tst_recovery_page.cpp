@@ -434,7 +434,8 @@ private Q_SLOTS:
     }
 
     void onlyTheRecoveryPageCanConfirm() {
-        // The type enforces this at compile time. This check also covers the text protocol.
+        // The type UnlockConsent enforces this at compile time. The search of the sources also covers the
+        // text protocol.
         const QMap<QString, QStringList> allowed = {
             {"UnlockConsent()", {"robot/station/link/robot_command.h", "widgets/status/recovery_page.cpp"}},
             {"unlockProtectiveStop(",

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Undo and redo from a tab that does not show the change. They show the name of the edit and the tab it
-// belongs to, and compare TCP and payload with the robot. Uses the real window, with a simulated robot in
-// virtual time.
+// Undo and redo from a tab that does not show the change. The commands show the name of the edit and its tab,
+// and compare TCP and payload with the robot. Uses the real window, with a simulated robot in virtual time.
 
 #include <QAction>
 #include <QPushButton>

@@ -52,7 +52,7 @@ public:
     void end() {
         bench.whileTimePasses([this] { robot.reset(); });
     }
-    /// Starts a long move.
+    /// Starts a move and advances 0.5 s, so that the arm is moving.
     control::Motion move() {
         JointPositions target = bench.robot().truth().q;
         target[0] += 1;

@@ -26,7 +26,7 @@
 
 namespace tiller::test {
 
-/// A robot in control that has just hung, and servers that accept clients and send nothing.
+/// A controlled robot that has stopped responding, and servers that accept clients and send nothing.
 struct MuteWorld {
     // a software version with all functions
     Cell cell{[](simulator::SimulatorOptions& options) { options.software = {5, 25, 1, 0}; }};

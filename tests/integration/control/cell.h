@@ -44,7 +44,8 @@ public:
     std::int64_t longestNs() const { return longestNs_; }
     std::int64_t awakeNs() const { return awakeNs_; }
     void advanceNs(std::int64_t ns) { clock_.advanceNs(ns); }
-    /// Makes timed actions happen at their time even though no thread waits for them.
+    /// Makes the clock report that it runs by itself. Timed actions then happen at their time even though no
+    /// thread waits for them.
     void pretendToRun() { pretending_ = true; }
 
 private:
@@ -91,8 +92,8 @@ public:
         while (!done) {
             const std::uint64_t inputs = robot.inputPackages();
             tick();
-            // A program without a heartbeat ends after 5 s, and the robot disconnects a client that does not
-            // read, even if only a thread is late. Therefore, time advances no faster than real time until
+            // A program without a heartbeat ends after 5 s, and the robot disconnects a client that is not
+            // reading, even if only a thread is late. Therefore, time advances no faster than real time until
             // the controller replies, and then waits for its replies.
             const bool answers = inputs > before || robot.truth().runtimeState == RuntimeState::Playing;
             robot.waitForInputPackages(inputs + 1,
@@ -124,7 +125,6 @@ public:
         return *result;
     }
 
-    /// Releases control while time advances.
     void release() {
         std::atomic<bool> done{false};
         std::thread releasing([&] {

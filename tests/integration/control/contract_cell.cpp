@@ -426,7 +426,7 @@ void ContractCell::step(int patienceMs) {
         held_->hold(*this);
     }
     if (reachable && robot.truth().runtimeState == RuntimeState::Paused) {
-        // The controller stops a paused program over another connection, at its own speed.
+        // The controller stops a paused program over another connection, which takes real time.
         std::this_thread::sleep_for(milliseconds(1));
     }
     if (reachable) {

@@ -110,7 +110,7 @@ double swing(double time, double speed) {
 
 /// Alternates between both directions, so that the base stays within its range [rad/s].
 double swings(double time, double speed) {
-    constexpr double kFirst = 1.3;  // [s]; later halves take twice as long
+    constexpr double kFirst = 1.3;  // [s]; later halves are twice as long
     return std::fmod(time + kFirst, 4 * kFirst) < 2 * kFirst ? speed : -speed;
 }
 

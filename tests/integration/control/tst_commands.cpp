@@ -81,7 +81,7 @@ private Q_SLOTS:
         QVERIFY2(script.ok(), why(script));
         QVERIFY2(std::abs(onFor - 0.4) < 0.01, qPrintable(QString::number(onFor)));
         // If a pulse takes too long, the error names the pulse, and the pulse continues.
-        pulse(milliseconds(600'000));  // virtual time may advance faster than that of the deadline
+        pulse(milliseconds(600'000));  // long, because virtual time may advance faster than the deadline
         const auto late =
             cell.during([&] { return cell.motions().movePath({entry}, Deadline::after(milliseconds(200))); });
         QCOMPARE(late.error().code, ErrorCode::Timeout);

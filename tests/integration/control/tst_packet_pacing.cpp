@@ -265,7 +265,8 @@ private Q_SLOTS:
         const int before = loop.cycles;
         const std::uint64_t inputs = cell.robot.inputPackages();
         cell.controller->stop(StopCause::ApiCall);
-        // At first, a cycle would be due. An idle command is sent instead, at either of the two times.
+        // The stop cancels the cycle that would be due first. Only an idle command is sent, at either of the
+        // two times.
         cell.clock.advanceNs(kPeriodNs + kOverdueNs);
         cell.clock.advanceNs(5 * kPeriodNs);
         QVERIFY(cell.robot.waitForInputPackages(inputs + 1, Deadline::after(std::chrono::seconds(20))));

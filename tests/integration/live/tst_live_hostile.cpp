@@ -248,7 +248,6 @@ private Q_SLOTS:
         for (std::thread& attacker : attackers) {
             attacker.join();
         }
-        // A new viewer must be served.
         WorkingViewer third(port);
         QTRY_VERIFY_WITH_TIMEOUT(third.received() > 100, kHostileWaitMs);
         over = true;

@@ -41,7 +41,8 @@ project::ProgramStep moveTo(const project::Project& project, const char* kind, c
     return step(kind, fields);
 }
 
-/// A move to and fro that follows steps without a move, so that the arm would move if they ended.
+/// Appends moves back and forth to steps that do not move the arm. If the program continued after an event,
+/// the arm would move.
 std::vector<project::ProgramStep> thenMoves(const project::Project& project,
                                             std::vector<project::ProgramStep> steps) {
     steps.push_back(moveTo(project, "moveL", "pick"));
@@ -344,7 +345,7 @@ class TestProgramContract : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    // Every kind of step, each with another event in a partial run.
+    // Every kind of step. In a partial run, each kind is combined with a different event.
     void everyStepEndsInTime_data() {
         QTest::addColumn<int>("tested");
         for (std::size_t i = 0; i < programCases().size(); ++i) {

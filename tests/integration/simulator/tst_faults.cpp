@@ -392,7 +392,7 @@ private Q_SLOTS:
         RawPrimary primary = robot.primary();
         robot.controller.stepSeconds(2);
         QCOMPARE(robot.controller.truth().robotMode, RobotMode::PowerOff);
-        QVERIFY(primary.packages().size() > 15);  // ten states per second, also after time resumes
+        QVERIFY(primary.packages().size() > 15);  // ten states per second, even after time resumes
         robot.controller.stepSeconds(5);
         QCOMPARE(robot.controller.truth().robotMode, RobotMode::PowerOff);
     }

@@ -93,7 +93,7 @@ private:
             const std::uint64_t outputs = robot.outputPackages();
             robot.step();
             if (robot.truth().runtimeState == RuntimeState::Paused) {
-                // The client may have the program stopped over another connection, at its own speed.
+                // The client may stop the program over another connection, which takes real time.
                 std::this_thread::sleep_for(std::chrono::milliseconds(2));
             }
             const bool asked = robot.outputPackages() != outputs;

@@ -117,7 +117,7 @@ private Q_SLOTS:
                 }
             }
         }
-        // A paused program cannot prevent this, so its client must.
+        // While a program is paused, it cannot end these motions. The client must end them.
         for (int way = 0; way < kWayCount && !runsAll && assumed.isEmpty(); ++way) {
             if (kWays[way].yields) {
                 row("pause=frees", "pause", way);

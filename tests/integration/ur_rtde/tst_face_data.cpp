@@ -113,7 +113,7 @@ private Q_SLOTS:
         QCOMPARE(receive_->getRobotStatus(), uint32_t(1));
         QCOMPARE(receive_->getSafetyStatusBits(), uint32_t(1) << RTDEReceiveInterface::IS_NORMAL_MODE);
         for (const int32_t mode : receive_->getJointMode()) {
-            QCOMPARE(mode, 253);  // running
+            QCOMPARE(mode, 253);
         }
         QVERIFY(receive_->getActualExecutionTime() >= 0);
         QVERIFY(receive_->getActualMomentum() >= 0);

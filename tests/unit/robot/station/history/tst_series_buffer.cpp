@@ -58,7 +58,7 @@ void fill(SeriesBuffer& buffer, Plain& plain, int count, std::mt19937& random) {
             const bool gap = chance(random) == 0;
             time += gap ? 0.002 * (2 + chance(random)) : 0.002;
             if (chance(random) == 0 && chance(random) < 20) {
-                bits = static_cast<double>(word(random));  // rarely changes, so whole blocks have the same value
+                bits = static_cast<double>(word(random));  // rarely, so whole blocks are equal
             }
             const float spike = chance(random) == 0 ? 500.0F : 0.0F;
             plain.rows.push_back({time,

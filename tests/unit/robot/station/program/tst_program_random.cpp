@@ -143,7 +143,7 @@ private:
     void mark(const project::ProgramStep& step) { order_.push_back(script_.numberOf(step.id)); }
 
     End list(const std::vector<project::ProgramStep>& steps) {
-        bool taken = false;  // a branch of the current `if` was executed
+        bool taken = false;   // a branch of the current `if` was executed
         bool failed = false;  // the current `try` has failed
         for (const project::ProgramStep& step : steps) {
             if (step.disabled || step.kind == "comment") {

@@ -700,7 +700,7 @@ private Q_SLOTS:
         QCOMPARE(made.recovery(3), Recovery::MoveBack);
         QCOMPARE(made.map.steps[2].from, 2);
         QCOMPARE(made.recovery(4), Recovery::MoveBack);  // the output is still on
-        QCOMPARE(made.recovery(5), Recovery::Unsafe);  // the output would turn on twice in one cycle
+        QCOMPARE(made.recovery(5), Recovery::Unsafe);    // the output would turn on twice in one cycle
         // The variable `n`, which counts the cycles, is lost.
         Case counting(project, makeProgram("p", {move("home"), step("loop", {{"times", 0}, {"variable", "n"}},
                                                                     {move("pick"), move("place")})}));
