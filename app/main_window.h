@@ -102,7 +102,7 @@ public:
     void setTheme(const QString& theme);
     void openProject(const QString& path);
     /// Opens a recording in the plots, in the background.
-    /// moment  position of cursor A on the time axis of the recording [s]; empty: none
+    /// moment  position of cursor A on the time axis of the recording [s]; empty if there is none
     void openRecording(const QString& path, std::optional<double> moment = {});
     /// Enables monitor only for the lifetime of the window, independent of the settings.
     void lockMonitorOnly();

@@ -45,7 +45,7 @@ public:
     /// The user's names of inputs and outputs, by terminal, e.g. "DI 0".
     QMap<QString, QString> ioNames() const;
     void setIoNames(const QMap<QString, QString>& names);
-    /// The gripper of a robot in the format of GripperChoice::toText(); empty: none.
+    /// The gripper of a robot in the format of GripperChoice::toText(); empty if there is none.
     /// robot  address of the robot, or "simulator"
     QString gripper(const QString& robot) const;
     void setGripper(const QString& robot, const QString& choice);

@@ -32,7 +32,8 @@ QString asShown(QString text) {
     return sign == kPoint ? text : text.replace(kPoint, sign);
 }
 
-/// Calls a function when the widget is painted: a spin box changes its text without a signal when a value is set.
+/// Calls a function when the widget is painted. A spin box does not report that its text has changed when a
+/// value is set.
 class PaintWatch : public QObject {
 public:
     PaintWatch(QWidget& watched, std::function<void()> painted)

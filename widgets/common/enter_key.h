@@ -6,9 +6,9 @@
 
 namespace tiller {
 
-/// For buttons that trigger an action. Enter clicks the button once per press. Space is reserved for stopping
-/// the arm.
-/// Returns  true if the event was one of these keys and was handled
+/// For buttons that trigger an action. Return or Enter clicks the button once per press. Space is reserved
+/// for stopping the arm.
+/// Returns  true if the event was handled, i.e. the key is Return or Enter
 inline bool pressByEnter(QAbstractButton& button, QKeyEvent& event) {
     switch (event.key()) {
         case Qt::Key_Return:

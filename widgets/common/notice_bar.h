@@ -20,7 +20,7 @@ struct Notice {
     QString text;
     QString accept = {};  ///< label of the primary button; empty for a message that can only be closed
     std::function<void()> accepted = {};
-    QString other = {};  ///< label of the second button; empty: none
+    QString other = {};  ///< label of the second button; empty if there is none
     std::function<void()> otherAccepted = {};
     QString dismiss = {};  ///< label of the close button; empty: Close or Cancel
     /// Identifies the cause for NoticeBar::resolve(). A notice with a cause is shown again after the notices

@@ -17,7 +17,7 @@ class ReplayBand : public QFrame {
 
 public:
     /// name   objectName; the name of the button is "<name>.live"
-    /// above  widget in the same layout whose height is reduced; null: none
+    /// above  widget in the same layout whose height is reduced; null if there is none
     explicit ReplayBand(const QString& name, QWidget* above = nullptr, QWidget* parent = nullptr);
 
     /// Sets the text. Empty: live data; the band is hidden as soon as the pointer is not on it.

@@ -69,8 +69,8 @@ void RowDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewIt
 }
 
 bool RowDelegate::eventFilter(QObject* editor, QEvent* event) {
-    // A line of text ignores these keys. The table would end the editing and select another row, and the next letters
-    // would be commands for that row.
+    // A line edit ignores these keys. The table would end the editing and select another row, and the next
+    // letters would be commands for that row.
     if (event->type() == QEvent::KeyPress && qobject_cast<QLineEdit*>(editor) != nullptr) {
         const int key = static_cast<QKeyEvent*>(event)->key();
         if (key == Qt::Key_Up || key == Qt::Key_Down || key == Qt::Key_PageUp || key == Qt::Key_PageDown) {

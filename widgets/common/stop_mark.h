@@ -3,7 +3,7 @@
 
 namespace tiller {
 
-/// Property of the STOP button, so that the rules of a hold can name it as the cause.
+/// Property of the STOP button. HoldRules uses it to report STOP as the cause.
 inline constexpr char kStopButtonProperty[] = "tillerStopButton";
 
 }  // namespace tiller

@@ -22,7 +22,6 @@ public:
     /// document, model, notice  must outlive the object; the questions are shown in `notice`
     FrameEditing(ProjectDocument& document, FrameModel& model, NoticeBar& notice, QObject* parent = nullptr);
 
-    /// Appends a frame.
     void insert(const Pose& T_base_frame);
     /// Asks for confirmation. The question shows how the frame and its waypoints would move.
     void askToMove(const QUuid& id, const Pose& T_base_frame);

@@ -104,7 +104,7 @@ int FrameTeacher::nextMissing() const {
 
 void FrameTeacher::takeNext() {
     const Problem problem = project::check(points_).problem;
-    // First record again the point that makes the frame invalid.
+    // Start with the point that makes the frame invalid.
     take(problem == Problem::XTooClose ? 1 : nextMissing() < 0 ? 2 : nextMissing());
 }
 

@@ -199,7 +199,7 @@ void FramesTab::selectRow(int row) {
     if (row < 0 || row >= model_->rowCount()) {
         table_->selectionModel()->clear();
     } else {
-        // Do not use the view. It would extend the selection according to the modifiers of the shortcut.
+        // Not through the view, which would extend the selection according to the modifiers of the shortcut.
         const QModelIndex index = model_->index(row, FrameModel::Name);
         table_->selectionModel()->setCurrentIndex(
             index, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);

@@ -41,7 +41,7 @@ public:
     /// All actions with their shortcuts, for the menus, the command list and the help page.
     QList<QAction*> commandActions() const { return actions_; }
     std::vector<FrameMark> marks() const;
-    /// Row of the selected frame; -1: none.
+    /// Row of the selected frame; -1 if there is none.
     int currentRow() const;
 
 public Q_SLOTS:
@@ -55,7 +55,6 @@ public Q_SLOTS:
     void selectRow(int row);
 
 Q_SIGNALS:
-    /// marks() has changed.
     void marksChanged();
     /// The user wants to jog in this frame.
     void jogRequested(const QUuid& frame);

@@ -41,7 +41,6 @@ public:
     /// Handles a press of the button. Returns false if no motion was started; refused() then reports the
     /// reason.
     bool press(const HoldSource& grip = {});
-    /// Handles the release of the button.
     void release();
     /// Handles a move of the pointer or finger while the button is pressed. position  in coordinates of the
     /// button

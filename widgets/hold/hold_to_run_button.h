@@ -16,7 +16,7 @@ class HoldToRunButton : public QAbstractButton {
     Q_OBJECT
 
 public:
-    /// policy  the one of the window; must outlive the button
+    /// policy  the policy of the window; must outlive the button
     HoldToRunButton(const QString& text, HoldPolicy& policy, QWidget* parent = nullptr);
     ~HoldToRunButton() override;
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Auto-repeat on X11. The server sends each repetition of a held key as a release and a press with the same time. Qt
-// marks the release as auto-repeat only if it has already received the press, so that a repetition on a busy computer
-// looks like the key being released and pressed again: a hold ends and a shortcut is triggered again.
+// Auto-repeat on X11. The server sends each repetition of a held key as a release and a press with the same
+// time. Qt marks the release as auto-repeat only if it has already received the press. On a busy computer, a
+// repetition therefore looks like a release and a new press, which ends a hold or triggers a shortcut again.
 
 #include <QKeyEvent>
 #include <QPointer>

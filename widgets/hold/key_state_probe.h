@@ -22,8 +22,8 @@ class KeyStateProbe {
 public:
     /// Reported state of one button or key. All times are query times [ns, SteadyClock].
     struct Word {
-        std::int64_t askedNs = 0;  ///< time of the newest query with a reply; 0: none
-        std::int64_t downNs = 0;   ///< time of the newest query with the reply "pressed"; 0: none
+        std::int64_t askedNs = 0;  ///< time of the newest query with a reply; 0 if there is none
+        std::int64_t downNs = 0;   ///< time of the newest query with the reply "pressed"; 0 if there is none
     };
 
     virtual ~KeyStateProbe() = default;

@@ -13,7 +13,7 @@ struct XWindowEvent {
     quint8 type;
     quint8 detail;
     quint16 sequence;
-    quint32 receiver;  ///< window that asked for the event
+    quint32 receiver;  ///< window that requested the event
     quint8 mode;       ///< FocusOut
 };
 static_assert(offsetof(XWindowEvent, mode) == 8);

@@ -13,7 +13,7 @@ namespace tiller {
 struct NativeWindowEvent {
     enum class Kind {
         Other,
-        FocusLost,  ///< the input focus left a window of this program; not for grabs, after which it returns
+        FocusLost,  ///< a window of this program lost the focus; not reported for grabs, which return it
         Hidden,     ///< the window is no longer on the screen: minimised, or on another desktop
     };
     Kind kind = Kind::Other;

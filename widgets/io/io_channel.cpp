@@ -222,7 +222,7 @@ void IoChannel::finishRename() {
         return;
     }
     if (editor_->hasFocus()) {
-        setFocus(Qt::OtherFocusReason);  // otherwise the next widget of the window gets it
+        setFocus(Qt::OtherFocusReason);  // otherwise, the next widget of the window would get the focus
     }
     editor_->hide();
     const QString name = editor_->text().trimmed();

@@ -34,7 +34,6 @@ public:
     QString obstacle() const { return obstacle_; }
     /// The displayed state: "on", "off", "pending…", "no data".
     QString stateWord() const;
-    /// Opens the editor for the name.
     void rename();
 
     QSize sizeHint() const override;

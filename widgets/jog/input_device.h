@@ -34,7 +34,7 @@ struct DeviceShape : DeviceTuning {
     QString directions;   ///< the axes and their motions, as a sentence
     /// A hand is never perfectly still. If a deflected device does not report for this time, the device or
     /// its driver has hung and the last value is invalid. Values above 100 ms are limited by
-    /// HoldBounds::holdTimeoutAt().
+    /// HoldBounds::holdTimeoutNs.
     std::chrono::milliseconds maxReportInterval{100};
 };
 

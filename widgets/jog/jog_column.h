@@ -49,7 +49,7 @@ struct ShownJog {
     Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< in the base frame; zero for a joint motion
     int axis = 0;                                         ///< axis that defines the colour, 0 ... 2
     bool turns = false;                                   ///< true for a rotation about the direction
-    int joint = -1;                                       ///< rotating joint, 0 ... 5; -1: none
+    int joint = -1;                                       ///< rotating joint, 0 ... 5; -1 if there is none
     int sign = 1;                                         ///< sign of the joint rotation
     friend bool operator==(const ShownJog&, const ShownJog&) = default;
 };
@@ -66,7 +66,7 @@ public:
         Folded,  ///< either pose or joints
     };
 
-    /// policy  the one of the window, for all buttons, devices and the keyboard; must outlive the column
+    /// policy  the policy of the window, for all buttons, devices and the keyboard; must outlive the column
     JogColumn(MotionPort port, HoldPolicy& policy, QWidget* parent = nullptr);
     /// Moves the arm of this session and displays its state.
     JogColumn(RobotSession& session, HoldPolicy& policy, QWidget* parent = nullptr);

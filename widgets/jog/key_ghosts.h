@@ -23,7 +23,7 @@ public:
 
     explicit KeyGhosts(QObject* parent = nullptr) : QObject(parent) {}
 
-    /// target  returns the target that a press would have now; empty if the button has no target
+    /// target  returns the target of a press at the time of the call; empty if the button has no target
     void offer(HoldToRunButton& key, const QString& name, Target target);
     void setState(const SessionState& state);
 

@@ -65,7 +65,7 @@ private:
     std::function<void(control::StopCause)> stop_;
     std::function<Use()> use_;
     std::vector<QPointer<QWidget>> modals_;  ///< modal dialogs that have the shortcuts
-    int claimedKey_ = 0;  ///< last stop key that was pressed without another function; 0: none
+    int claimedKey_ = 0;  ///< last stop key that was pressed without another function; 0 if there is none
 
     bool owned_ = false;  ///< true if the last state was in control or taking control
     bool inControl_ = false;

@@ -26,7 +26,7 @@ public:
 
     explicit LogModel(QObject* parent = nullptr) : QAbstractTableModel(parent) {}
 
-    /// recording  related file; empty: none
+    /// recording  related file; empty if there is none
     /// moment     position in the recording [s]; empty: the time of the incident
     void append(const QDateTime& time, Severity severity, const QString& text, Origin origin = Origin::Tiller,
                 const QString& detail = {}, const QString& recording = {}, std::optional<double> moment = {});

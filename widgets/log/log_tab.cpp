@@ -90,8 +90,8 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table_->setShowGrid(false);
     table_->setWordWrap(false);
-    // With the default mode, the rows move by a part of a row when the details appear below the table after a
-    // press, and the click would miss its row.
+    // In the default mode, the rows shift by a fraction of a row when the details appear below the table
+    // after a press. The click would then miss its row.
     table_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     table_->setFrameShape(QFrame::NoFrame);
     table_->setTabKeyNavigation(false);
@@ -245,7 +245,7 @@ void LogTab::setReplay(const Replay& moment) {
         select(-1);
         table_->scrollToBottom();
     }
-    // Exchanging the entries does not report a change of the current row.
+    // Replacing the entries does not report a change of the current row.
     showDetails();
     showEmptyState();
 }

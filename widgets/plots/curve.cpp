@@ -207,7 +207,7 @@ void Curve::findDrawn(std::span<std::uint8_t> drawn, double beyond) const {
         place += 1;
         place = place + kRounding >= dashLength_ ? std::max(0.0, place - dashLength_) : place;
     }
-    // A viewer interpolates between two dashes. Draw values in the gap that are outside the range of the
+    // The eye interpolates between two dashes. Draw values in the gap that are outside the range of the
     // adjacent dash ends.
     const std::size_t count = std::min(drawn.size(), columns_.size());
     for (std::size_t i = 0; i < count;) {

@@ -66,7 +66,8 @@ PlotAnalysis::PlotAnalysis(const SignalStore& store, QWidget* parent)
     layout->setSpacing(2);
     layout->addLayout(above);
     layout->addWidget(canvas_, 1);
-    // Their space is reserved, so that a click on XY does not widen the panel and move the buttons from the pointer.
+    // The space of these boxes is reserved. Otherwise, a click on XY would widen the panel and move the
+    // buttons away from the pointer.
     for (QWidget* each : {static_cast<QWidget*>(over_), static_cast<QWidget*>(x_)}) {
         QSizePolicy policy = each->sizePolicy();
         policy.setRetainSizeWhenHidden(true);

@@ -58,7 +58,7 @@ public:
     QString words() const;
     /// Updates the display. Call this after the current page or its content has changed.
     void follow();
-    /// The recording of the current page; empty: none.
+    /// The recording of the current page; empty if there is none.
     QString recordingInFront() const;
 
 Q_SIGNALS:

@@ -50,7 +50,7 @@ public:
     explicit PlotDock(RobotSession& session, QWidget* parent = nullptr);
     ~PlotDock() override;
 
-    PlotView& view();  ///< The view of the current page.
+    PlotView& view();
     PlotPages& pages() { return *pages_; }
     PlotMarks& marks() { return *marks_; }
     SignalStore& store() { return *store_; }
@@ -95,12 +95,11 @@ public:
     static QVector<Span> spans();
 
 public Q_SLOTS:
-    /// Sets the text in the lane for the held jog button, e.g. "X+" or "Wrist 2−". Empty: none.
+    /// Sets the text in the lane for the held jog button, e.g. "X+" or "Wrist 2−". Empty if there is none.
     void setJogLabel(const QString& label);
     void setPaused(bool paused);
     /// Displays the force relative to its current value. Recorded and exported values are not changed.
     void setForceZeroed(bool zeroed);
-    /// Shows or hides the list of signals at the left.
     void setSignalsShown(bool shown);
     /// Shows the list of signals and sets the focus to its search field.
     void searchSignals();
@@ -110,12 +109,10 @@ public Q_SLOTS:
     /// Shows or hides the spectrum of a signal, or the plot of one signal over another.
     void setAnalysisShown(bool shown);
     void setTimeAxis(tiller::TimeAxis axis);
-    /// Prompts for the text of a note at this time.
     void askForNote(double time);
     void addNote(double time, const QString& text);
     /// Copies an image of the displayed plots to the clipboard.
     void copyPicture();
-    /// Starts or ends a recording.
     void toggleRecording();
     /// Prompts for the file to which the displayed range is exported.
     void askExport();

@@ -16,7 +16,7 @@ namespace tiller {
 namespace {
 
 constexpr qsizetype kMaxNameLength = 60;
-/// Maximum length of the name of a recording (file name) or of a computed signal.
+/// Maximum length of the name of a recording (file name) or of a derived signal.
 constexpr qsizetype kMaxKeyLength = DerivedSignal::kMaxTextLength;
 constexpr double kMinShare = 0.05;
 constexpr double kMaxShare = 20;

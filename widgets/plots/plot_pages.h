@@ -40,10 +40,10 @@ public:
     void removePage(int page);
     void rename(int page, const QString& name);
     QString nameOf(int page) const;
-    /// Index of the page with signals of this recording; -1: none.
+    /// Index of the page with signals of this recording; -1 if there is none.
     int pageOf(const QString& recording) const;
     /// Index of the current page if it shows no recordings, otherwise of the first page without recordings;
-    /// -1: none.
+    /// -1 if there is none.
     int livePage() const;
     /// Shows the newest samples on a live page, with the time span from before a recording was shown.
     void returnToLive();
@@ -86,8 +86,8 @@ private:
     QStackedWidget* stack_;
     std::vector<PlotView*> views_;
     int shown_ = 0;
-    double liveSpan_ = 0;     // when a page with a recording was turned to; 0: none since [s]
-    double carriedSpan_ = 0;  // from a recording to a live page, because all pages share the range [s]
+    double liveSpan_ = 0;     // span before a recording was shown [s]; 0 without such a span
+    double carriedSpan_ = 0;  // span of the recording, which the live page inherited [s]
     TimeAxis timeAxis_ = TimeAxis::Relative;
     std::function<QDateTime(double)> clock_;
 };

@@ -233,7 +233,7 @@ bool PlotView::want(const QSet<int>& shown) {
             all.unite(QSet<int>(ofLane.begin(), ofLane.end()));
         }
     }
-    // If there is no memory for the lane, the curves are shown without it.
+    // If the signals of the lane exceed a limit, the curves are shown without the lane.
     return store_.want(this, all) || store_.want(this, shown);
 }
 

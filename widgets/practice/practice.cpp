@@ -131,7 +131,7 @@ void Practice::setDone(const QStringList& names) {
 
 void Practice::onState(const SessionState& state) {
     state_ = state;
-    // There is no robot, or it is a different one, to which the prepared task does not apply.
+    // No robot is connected, or the connected robot is not the one that was prepared for the task.
     if (check_ && (state.link == LinkState::Disconnected || !hooks_.obstacle(state).isEmpty())) {
         abandon();
     }

@@ -57,7 +57,6 @@ public:
     /// Called when the user finishes the task. The task counts as completed if the check has passed. Selects
     /// the next open task.
     void finish();
-    /// Ends the current attempt.
     void abandon();
 
     bool isDone(PracticeTask task) const { return done_[static_cast<std::size_t>(task)]; }

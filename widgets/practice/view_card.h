@@ -43,7 +43,6 @@ public:
 Q_SIGNALS:
     /// The user pressed the close button. The owner decides whether to close the card.
     void closeRequested();
-    /// covered() has changed.
     void coveredChanged();
 
 protected:

@@ -40,7 +40,7 @@ void reserveWidth(QPushButton& key, const QString& otherText) {
         std::max({key.minimumWidth(), key.sizeHint().width(), EnterKey(otherText).sizeHint().width()}));
 }
 
-/// Every assignment sends an event, also without a change.
+/// Setting a tooltip sends an event even if the text is unchanged, so set it only after a change.
 void setToolTipOf(QPushButton& key, const QString& text) {
     if (key.toolTip() != text) {
         key.setToolTip(text);
@@ -52,7 +52,8 @@ void setReason(QPushButton& key, const QString& reason, const QString& toolTip) 
     setToolTipOf(key, reason.isEmpty() ? toolTip : reason);
 }
 
-/// Text of an error at the start of a motion: a sentence, or a text made of the code.
+/// Text of an error at the start of a motion. Some errors contain a sentence for the operator. The text of
+/// the other errors is derived from the code.
 QString reasonOf(const Error& error) {
     return error.code == ErrorCode::Cancelled || error.code == ErrorCode::NoSolution ||
                    error.code == ErrorCode::NotInControl

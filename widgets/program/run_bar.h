@@ -35,7 +35,7 @@ public:
 
     /// Sets the program, with its newest script for the connected robot. A different program ends a held run.
     void setProgram(const QUuid& program, const program::ProgramScript& script);
-    /// Sets the preview of this script; empty: none.
+    /// Sets the preview of this script; empty if there is none.
     void setPreview(const program::ProgramScript& script, const std::optional<program::Preview>& preview);
     /// Sets the step at which the stopped program can continue; without a start step: none. While that step is
     /// selected, "Start from here" continues there.
@@ -46,12 +46,11 @@ public:
         program::StopKind kind = program::StopKind::Operator;
     };
     StoppedAt stoppedAt() const;
-    /// Sets the selected step; null: none, or more than one.
+    /// Sets the selected step; null if there is none, or more than one.
     void setSelectedStep(const QUuid& step);
     /// The step at which the program starts; empty: at its beginning.
     const std::optional<program::StartStep>& startStep() const { return startStep_; }
     void clearStartStep();
-    /// Updates the displayed speed.
     void showSpeed();
     const program::ProgramRunner& runner() const { return runner_; }
     void setBreakpoints(const QSet<QUuid>& steps) { runner_.setBreakpoints(steps); }
@@ -71,7 +70,8 @@ Q_SIGNALS:
     void powerLost();
 
 protected:
-    /// The focus of a button that is disabled does not move to a field of the step.
+    /// Keeps the focus on a button that is disabled. Otherwise, Qt would move the focus to a field of the
+    /// step.
     bool focusNextPrevChild(bool next) override;
 
 private:
@@ -104,7 +104,7 @@ private:
     std::optional<program::Preview> preview_;
     QUuid selected_;
     program::Continuation continuation_;
-    bool hasLostPower_ = false;  ///< since the end of the last run
+    bool hasLostPower_ = false;  ///< true if power was lost since the end of the last run
     std::optional<program::StartStep> startStep_;
     MoveRequest startMove_;  ///< request of the current motion to the start position
     HoldToRunButton* hold_;

@@ -15,7 +15,7 @@
 namespace tiller {
 namespace {
 
-// Notice causes.
+// Causes of notices, see Notice::cause.
 constexpr char kDamaged[] = "project.damaged";
 constexpr char kSaving[] = "project.saving";
 constexpr char kElsewhere[] = "project.elsewhere";
@@ -196,7 +196,7 @@ QString ProjectFiles::startingPlace() const {
 void ProjectFiles::askToOpen(QWidget* over) {
     const QString path = QFileDialog::getOpenFileName(over, tr("Open project"), startingPlace(),
                                                       tr("Tiller projects (*.tiller)"));
-    // Unsaved work is discarded only when the other project is certain.
+    // Ask about unsaved work only after a file was selected.
     if (!path.isEmpty() && mayLeave(over)) {
         open(path);
     }

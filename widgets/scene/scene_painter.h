@@ -40,7 +40,6 @@ public:
     void limit(const QPointF& at);
     /// Draws three axes with their letters.
     void axes(const Eigen::Isometry3d& T_base_frame, double length, bool greyed);
-    /// Draws the mark of a point.
     void marker(const QPointF& at, bool selected);
     void name(const PlacedLabel& name);
     /// Draws a prominent text in the centre of the box.

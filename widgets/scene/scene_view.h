@@ -37,7 +37,7 @@ struct SceneJog {
     QString label;                                        ///< e.g. "X+ Base"
     int axis = 0;                                         ///< colour: 0 X, 1 Y, 2 Z
     bool turns = false;                                   ///< true for a rotation about the direction
-    int joint = -1;  ///< rotating joint 0 ... 5, with `direction` along its axis; -1: none
+    int joint = -1;  ///< rotating joint 0 ... 5, with `direction` along its axis; -1 if there is none
     int sign = 1;    ///< sign of the joint rotation
 };
 
@@ -56,7 +56,7 @@ public:
     /// also distinguish the two ghosts.
     void setSecondGhost(const std::optional<Ghost>& ghost);
     const std::optional<Ghost>& secondGhost() const { return secondGhost_; }
-    /// Also shows the arm at a past time, with a text above the arm. Empty: none.
+    /// Also shows the arm at a past time, with a text above the arm. Empty if there is none.
     void setReplay(const std::optional<ReplayMark>& replay);
     const std::optional<ReplayMark>& replay() const { return replay_; }
     void setWaypoints(const std::vector<WaypointMark>& waypoints);
@@ -111,7 +111,6 @@ public Q_SLOTS:
 
 Q_SIGNALS:
     void ghostTextChanged(const QString& text);
-    /// moveLimitText() has changed.
     void moveLimitChanged(const QString& text);
     /// The camera moved. A jog in the frame "View" must stop or follow the view.
     void viewChanged();

@@ -2,8 +2,8 @@
 #pragma once
 
 // Tree of all signals available from the robot, with a filter. The user drags a signal or a group of signals
-// onto a plot, or adds it by a double click or Return. An input line below the tree defines signals that are
-// computed from others.
+// onto a plot, or adds it by a double click or Return. An input line below the tree defines derived signals,
+// which are computed from other signals.
 
 #include <QSet>
 #include <QStringList>
@@ -42,7 +42,7 @@ public:
 Q_SIGNALS:
     /// The user activated signals by a double click or Return.
     void chosen(const QStringList& keys);
-    /// The user entered a signal to be computed from others. For the syntax see DerivedSignal.
+    /// The user entered a derived signal. For the syntax, see DerivedSignal.
     void derivationEntered(const QString& text);
 
 private:

@@ -326,9 +326,9 @@ void HeaderBar::showStep() {
     stepButton_->setToolTip(obstacle.isEmpty() ? nextStepAdvice(step_) : obstacle);
 }
 
-// Shows or hides the button for the next step. Hiding or disabling the focused button would pass the focus to
-// the next control, the speed slider. This function prevents that and restores the focus when the next step
-// becomes available.
+// Shows or hides the button for the next step. If the focused button is hidden or disabled, Qt passes the
+// focus to the next control, the speed slider. This function prevents that and restores the focus when the
+// next step becomes available.
 void HeaderBar::offerStep(bool visible, bool enabled) {
     if (!visible || !enabled) {
         stepLostFocus_ = stepLostFocus_ || stepButton_->hasFocus();
@@ -468,7 +468,7 @@ void HeaderBar::arrange() {
     const int below = cap_->isVisibleTo(this) ? kBannerHeight : 1;
     cap_->setGeometry(0, kHeight, width(), kBannerHeight);
     lastStop_->show();
-    // Use a smaller size also if the texts of the language need more space.
+    // The size is also reduced if the texts of the language need more space.
     const Size largest = width() < kTightBelow    ? Size::Tight
                          : width() < kNarrowBelow ? Size::Narrow
                                                   : Size::Wide;
@@ -481,8 +481,8 @@ void HeaderBar::arrange() {
             break;
         }
     }
-    // In the smallest windows, the states of some languages need the space of the last stop. The jog column shows it
-    // as well, but only this chip shows that there is no key-state check.
+    // In the smallest windows, the texts of some languages need the space of the last-stop chip. The jog
+    // column also shows the last stop, but only this chip shows that there is no key-state check.
     const bool hasNote = holdNote_ && !holdNote_().isEmpty();
     if (!hasNote && requiredWidth() > width()) {
         lastStop_->hide();

@@ -30,9 +30,10 @@ public:
 
     /// Number of reported popups on the pendant, at most kMaxPopups. The newest popup is displayed.
     int count() const { return static_cast<int>(popups_.size()); }
-    /// Closes the newest popup on the robot as the button does: not before it could be read, and once only.
+    /// Closes the newest popup on the robot. Like the button, it has no effect until the popup could be read,
+    /// or while the robot is closing a popup.
     void closeNewest();
-    /// The reason why closeNewest() does nothing now; empty if it closes a popup.
+    /// The reason why closeNewest() would have no effect; empty if it would close a popup.
     QString closeObstacle() const;
     /// Number of updates of the displayed popup, for load tests.
     int updates() const { return updates_; }

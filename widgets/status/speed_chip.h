@@ -21,7 +21,8 @@ public:
     void setReported(double fraction, bool valid);
     /// reason  why the speed cannot be changed, as a sentence; empty if it can be changed
     void setLocked(const QString& reason);
-    /// While the slider is dragged, send only the value at the release, because the operator must confirm it.
+    /// If true, a drag sends only the value at its release, because the operator must confirm every value
+    /// that is sent.
     void setSendsOnRelease(bool onRelease) { sendsOnRelease_ = onRelease; }
 
     QSize sizeHint() const override { return {230, 47}; }

@@ -81,7 +81,7 @@ StatusLine::StatusLine(QWidget* parent)
     file_->setFont(textFont(13));
     message_->setFont(textFont(13));
     message_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    // The suggested action is at the end of a message.
+    // Elided in the middle, because the suggested action is at the end of a message.
     message_->setElideMode(Qt::ElideMiddle);
     details_->setElideMode(Qt::ElideMiddle);
 

@@ -170,7 +170,7 @@ void VectorEditor::changeEvent(QEvent* event) {
 // ---- page
 // ---------------------------------------------------------------------------------------------------
 
-/// Returns the part with the base frame if its frame is missing.
+/// Returns the part, with the base frame instead of a frame that is missing.
 template <class Part>
 Part CellPage::placed(Part part) const {
     part.frame = document_.frames().pose(part.frame) ? part.frame : QUuid();

@@ -64,8 +64,8 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    // The selected box or plane. The other one is null, and both are null without a selection. Boxes are
-    // listed before planes.
+    // The selected box or plane; null if the selection is of the other kind or empty. Boxes are listed before
+    // planes.
     const project::CellBox* box() const;
     const project::CellPlane* plane() const;
     QString obstacle() const;

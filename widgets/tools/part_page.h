@@ -27,7 +27,7 @@ class PartPage : public QWidget {
     Q_OBJECT
 
 public:
-    /// Index of the selected row; -1: none.
+    /// Index of the selected row; -1 if there is none.
     int currentRow() const;
     void selectRow(int row);
     /// All actions, for the menus, the command list and the help page.

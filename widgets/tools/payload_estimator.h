@@ -25,7 +25,7 @@ class PayloadEstimator : public QWidget {
     Q_OBJECT
 
 public:
-    /// policy  the one of the window; must outlive the widget
+    /// policy  the policy of the window; must outlive the widget
     PayloadEstimator(MotionPort port, HoldPolicy& policy, QWidget* parent = nullptr);
     ~PayloadEstimator() override;
 

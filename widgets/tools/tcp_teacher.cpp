@@ -140,7 +140,7 @@ void TcpTeacher::takeTurn() {
     }
     const std::size_t needed = turning_->currentIndex() == ThreePoses ? 3 : 1;
     if (turns_.size() == needed) {
-        turns_.clear();  // start again with the poses for the rotation
+        turns_.clear();  // start again with the poses for the orientation
     }
     turns_.push_back(*T);
     refresh();

@@ -2,8 +2,8 @@
 #pragma once
 
 // Teaches a TCP with the arm. The tip position results from four or more poses with the tip at the same
-// point. The rotation results from one or three poses. Shows the next pose, the consistency of the poses, and
-// the pose with the largest residual.
+// point. The tool orientation results from one or three poses. Shows the next pose, the consistency of the
+// poses, and the pose with the largest residual.
 
 #include <QWidget>
 #include <array>
@@ -27,11 +27,11 @@ public:
     explicit TcpTeacher(QWidget* parent = nullptr);
 
     /// Restarts teaching.
-    /// rotation  rotation of the tool, which is kept unless a rotation is taught
+    /// rotation  tool orientation, which is kept unless an orientation is taught
     void begin(const QString& title, const Eigen::Vector3d& rotation);
     /// Sets the current flange pose. Poses can be recorded while data are live.
     void setLive(const SessionState& state);
-    /// Records the next pose of the tip or, when the tip is complete, of the rotation.
+    /// Records the next pose of the tip or, when the tip is complete, of the orientation.
     void takeNext();
     void finish();
 
@@ -43,7 +43,7 @@ Q_SIGNALS:
     void cancelled();
 
 private:
-    /// How the rotation of the tool is taught.
+    /// How the tool orientation is taught.
     enum Turning { AsItIs, StraightDown, ThreePoses };
 
     std::optional<Eigen::Isometry3d> flange() const;
@@ -58,7 +58,7 @@ private:
     SessionState state_;
     Eigen::Vector3d before_ = Eigen::Vector3d::Zero();
     std::vector<Eigen::Isometry3d> tips_;
-    std::vector<Eigen::Isometry3d> turns_;  ///< flange poses for the rotation: one or three
+    std::vector<Eigen::Isometry3d> turns_;  ///< flange poses for the orientation: one or three
     kinematics::TipFit fit_;
     QLabel* title_;
     QPushButton* take_;

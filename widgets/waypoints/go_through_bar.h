@@ -38,7 +38,6 @@ public:
     void setSelection(int current, const QList<int>& selected);
     /// Updates the route after an edit of the document, with this selection.
     void followDocument(int current, const QList<int>& selected);
-    /// Updates the displayed speed.
     void showSpeed();
     /// Ends the active motion, if any.
     void stop(control::StopCause cause);

@@ -20,7 +20,7 @@ public:
     /// (NoSolution).
     using Target = std::function<Result<MoveRequest>()>;
 
-    /// policy  the one of the window; must outlive the button
+    /// policy  the policy of the window; must outlive the button
     GoToButton(MotionPort port, HoldPolicy& policy, Target target, QWidget* parent = nullptr);
     ~GoToButton() override;
 

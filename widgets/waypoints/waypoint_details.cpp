@@ -197,7 +197,7 @@ void WaypointDetails::refresh() {
         facts << tr("used in %n steps", nullptr, *usedIn_);
     }
     if (live_.hasData() && place) {
-        // With the TCP of the waypoint, because a move there also uses it.
+        // Uses the TCP of the waypoint, as a move to the waypoint does.
         const Pose live = live_.tcpPose * live_.tcpOffset.inverse() * point.tcpOffset;
         const project::PoseDifference away = project::poseDifference(*place, live);
         facts << tr("%1 from the current pose").arg(format::difference(away.distance, away.angle));

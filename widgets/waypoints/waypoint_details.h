@@ -31,7 +31,7 @@ public:
     /// row  -1 for none
     void setWaypoint(int row);
     void setLive(const SessionState& state);
-    /// Shows the limit on the path to the waypoint; empty: none.
+    /// Shows the limit on the path to the waypoint; empty if there is none.
     void setPathLimitText(const QString& text);
     /// Sets the number of program steps that use the waypoint. Initially it is not displayed.
     void setUsedIn(std::optional<int> steps);

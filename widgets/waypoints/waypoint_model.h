@@ -28,7 +28,7 @@ public:
     /// has a pose target, and rejected if it has a joint target.
     void setPose(int row, const Pose& pose);
 
-    /// Highlights the next waypoint of the route; null: none.
+    /// Highlights the next waypoint of the route; null removes the highlight.
     void setComing(const QUuid& id);
     /// Sets the reason why the arm may not move from its current position to this waypoint, as a sentence;
     /// empty: no limit.

@@ -247,7 +247,7 @@ void WaypointsTab::resizeEvent(QResizeEvent* event) {
     fitRoutes();
 }
 
-/// On the button of the menu, which contains "Stop recording path": in a narrow panel the path button is hidden.
+/// Marks the menu button, because in a narrow panel "Stop recording path" is available only in its menu.
 void WaypointsTab::showPathRecording() {
     const QString usual = QStringLiteral("···");
     const QString marked = QStringLiteral("● ···");
@@ -361,7 +361,7 @@ void WaypointsTab::selectRow(int row) {
     if (row < 0 || row >= model_->rowCount()) {
         table_->selectionModel()->clear();
     } else {
-        // Do not use the view. It would extend the selection according to the modifiers of the shortcut.
+        // Not through the view, which would extend the selection according to the modifiers of the shortcut.
         const QModelIndex index = model_->index(row, WaypointModel::Name);
         table_->selectionModel()->setCurrentIndex(
             index, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
@@ -486,7 +486,6 @@ void WaypointsTab::followSpeed() {
     Q_EMIT ghostChanged();
 }
 
-/// Displays the speed of the arm on the button.
 void WaypointsTab::showSpeed() {
     if (goTo_->isHolding()) {
         return;  // the speed of the current motion does not change

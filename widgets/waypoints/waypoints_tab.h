@@ -61,7 +61,7 @@ public:
     /// Adds actions for the whole project to the submenu "Project" at the end of the tab's menu.
     void addToMenu(const QList<QAction*>& actions);
 
-    /// Shows the limit on the path to the selected waypoint next to the button "Go to (hold)"; empty: none.
+    /// Shows the limit on the path to the selected waypoint next to "Go to (hold)"; empty if there is none.
     void setPathLimitText(const QString& text);
     /// Sets the function that returns the speed limit for "Go to". It is called at each press; initially
     /// none.
@@ -108,9 +108,7 @@ public Q_SLOTS:
 Q_SIGNALS:
     /// The selection has changed. Null: no waypoint is selected.
     void selectionChanged(const QUuid& waypoint);
-    /// ghost() or touchUpGhost() has changed.
     void ghostChanged();
-    /// marks() has changed.
     void marksChanged();
     /// A message for the log.
     void message(tiller::Severity severity, const QString& text);

@@ -10,7 +10,7 @@
 namespace tiller::test {
 
 /// offset  register offset, 0 or 24
-/// path    statements of an inserted path; empty: none
+/// path    statements of an inserted path; empty if there is none
 inline QByteArray registerScript(int offset = 0, const QByteArray& path = {}) {
     QByteArray text = R"(
 def register_control():

@@ -136,7 +136,7 @@ private:
     ProjectStore store_;
     QTimer timer_;
     QSocketNotifier input_{0, QSocketNotifier::Read};
-    int pending_ = 0;  ///< number of the unsaved edit; 0: none
+    int pending_ = 0;  ///< number of the unsaved edit; 0 if there is none
 };
 
 /// The controlling side of a window.
