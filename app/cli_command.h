@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The commands of tiller-cli. The table of a command declares its options once: the parser, the help, the
-// manual page and the shell completions are made from it.
+// The commands of tiller-cli. Each command declares its options in one table, from which the parser, the
+// help, the manual page and the shell completions are generated.
 
 #include <QStringList>
 #include <QTextStream>
@@ -55,7 +55,7 @@ class CommandArguments;
 
 struct Command {
     QString name;
-    QString operands = {};  ///< of the command in the list of commands, e.g. "FILE"
+    QString operands = {};  ///< operands in the list of commands, e.g. "FILE"
     QString summary;        ///< text in the list of commands
     QString title;          ///< first line of the help
     QStringList usage;

@@ -24,7 +24,8 @@ struct Row {
 
 constexpr char kProjectText[] = QT_TRANSLATE_NOOP("CommandLine", "Open this project file (.tiller).");
 
-/// All options except those of Qt. The parser, the help and the shell completions are made from this table.
+/// All options except those of Qt. The parser, the help and the shell completions are generated from this
+/// table.
 constexpr Row kRows[] = {
     {"simulator", "", QT_TRANSLATE_NOOP("CommandLine", "Start with the built-in simulated UR5e.")},
     {"robot", "host", QT_TRANSLATE_NOOP("CommandLine", "Connect to the robot at this address or host name.")},

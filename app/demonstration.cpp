@@ -107,7 +107,7 @@ void Demonstration::addSteps() {
                           jogEnd_ = state().tcpPose;
                           return true;
                       },
-                      10'000, [this, jogKey] {  // after an unexpected stop; the next release is measured
+                      10'000, [this, jogKey] {  // repeated press after an unexpected stop
                           press(jogKey);
                           QTimer::singleShot(kShortJogMs, this, [this, jogKey] { release(jogKey); });
                       }});

@@ -46,7 +46,6 @@ public:
     void arrange(const StagePlan& plan);
     /// Moves a panel to this side of all other panels.
     void move(PanelDock& dock, StageSide side);
-    /// Makes a panel visible.
     void reveal(PanelDock& dock);
     /// The current arrangement.
     QByteArray state() const;
@@ -57,7 +56,7 @@ public:
 Q_SIGNALS:
     /// The user moved, closed, floated or resized a panel.
     void rearranged();
-    /// The window of a floating panel was deactivated, minimized or closed. Or a panel was shown, hidden, or
+    /// The window of a floating panel was deactivated, minimized or closed, or a panel was shown, hidden, or
     /// brought to the front of its tab group.
     void attentionLost(tiller::control::StopCause cause);
 

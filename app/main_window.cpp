@@ -222,7 +222,8 @@ MainWindow::~MainWindow() {
     delete keyboard_;
     delete devices_;
     delete popup_;
-    // The store saves unsaved changes in its destructor. The window must not display this.
+    // The store saves unsaved changes in its destructor. The window is partly destroyed and must not receive
+    // its signals.
     disconnect(&files_->store(), nullptr, this, nullptr);
     disconnect(files_.get(), nullptr, this, nullptr);
     delete takeCentralWidget();
@@ -1301,7 +1302,7 @@ void MainWindow::showSettings(bool atRecording) {
     connect(page, &SettingsPage::exportWanted, transfer_, [this, page] { transfer_->askToExport(page); });
     connect(page, &SettingsPage::importWanted, transfer_, [this, page] { transfer_->askToImport(page); });
     connect(page, &SettingsPage::newWindowWanted, this, [this, page] { reopenWindow(*page); });
-    // The page would still show the previous settings.
+    // Close the page, because it still shows the previous settings.
     connect(transfer_, &SettingsTransfer::imported, page, &QDialog::close);
     if (atRecording) {
         page->showRecording();

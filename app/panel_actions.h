@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The functions of the plots and of the tabs I/O and Log as commands, for menus and palette.
+// The functions of the plots and of the tabs I/O and Log as commands, for the menus and the command list.
 
 #include <QCoreApplication>
 #include <functional>

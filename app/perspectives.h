@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Named arrangements of the panels: three built-in ones and those saved by the user. Selecting a perspective
-// always restores its saved state. Later changes are kept until the next selection, even after a restart.
-// Header, jog column and status bar are not affected.
+// Named arrangements of the panels: three built-in arrangements and those saved by the user. Selecting a
+// perspective always restores its saved state. Later changes are kept until the next selection, even after a
+// restart. Header, jog column and status bar are not affected.
 
 #include <QKeySequence>
 #include <QObject>

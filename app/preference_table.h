@@ -25,7 +25,7 @@ struct PreferenceRow {
     const char* manual;  ///< words in the list of the manual
     Editor editor = Editor::Custom;
     bool isLocal = false;                 ///< true if the value is not transferred to another computer
-    std::vector<const char*> words = {};  ///< of the choices in the settings file
+    std::vector<const char*> words = {};  ///< names of the choices in the settings file
     int min = 0;
     int max = 0;
     int step = 1;
@@ -33,7 +33,7 @@ struct PreferenceRow {
     // Texts in the translation context of SettingsPage. Not used by Editor::Custom.
     const char* label = "";                ///< in front of the field
     const char* name = "";                 ///< accessible name, or text of the check box
-    std::vector<const char*> titles = {};  ///< of the choices
+    std::vector<const char*> titles = {};  ///< displayed names of the choices
     const char* unit = "";
     const char* toolTip = "";
     const char* note = "";  ///< below the field

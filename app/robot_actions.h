@@ -21,7 +21,8 @@ struct RobotActionHooks {
     std::function<void(const RobotAddress&)> check;
     std::function<void()> showRecovery;
     std::function<void()> askForProgram;
-    /// Closes the newest popup as its card in the window does, with the reason why that is not possible now.
+    /// Closes the newest popup, like the button on its card. popupObstacle() returns the reason why it cannot
+    /// be closed now.
     std::function<void()> closePopup;
     std::function<QString()> popupObstacle;
     /// Stops all motion by software.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The viewing directions of the 3D view as commands, for keyboard and palette.
+// The viewing directions of the 3D view as commands, for the keyboard and the command list.
 
 #include <QCoreApplication>
 

@@ -131,7 +131,7 @@ PracticeHooks Tutorial::hooks() {
                 },
             .addWaypoint =
                 [this](const project::Waypoint& point) {
-                    steps_.setFollowing(false);  // the user does not teach this waypoint
+                    steps_.setFollowing(false);  // this waypoint does not count as taught
                     document_.insertWaypoints(document_.waypoints().size(), {point},
                                               tr("Practice: add “%1”").arg(point.name));
                 }};

@@ -346,8 +346,8 @@ bool DesktopCell::armKeyboard() {
 
 Standstill DesktopCell::standstill(double contract) {
     const auto waited = [this] { return display_.withoutProcessor() + program_.withoutProcessor(); };
-    // The waiting time after the last package with motion has not delayed the stop. A process that has ended in the
-    // meantime has no statistics.
+    // Processor time that is missing after the last package with motion has not delayed the stop, so the
+    // value is taken at that package. A process that has ended in the meantime has no statistics.
     const double before = waited();
     double most = before;
     Standstill result =

@@ -64,7 +64,8 @@ protected:
         }
         QFAIL("nothing moved while it was held: this proves nothing");
     }
-    /// In control, with the keyboard armed. On a busy machine the window may have lost the control.
+    /// Makes sure that the cell is in control with the keyboard armed. On a busy machine, control may have
+    /// been lost.
     bool beReady() {
         return cell().until(
             [&] { return cell().toTheFront() && cell().takeControl() && cell().armKeyboard(); });

@@ -17,8 +17,8 @@
 namespace tiller::test {
 namespace {
 
-/// Number of further runs that a cell deserves. A busy machine may be late once, but not twice, and may refuse some
-/// presses, which then show nothing. An arm that keeps moving fails at once.
+/// Number of further runs of a cell. A busy machine may be late once, but not twice, and may refuse some
+/// presses, so that there is no result. An arm that keeps moving fails at once.
 int furtherRuns(const CellOutcome& outcome) {
     switch (outcome.kind) {
         case CellOutcome::Kind::Late:

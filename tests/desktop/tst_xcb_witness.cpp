@@ -116,7 +116,8 @@ private Q_SLOTS:
     void isUnavailableWithoutAServer() {
         qputenv("DISPLAY", ":4711");
         XcbKeyStateProbe witness;
-        // The description is "unavailable" from the beginning, so the attempt to connect needs its time.
+        // The description is "unavailable" from the beginning, so wait until the attempt to connect has
+        // finished.
         QVERIFY(!QTest::qWaitFor([&] { return witness.isThere(); }, 500));
         QVERIFY(witness.description().contains(QStringLiteral("unavailable")));
     }

@@ -38,7 +38,6 @@ public:
     void set(const std::string& field, std::vector<double> values);
     /// Sends one package with this time stamp after the client has started.
     void send(double timestamp);
-    /// Closes the connection.
     void closeConnection() { closeWanted_ = true; }
     /// Sends arbitrary bytes instead of a package.
     void sendRaw(rtde::Bytes bytes);
