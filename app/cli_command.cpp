@@ -32,7 +32,7 @@ QString wrapped(const QString& text, qsizetype indent) {
     return result + QLatin1Char('\n');
 }
 
-/// A row of two columns. The text begins in the next line if the name is too long.
+/// A row of two columns. The text begins on the next line if the name is too long.
 QString row(const QString& name, const QString& text) {
     QString start = QStringLiteral("  ") + name;
     if (start.size() + 2 > kTextColumn) {

@@ -21,8 +21,8 @@ struct PreferenceRow {
         Flag,    ///< a check box
     };
 
-    QString key;         ///< in the settings file
-    const char* manual;  ///< words in the list of the manual
+    QString key;         ///< key in the settings file
+    const char* manual;  ///< text in the settings list of the manual
     Editor editor = Editor::Custom;
     bool isLocal = false;                 ///< true if the value is not transferred to another computer
     std::vector<const char*> words = {};  ///< names of the choices in the settings file

@@ -279,7 +279,6 @@ private Q_SLOTS:
         QVERIFY(!place.isVisible() && figures.isVisible() && through().isVisible());
     }
 
-    // The buttons are visible in the default layout.
     void routeButtonsAreVisibleOnAnOrdinaryScreen() {
         window().setTheme("light");
         teach({0.2, 0.4}, 0);

@@ -97,7 +97,7 @@ private:
         cell().advanceMs(300);
         return (cell().truth().tcpPose.position - before.position).norm();
     }
-    /// Checks all buttons that move to positions of the project, and the session functions they call.
+    /// Checks that neither the buttons nor the session functions move the arm to a position of the project.
     void nothingMovesToThem() {
         for (const char* name : {"waypoint.goTo", "waypoint.goThrough", "homeKey"}) {
             QVERIFY2(movedBy(name) < 1e-4, name);

@@ -38,7 +38,7 @@ struct Theme {
     QColor movingTint;  ///< background of the selected row and of the button that moves the arm
     QColor warning;     ///< text and icon
     QColor warningBackground;
-    QColor alarm;  ///< text and icon; brighter in the dark scheme than in tables, for legibility
+    QColor alarm;  ///< text and icon; brighter in the dark scheme, for legibility
     QColor alarmBackground;
     QColor stop;      ///< the STOP button and chips of a stopped robot
     QColor stopText;  ///< text on `stop`

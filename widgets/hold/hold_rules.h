@@ -92,7 +92,7 @@ class HoldRules : public QObject, public QAbstractNativeEventFilter {
     Q_OBJECT
 
 public:
-    /// policy  must outlive this
+    /// policy  must outlive the object
     /// stop    ends the motion; called with the cause when a rule applies
     HoldRules(HoldPolicy& policy, std::function<void(control::StopCause)> stop,
               const Clock& clock = SteadyClock::shared(), QObject* parent = nullptr);

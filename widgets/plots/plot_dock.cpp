@@ -845,7 +845,7 @@ void PlotDock::followLane(const SessionState& state) {
         lane_->add(std::exchange(backAt_, {}).value_or(shown), entry.kind, entry.label);
         lane_->add(shown, entry.kind, entry.label);
     } else if (state.link == LinkState::Lost && state.sequence != 0) {
-        // The last state ended with the last sample. Time continues without data.
+        // The lane shows "no data" from the last sample to the current time.
         const LaneEntry none = noDataEntry();
         lane_->add(shown, none.kind, none.label);
         lane_->add(shown + state.quality.ageMs / 1e3, none.kind, none.label);

@@ -136,7 +136,7 @@ Q_SIGNALS:
     /// The time range, pause state or position in the history has changed.
     void windowChanged();
     void readoutChanged();
-    /// While the plots follow the live data, the cursors recede from the newest sample. At most 10 times per second.
+    /// The age of the cursor times has changed, while the view follows the data. At most 10 times per second.
     void readoutAged();
     void zeroChanged();
     /// Plots, signals or lanes have changed.

@@ -80,7 +80,7 @@ public:
         Six second{};                   ///< via, velocities, near joints
         std::array<double, 6> third{};  ///< accelerations, or velocity, acceleration, flag
         double duration = 0;
-        double blend = 0;  ///< [m]; for a spline 1 cubic, 2 quintic
+        double blend = 0;  ///< [m]; for a spline: 1 cubic, 2 quintic
         int type = 0;
     };
     bool writePoint(const Point& point);

@@ -130,7 +130,7 @@ private Q_SLOTS:
         qInfo("%s: to standstill: %.0f ms", QTest::currentDataTag(), ms);
         QVERIFY2(ms <= 250, qPrintable(QString::number(ms)));
         QVERIFY(watcher.stands);
-        // In this case, the process may also have ended the motion itself.
+        // Without a motion at the last heartbeat, the process may have ended the motion itself.
         if (watcher.heardIn == ScriptState::Executing) {
             // The last torque remains active until it expires. With a high torque, the arm may reach the
             // speed cap first.

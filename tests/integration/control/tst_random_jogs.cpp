@@ -73,7 +73,7 @@ private Q_SLOTS:
                     QVERIFY(cell.step(52));
                     QVERIFY(!jog->refresh());
                     break;
-                case 4:  // another button is pressed, then both are released
+                case 4:  // another button is pressed, then Space
                     QVERIFY(cell.motions().startJog(linearJog(0, 0, speed)).ok());
                     QVERIFY(!jog->refresh());
                     QVERIFY(cell.step(pick(0, 20)));

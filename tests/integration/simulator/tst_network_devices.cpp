@@ -107,7 +107,7 @@ private Q_SLOTS:
         Cell cell("protocol lines\naddress 127.0.0.1:8500\nTRIGGER | | OK\nGET | POS | (1.5, 2.5)\n");
         QVERIFY(
             cell.play("if socket_open(\"127.0.0.1\", 8500, \"cam\"):\n"
-                      "socket_send_string(\"TRIGGER\", \"cam\")\n"  // without the line end
+                      "socket_send_string(\"TRIGGER\", \"cam\")\n"  // without a line end
                       "textmsg(socket_read_line(\"cam\"))\n"
                       "socket_send_line(\"GET POS\", \"cam\")\n"
                       "textmsg(socket_read_ascii_float(2, \"cam\"))\n"

@@ -14,7 +14,7 @@ const QByteArray kEchoScript =
     "def echo():\n  while True:\n    write_output_integer_register(24, read_input_integer_register(24))\n"
     "    sync()\n  end\nend\n";
 
-/// Returns loopback addresses that no other test on this computer uses at the same time.
+/// Returns a loopback address that no other test on this computer uses at the same time.
 QString ownAddress(int number) {
     const auto pid = static_cast<unsigned>(QCoreApplication::applicationPid());
     return QStringLiteral("127.%1.%2.%3").arg(210 + pid % 40).arg((pid / 40) % 250).arg(number);

@@ -232,7 +232,7 @@ bool isAllowed(const Folder& folder, const QString& included) {
     if (row > &folder) {
         return false;
     }
-    // A subfolder above its parent belongs to it, so the simulator may use its arm and interpreter.
+    // A folder may include its subfolders, e.g. the simulator may use its arm and interpreter.
     if (included.startsWith(QString::fromLatin1(folder.path) + '/')) {
         return true;
     }

@@ -220,7 +220,7 @@ private Q_SLOTS:
         QVERIFY(out.epoch > static_cast<std::int32_t>(jog));
         QVERIFY(out.sequence != bench.command.sequence);
         QCOMPARE(bench.causeOf(jog), StopCause::DataStale);
-        QVERIFY(!bench.loop.fallback(bench.now(), out));  // once is sufficient
+        QVERIFY(!bench.loop.fallback(bench.now(), out));  // sent only once
         QCOMPARE(bench.tick().kind, ScriptCommand::Idle);
     }
 

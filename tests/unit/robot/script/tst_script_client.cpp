@@ -37,7 +37,7 @@ private Q_SLOTS:
         QCOMPARE(arrived.get_future().get(), text.toUtf8() + '\n');
     }
 
-    // If data of the controller are unread, closing the connection becomes a reset, which could discard the
+    // If data from the controller are unread, closing the connection sends a reset, which could discard the
     // sent program.
     void connectionIsClosedCleanly() {
         std::promise<bool> ended;

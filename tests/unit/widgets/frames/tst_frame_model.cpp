@@ -116,7 +116,7 @@ private Q_SLOTS:
         // The saved file can be read again: no waypoint refers to a missing frame.
         const auto bytes = project::serializeProject(document_->project());
         QVERIFY(bytes && project::parseProject(*bytes));
-        // One undo step restores all changes.
+        // One undo step reverts all changes.
         document_->undoStack().undo();
         QCOMPARE(model_->rowCount(), 2);
         QCOMPARE(model_->rowOf(tray_.id), 0);

@@ -408,7 +408,7 @@ private Q_SLOTS:
         QCOMPARE(b.ends, QList<StopCause>{StopCause::DeviceLost});
         b.run(3000);
         QCOMPARE(b.next, 1U);
-        // The driver recovers while the stick is still deflected. The stick must return first.
+        // The driver recovers while the stick is still deflected. The stick must first return to neutral.
         pad.push(SDL_CONTROLLER_AXIS_LEFTX, 31000);
         b.run(100);
         QCOMPARE(b.next, 1U);

@@ -475,8 +475,8 @@ private:
         trigger(action);
         QVERIFY2(seen, action);
     }
-    /// A pattern of 3 x 2 positions between the first three waypoints, without the middle one of the first
-    /// row.
+    /// A pattern of 3 x 2 positions between the first three waypoints, without the middle position of the
+    /// first row.
     void makePattern() {
         select({0, 1, 2});
         inDialog("waypoint.action.pattern", [](QDialog& dialog) {

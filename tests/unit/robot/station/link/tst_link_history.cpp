@@ -11,7 +11,7 @@ class TestLinkHistory : public QObject {
     Q_OBJECT
 
 private:
-    /// One second with 500 packets in 16 ms frames; some of the packets are late or lost.
+    /// One second with 500 packets in frames of 20 ms. Some of the packets are late or lost.
     PacketCounts second(std::uint64_t late, std::uint64_t lost) {
         PacketCounts recent;
         for (int frame = 1; frame <= 50; ++frame) {
