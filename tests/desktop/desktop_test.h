@@ -19,7 +19,7 @@ inline constexpr int kSkipped = 77;
 
 /// Jog contract: maximum time of motion after the release of the last key [s].
 inline constexpr double kContract = 0.25;
-/// Robot time [s] that is longer than the start of a motion takes.
+/// Maximum robot time until a motion has started [s].
 inline constexpr double kGetsGoing = 3.0;
 
 inline QByteArray words(const Standstill& stop) {

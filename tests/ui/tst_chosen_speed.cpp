@@ -166,7 +166,6 @@ private Q_SLOTS:
         }
     }
 
-    // The rows display the joint speeds of their buttons.
     void theRowsShowTheSpeedOfTheirKeys() {
         const JointPositions q = kPostures[1].q;
         bringUp(q, 0);

@@ -190,7 +190,7 @@ PageLayout PlotView::page() const {
 
 bool PlotView::setPage(const PageLayout& wanted) {
     PageLayout page = wanted;
-    // Column numbers are consecutive.
+    // Renumber the columns consecutively.
     std::map<int, int> columns;
     for (const PaneLayout& pane : page.panes) {
         columns[pane.column] = 0;

@@ -51,7 +51,7 @@ private:
     SessionState state_;
     bool following_ = false;
     std::array<bool, kFirstSteps.size()> done_{};
-    /// Start of a motion by this application; empty if none is active.
+    /// Start position of the current motion of this application; empty without a motion.
     std::optional<JointPositions> movedFrom_;
 };
 

@@ -359,7 +359,7 @@ void TestMotionAcceptance::gravityTorquesAgreeWithKdl_data() {
 }
 
 // The kinematic chain is computed independently from the data of the model. RTDE must report its gravity
-// torque, also with a payload and a tilted base.
+// torque, even with a payload and a tilted base.
 void TestMotionAcceptance::gravityTorquesAgreeWithKdl() {
     QFETCH(RobotModelId, id);
     auto options = VirtualRobot::options();

@@ -271,7 +271,7 @@ private Q_SLOTS:
             QVERIFY2(std::abs(contact->distance - safety) < 0.001,
                      qPrintable(QString::number(contact->distance)));
             QVERIFY(!check.isInside(kStance, *contact));
-            // Starts at half the safety distance, and 5 mm inside the floor.
+            // The arm starts at half the safety distance, or 5 mm inside the floor.
             for (const double start : {safety / 2 - 0.05, -0.055}) {
                 const JointPositions inside = shifted(start);
                 QVERIFY(!check.obstruction(std::vector{inside, shifted(start + 0.02)}));

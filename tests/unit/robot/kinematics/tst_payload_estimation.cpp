@@ -55,7 +55,7 @@ private Q_SLOTS:
         for (int n = 0; n < 100; ++n) {
             std::vector<PayloadReading> readings = fourReadings(2.0);
             for (PayloadReading& r : readings) {
-                // The mean of 100 samples.
+                // Noise of the mean of 100 samples.
                 for (int i = 0; i < 3; ++i) {
                     r.felt.force[i] += force(random) / 10;
                     r.felt.torque[i] += torque(random) / 10;

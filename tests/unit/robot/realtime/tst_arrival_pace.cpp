@@ -145,7 +145,7 @@ private Q_SLOTS:
         QVERIFY2(cycles.back().heldNs() < most, qPrintable(QString::number(cycles.back().heldNs())));
     }
 
-    // If a late consumer attributed this delay to the network, it would become even later.
+    // If a late consumer attributed the processing time to the network, it would become even later.
     void longProcessingDelaysNoPacket_data() {
         QTest::addColumn<double>("busy");
         QTest::addColumn<double>("drift");

@@ -215,7 +215,7 @@ private Q_SLOTS:
         clock.advanceNs(kNsPerMs);
         probe.reply(false);
         repeat.poll();
-        // Nothing is delayed any more.
+        // Events are not delayed any more.
         QKeyEvent press(QEvent::KeyPress, Qt::Key_Right, Qt::NoModifier, scan::kRight, 0, 0);
         QWindow other;
         QVERIFY(!repeat.intercepts(other, press));

@@ -215,7 +215,7 @@ private Q_SLOTS:
         run.host.moveFrames = 20;
         QCOMPARE(run.frames(20), State::Running);
         QCOMPARE(run.frames(1), State::Finished);
-        QCOMPARE(run.value("n"), "21");  // also in the last period, before the main program ends
+        QCOMPARE(run.value("n"), "21");  // includes the last period of the main program
     }
     void servoTakesOneFrameEach() {
         ScriptRun run("def m():\nwhile True:\nservoj([0,0,0,0,0,0], t=0.002)\nend\nend\n");

@@ -135,7 +135,7 @@ private Q_SLOTS:
         QVERIFY2(!messages.filter("may not reach it").isEmpty(), "at once, not after the timeouts");
         QVERIFY(bench.withoutData([&] { return !messages.filter("could not be stopped").isEmpty(); }));
         QVERIFY(bench.runs());
-        // The threads that wait for answers reset their connections.
+        // Wait until the threads that expect replies have reset their connections.
         int turns = 0;
         QVERIFY(bench.withoutData([&] { return ++turns > 500; }));
         QVERIFY(bench.cell.robot.inject("link back").ok());
