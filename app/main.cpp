@@ -194,7 +194,7 @@ int main(int argc, char* argv[]) {
     if (demonstration) {
         settings.setTutorialProgress({.dismissed = true, .firstSteps = {}, .practice = {}});
     }
-    // The demonstration opens its own connection later, so that it receives all errors.
+    // The demonstration connects later, so that it receives all errors.
     auto window = openWindow(application, *line, settings, [&](app::MainWindow& opened) {
         if (!demonstration) {
             connectAsAsked(opened, *line);

@@ -165,7 +165,7 @@ private Q_SLOTS:
         QVERIFY(bench.window.findChild<QWidget*>("armedFrame") == nullptr);
         QCOMPARE(bench.warnings->size(), 1);
     }
-    // Another program moved the arm, so the window does not report that one of its own stops is missing.
+    // Another program moved the arm, so the window does not report a missing stop.
     void lostDataDuringAForeignProgramAreNotReportedAsOwnStop() {
         Bench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));

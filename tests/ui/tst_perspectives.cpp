@@ -87,7 +87,7 @@ void chooseTeach(app::MainWindow& window) {
     QTest::keyClick(&window, Qt::Key_F6, Qt::ShiftModifier);
 }
 
-/// Checks the parts of the window that move and stop the arm. Returns the missing ones.
+/// Checks the parts of the window that move and stop the arm. Returns the missing parts.
 QStringList missing(app::MainWindow& window) {
     QStringList problems;
     const auto look = [&](const QWidget* widget, const QString& what) {

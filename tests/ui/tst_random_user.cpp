@@ -436,7 +436,7 @@ private Q_SLOTS:
         const QStringList warned = takeWarnings();
         if (!failure.isEmpty() || !warned.isEmpty()) {
             // Print line by line, because Qt Test truncates long messages and the last steps are the most
-            // important ones.
+            // important.
             for (const QString& line : StepLog::text().split(QLatin1Char('\n'))) {
                 qInfo("%s", qPrintable(line));
             }

@@ -42,8 +42,8 @@ public:
     /// reason.
     bool press(const HoldSource& grip = {});
     void release();
-    /// Handles a move of the pointer or finger while the button is pressed. position  in coordinates of the
-    /// button
+    /// Handles a move of the pointer or finger while the button is pressed.
+    /// position  in coordinates of the button
     void pointerMoved(const QPoint& position);
     /// Forwards a keyboard event that the button itself does not receive.
     void tell(HoldEvent::Kind kind) { rules_.happen(kind); }

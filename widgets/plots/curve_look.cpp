@@ -17,7 +17,7 @@ bool isOneFamily(const SignalStore& store, const std::vector<int>& shown) {
 }
 
 QList<qreal> dashesOf(std::size_t curve) {
-    // The first four curves are solid. The next ones alternate between two dash patterns, with a different
+    // The first four curves are solid. Further curves alternate between two dash patterns, with a different
     // dash length for each round of colours.
     if (curve < 4) {
         return {};

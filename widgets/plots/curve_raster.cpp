@@ -305,7 +305,7 @@ void CurveRaster::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWid
     painter->setClipRect(area_, Qt::IntersectClip);
     const QPaintEngine::Type device = painter->paintEngine()->type();
     if (device == QPaintEngine::SVG || device == QPaintEngine::Pdf) {
-        // This path is not time-critical, so use Qt's stroker.
+        // Vector formats are not time-critical, so use Qt's stroker.
         painter->setBrush(Qt::NoBrush);
         for (const auto& curve : curves_) {
             if (curve->isVisible()) {

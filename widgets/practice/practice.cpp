@@ -131,7 +131,7 @@ void Practice::setDone(const QStringList& names) {
 
 void Practice::onState(const SessionState& state) {
     state_ = state;
-    // No robot is connected, or the connected robot is not the one that was prepared for the task.
+    // No robot is connected, or the task was prepared on a different robot.
     if (check_ && (state.link == LinkState::Disconnected || !hooks_.obstacle(state).isEmpty())) {
         abandon();
     }

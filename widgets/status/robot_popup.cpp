@@ -113,7 +113,7 @@ void RobotPopup::hear(const script::ControllerMessage& message) {
 // layout and the screen reader.
 void RobotPopup::showSoon() {
     if (nextUpdate_.isActive()) {
-        showKey();  // the displayed popup is not the one that can be closed
+        showKey();  // the displayed popup cannot be closed
         return;
     }
     obstacle_ = obstacleNow(session_.state());

@@ -38,7 +38,7 @@ public:
 Q_SIGNALS:
     /// Nothing was changed. reason is a sentence; details contains the invalid numbers or lines of the text.
     void refused(const QString& reason, const QString& details);
-    /// This row should be selected; -1 if there is none.
+    /// Requests the selection of this row; -1: no row.
     void rowWanted(int row);
 
 private:

@@ -27,7 +27,7 @@ public:
     bool matches(int row) const;
 
 Q_SIGNALS:
-    /// This row should be selected.
+    /// Requests the selection of this row.
     void rowWanted(int row);
 
 protected:

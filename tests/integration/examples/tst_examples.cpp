@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs the C++ examples unchanged, each with its own simulated robots, and checks the effects.
+// Runs the C++ examples unchanged, each with separate simulated robots, and checks the effects.
 #include <unistd.h>
 #include <QDir>
 #include <QFile>

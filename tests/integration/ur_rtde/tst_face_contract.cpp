@@ -58,7 +58,7 @@ constexpr const char* kEnds[] = {
     "release",   "disconnect",  "leave",          "kill -9",         "kill -9 after a silence", "SIGSTOP",
     "cut cable", "silent link", "debugger pause", "protective stop", "safeguard stop",          "pause"};
 
-// The servo targets of the mover follow its own clock, so these motions also need real time.
+// The servo targets of the mover follow the clock of that process, so these motions also need real time.
 bool isInRealTime(const QByteArray& end, const QByteArray& way) {
     return end.startsWith("kill -9") || end == "SIGSTOP" || end == "cut cable" || end == "debugger pause" ||
            way == "servoJ" || way == "servoL";

@@ -25,7 +25,7 @@ struct Folder {
 const QStringList kGui = {"QWidget",  "QApplication", "QMainWindow", "QPainter", "QtWidgets", "QtGui",
                           "QtCharts", "QChart",       "QColor",      "QIcon",    "QPixmap"};
 
-/// A folder includes only its own headers and those of rows above its own.
+/// A folder includes only headers of the folder itself and of the rows above it.
 const QList<Folder>& folders() {
     static const QList<Folder> table = {
         {"robot/core", {}, kGui},

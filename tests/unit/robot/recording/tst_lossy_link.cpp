@@ -79,7 +79,7 @@ struct Bench {
     int missing = 0;
 };
 
-/// A disk on which one write is truncated and all following ones fail, or a disk that stalls.
+/// A disk on which one write is truncated and all later writes fail, or a disk that stalls.
 class BadDisk : public RecordingFile {
 public:
     struct Story {

@@ -244,7 +244,7 @@ private Q_SLOTS:
             return static_cast<int>(reset.size());
         };
         QVERIFY(peer.clients() > 2);
-        // All connections with the command; the newest one may not have carried it.
+        // Each connection that carried the command is reset. The newest connection may not have carried it.
         QTRY_VERIFY2_WITH_TIMEOUT(resets() >= peer.clients() - 1, "the stop is delivered later",
                                   kWaitTimeoutMs);
         stopper.end();

@@ -289,7 +289,7 @@ void provoke(const QByteArray& rule, Holder& holder) {
         QFocusEvent event(QEvent::FocusIn, Qt::OtherFocusReason);
         QApplication::sendEvent(&elsewhere, &event);
     } else if (rule == "the window is left") {
-        // This applies to any window of the program, because a floating dock may be the active window.
+        // Any window of the program counts, because a floating dock may be the active window.
         QWidget other;
         send(other, QEvent::WindowDeactivate);
     } else if (rule == "the window loses the focus") {
@@ -610,8 +610,8 @@ private Q_SLOTS:
         QCOMPARE(hands.arm.next, asked ? 0U : 1U);
     }
 
-    // Also applies to a panel that is created long after the window. Its buttons use the policy of the
-    // window.
+    // The rule also applies to a panel that is created long after the window. Its buttons use the policy of
+    // the window.
     void aButtonCreatedLateHasTheKeyStateCheck() {
         Hands hands;
         Holder pad(hands, wayOf("pad"));

@@ -42,7 +42,7 @@ public:
     JointPositions q{0.1, -1.2, 1.3, -1.4, -1.5, 0.6};
     JointVelocities qd;
     Twist tcpVelocity{{0.5, 0, 0}, {0, 0, 0.25}};
-    double inertia = 2;  ///< of each joint, without coupling to other joints [kg m2]
+    double inertia = 2;  ///< inertia of each joint, without coupling to other joints [kg m2]
     bool steady = true;
     std::function<JointPositions(int)> history;  ///< joint positions the given number of steps ago
     Pose tcp;

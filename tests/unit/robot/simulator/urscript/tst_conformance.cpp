@@ -137,7 +137,7 @@ private Q_SLOTS:
                  (std::vector<std::string>{"command stop program", "def a():\nend\n"}));
         QCOMPARE(units("textmsg(\"x\")\nmovej([0,0,0,0,0,0],\na=1)\n").size(), std::size_t(2));
         QVERIFY(units("def a():\nend").empty());  // the newline completes the line
-        // Each is followed by the terminating zero of a C string.
+        // Each statement is followed by the terminating zero of a C string.
         QCOMPARE(units(std::string("f(1)\n\0g(2)\n\0", 12)), (std::vector<std::string>{"f(1)\n", "g(2)\n"}));
     }
     void section3CommandWords() {

@@ -312,7 +312,7 @@ private Q_SLOTS:
         QCOMPARE(run.value("x"), "2");
     }
     void protectiveStopLetsTheFrameEnd() {
-        // A client expects that the one-line program has ended although the robot is stopped.
+        // Clients expect that the one-line program has ended, although the robot is stopped.
         ScriptRun run("def m():\nprotective_stop()\nend\n");
         run.host.onProtectiveStop = [&] { run.interpreter->pause(); };
         QCOMPARE(run.frames(1), State::Finished);

@@ -45,7 +45,7 @@ struct DoubtBench {
         waited.start();
         while (!condition() && waited.elapsed() < kTimeoutMs) {
             goOn(kStepMs);
-            QTest::qWait(5);  // gives the threads of the connection time to run
+            QTest::qWait(5);  // lets the threads of the connection run
         }
         return condition();
     }
@@ -68,8 +68,7 @@ class TestControlDoubt : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    // It is not yet known whether another program is running. Taking control could end this program without
-    // confirmation.
+    // If another program may be running, taking control could end that program without confirmation.
     void takingControlWaitsForData() {
         QStringList said;  // declared first, because the session may send a message in its destructor
         bool asked = false;

@@ -58,7 +58,7 @@ struct Bench {
         return condition();
     }
 
-    /// Gives control back and lets another client move the arm.
+    /// Releases control and lets another client move the arm.
     bool runOtherProgram() {
         session.releaseControl();
         if (!within([this] {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a session records: displayed signals are recorded even if the link does not receive their fields.
+// Content of the recordings of a session: displayed signals are recorded even if the link does not receive
+// their fields.
 #include <QElapsedTimer>
 #include <QTemporaryDir>
 #include <QTest>
@@ -24,7 +25,7 @@ private Q_SLOTS:
         QTest::newRow("MCAP") << QStringLiteral("mcap") << QStringList();
     }
 
-    // The link receives integer register 12, but not the other two.
+    // The link receives integer register 12, but not the other two registers.
     void displayedRegistersAreRecorded() {
         QFETCH(QString, format);
         QFETCH(QStringList, fields);

@@ -436,7 +436,7 @@ Steps exampleOf(const QString& kind, const project::Project& project) {
     return found == all.end() ? Steps() : found->second;
 }
 
-/// Generates programs from a fixed seed. Most of their steps do not depend on earlier ones.
+/// Generates programs from a fixed seed. Most of their steps do not depend on earlier steps.
 class Maker {
 public:
     Maker(quint32 seed, const project::Project& project) : random_(seed), project_(project) {}
