@@ -12,8 +12,8 @@ namespace {
 
 using Editor = PreferenceRow::Editor;
 
-/// A row for an enumeration whose values are the indices of the words. An unknown word is replaced by the first
-/// one.
+/// A row for an enumeration whose values are the indices of the words. An unknown word is replaced by the
+/// first word.
 template <class Access>
 PreferenceRow choiceRow(PreferenceRow row, Access access) {
     row.editor = Editor::Choice;

@@ -10,7 +10,7 @@ namespace tiller::app {
 /// Call this before any thread is started, so that the signals are delivered here.
 void holdTerminationSignals();
 
-/// Blocks: at most for the given time. Returns  true if termination was requested
+/// Blocks: at most for the given time. Returns true if termination was requested.
 bool waitForTermination(std::chrono::milliseconds atMost);
 
 /// Blocks: until SIGINT or SIGTERM (on Windows: a console event) since the call of holdTerminationSignals().

@@ -44,7 +44,7 @@ struct FrameMark {
     bool selected = false;  ///< drawn in colour; other frames are grey
 };
 
-/// A path of the TCP that is drawn as a line: the past path, or the planned one.
+/// A path of the TCP that is drawn as a line: the past path or the planned path.
 struct PathMark {
     enum class Kind {
         Breadcrumb,  ///< past path that the Back button would retrace

@@ -55,7 +55,7 @@ bool HoldGuard::press(const HoldSource& grip) {
         return false;
     }
     if (const QString why = rules_.obstacle(&key_, grip); !why.isEmpty()) {
-        rules_.endOther();  // rule: an on-screen button is pressed while another input holds
+        rules_.endOther();  // rule: a button is pressed while another input holds a motion
         Q_EMIT refused({ErrorCode::Cancelled, why, {}});
         return false;
     }

@@ -62,11 +62,11 @@ public:
     bool waitsForNeutral(HoldSource::By by) { return !neutralOf(by); }
     /// Forwards a keyboard event to the rules of a motion that is held by keys.
     void tell(HoldEvent::Kind kind);
-    /// Why the arm cannot move, as a sentence; empty if it can move.
+    /// The reason why the arm cannot move, as a sentence; empty if it can move.
     QString obstacle() const { return obstacle_(); }
     /// Maximum time without input from a stick at the current speed [ns].
     std::int64_t holdTimeoutNs() const;
-    /// Remaining time of the maximum hold duration [ns].
+    /// Time left until the maximum hold duration [ns].
     std::int64_t leftNs() const { return rules_.leftNs(); }
     /// Performs one refresh. Called by a timer every 20 ms, or by tests in virtual time.
     void pump();

@@ -58,7 +58,7 @@ public:
     /// false.
     bool command(Recipe recipe, int id, std::initializer_list<double> doubles = {},
                  std::initializer_list<int> ints = {});
-    /// Sends a command without waiting.
+    /// Sends a command without waiting for its completion.
     bool realtime(Recipe recipe, int id, std::initializer_list<double> doubles = {},
                   std::initializer_list<int> ints = {}) {
         return waitReady() && send(recipe, id, doubles, ints);

@@ -301,9 +301,9 @@ private Q_SLOTS:
                     .arg(static_cast<int>(limiter.kind))
                     .arg(static_cast<int>(reach.end.kind))
                     .toUtf8();
-            // A jog just outside the zone of a singularity either passes it slowly or ends, depending on less
-            // than a millimetre. A rotation of 45 deg/s covers 0.09 deg per control period, and the end may
-            // be two periods later.
+            // A jog just outside the zone of a singularity either passes it slowly or ends, depending on a
+            // difference of less than a millimetre. A rotation of 45 deg/s covers 0.09 deg per control
+            // period, and the end may be two periods later.
             const double tolerance = axis < 3 ? 0.001 : 0.2 * kDeg;
             if (reach.end.kind == LimiterKind::Singularity && gone > reach.distance + tolerance &&
                 slowest < 0.1) {

@@ -65,7 +65,7 @@ struct Worst {
                     resumedMm);
     }
 };
-std::map<std::pair<std::string, std::string>, Worst> worst;  ///< by motion and event
+std::map<std::pair<std::string, std::string>, Worst> worst;  ///< worst results by motion and event
 Worst released;                                              ///< worst results of this row for a release
 Worst others;  ///< worst results of this row for all other events
 

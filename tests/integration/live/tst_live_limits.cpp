@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Hostile and broken viewers of the live server. The memory and time of each one are limited, and the other
+// Hostile and broken viewers of the live server. The memory and time of each viewer are limited, and the other
 // viewers lose no data.
 
 #include <QDeadlineTimer>

@@ -93,7 +93,7 @@ void TestCliRecording::recordsForATimeAndDescribesTheFile() {
     QCOMPARE(info["facts"]["serial_number"].toString(), QString(simulator_->options().serialNumber));
     QVERIFY(info["columns"].toArray().size() > 100);
     QVERIFY(run({"info", path("a.mcap")}).out.contains("actual_q_0 [rad]"));
-    // The default text format is unchanged.
+    // A .csv file contains the selected fields, the timestamp and the number of lost packages.
     QCOMPARE(
         run({"record", address_, "--out", path("a.csv"), "--duration", "0.3", "--fields", "actual_q"}).code,
         0);

@@ -153,7 +153,7 @@ private Q_SLOTS:
         QVERIFY(from.size() > 200);
         QStringList strangers;
         for (auto it = from.cbegin(); it != from.cend(); ++it) {
-            // A section for two classes contains methods that only one of them has.
+            // A section for two classes contains methods that only one of the classes has.
             const bool shared = it.key().startsWith("Path ") || it.key().startsWith("PathEntry ");
             if (!known.contains(it.key()) && !shared) {
                 strangers << it.key();

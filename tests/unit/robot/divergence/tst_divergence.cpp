@@ -105,7 +105,7 @@ void TestDivergence::aPushIsDetectedAtItsStart_data() {
     QTest::newRow("lighter, found by the force alone") << true << 35.0;
 }
 
-// The stop occurs later, as on a real controller.
+// The stop occurs later than the push, as on a real controller.
 void TestDivergence::aPushIsDetectedAtItsStart() {
     QFETCH(bool, moving);
     QFETCH(double, force);

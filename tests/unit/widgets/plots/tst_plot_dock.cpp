@@ -203,7 +203,7 @@ void hideCurves(PlotView& view) {
     }
 }
 
-/// Compares the drawn grid lines of each plot with its scale. Returns  the first difference, or an empty text
+/// Compares the drawn grid lines of each plot with its scale. Returns the first difference; empty: none.
 QString gridFault(PlotView& view) {
     const QImage image = view.grab().toImage();
     const Theme& theme = Theme::current();

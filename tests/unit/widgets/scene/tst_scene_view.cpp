@@ -404,7 +404,7 @@ private Q_SLOTS:
 
     void theButtonsSelectTheStandardViews_data() {
         QTest::addColumn<QString>("key");
-        QTest::addColumn<int>("right");  // base axis pointing right, and base axis pointing up
+        QTest::addColumn<int>("right");  // base axes that point right and up
         QTest::addColumn<int>("up");
         QTest::newRow("front") << "scene.front" << 0 << 2;
         QTest::newRow("side") << "scene.side" << 1 << 2;

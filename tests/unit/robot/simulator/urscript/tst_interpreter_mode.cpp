@@ -21,7 +21,7 @@ struct Session : ScriptRun {
         frames(1);
     }
     InterpreterMode& mode() { return interpreter->mode(); }
-    /// Submits a line. Returns  "ack 3", "discard <reason>" or "wait".
+    /// Submits a line. Returns "ack 3", "discard <reason>" or "wait".
     std::string line(const std::string& text) {
         const InterpreterMode::Reply reply = mode().submit(text);
         return reply.kind == Kind::Ack       ? "ack " + std::to_string(reply.id)

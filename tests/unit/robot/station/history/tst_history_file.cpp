@@ -343,7 +343,7 @@ private Q_SLOTS:
         const double end = made.timeOf(gap);
         constexpr int kColumns = 1000;
         ColumnGrid grid;
-        // From the whole recording, which is drawn without its rows, to the gap alone.
+        // Zooms from the whole recording, which is drawn without its rows, to the gap alone.
         for (const double zoom : {1.0, 4.0, 30.0}) {
             const double span = (made.timeOf(kFew - 1) - kBegin) / zoom;
             const double width = span / kColumns;

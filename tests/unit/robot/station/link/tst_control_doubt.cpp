@@ -68,7 +68,7 @@ class TestControlDoubt : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    // If another program may be running, taking control could end that program without confirmation.
+    // Without data, another program may be running. Taking control could end it without confirmation.
     void takingControlWaitsForData() {
         QStringList said;  // declared first, because the session may send a message in its destructor
         bool asked = false;
