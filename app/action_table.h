@@ -56,7 +56,6 @@ public:
     /// True if the actions would conflict when they have the same shortcut. False if their shortcuts are
     /// limited to different tabs.
     static bool share(const QAction& a, const QAction& b);
-    /// The built-in default shortcut.
     static QKeySequence builtInShortcut(const QAction& action);
     /// Assigns to each action its shortcut in the map, or its default shortcut.
     void setShortcuts(const QMap<QString, QKeySequence>& chosen);

@@ -40,7 +40,6 @@ struct RecordOptions {
     bool quiet = false;
 };
 
-/// Returns the path of a new file in the folder.
 QString newFileIn(const QString& folder, QString address) {
     // Some systems do not allow these characters in file names.
     address.replace(QLatin1Char(':'), QLatin1Char('_')).replace(QLatin1Char('%'), QLatin1Char('_'));

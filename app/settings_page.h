@@ -47,7 +47,6 @@ public:
     void lockMonitorOnly();
     /// Shows the reason why the window cannot be replaced at the moment.
     void refuseNewWindow(const QString& reason);
-    /// Shows the page "Recording".
     void showRecording();
 
 protected:

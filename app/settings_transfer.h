@@ -24,7 +24,6 @@ public:
     ImportDialog(const QString& path, const Result<SettingsBundle>& found, const SettingsBundle& present,
                  QWidget* parent = nullptr);
 
-    /// The selected parts.
     QSet<SettingsPart> chosen() const;
     /// Shows an error. The dialog remains open.
     void showFailure(const QString& text);

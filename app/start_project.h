@@ -18,7 +18,6 @@ struct StartProject {
 /// data folder, otherwise "cell.tiller" in projectFolder(), which is created.
 StartProject startProject(const Settings& settings);
 
-/// Folder for unsaved changes.
 QString unsavedWorkFolder();
 
 }  // namespace tiller::app

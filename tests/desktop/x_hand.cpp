@@ -51,7 +51,6 @@ struct XHand::Connection {
         }
         return value;
     }
-    /// Sends a request to the window manager.
     void request(Window window, const char* what, long first, long second = 0) {
         XEvent event{};
         event.xclient.type = ClientMessage;

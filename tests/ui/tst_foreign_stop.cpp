@@ -395,7 +395,6 @@ private Q_SLOTS:
         QVERIFY(bench.comesToRest());
     }
 
-    // STOP also ends a paused program.
     void aPausedProgramIsEndedByStopAlone() {
         Bench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));

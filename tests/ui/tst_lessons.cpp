@@ -105,7 +105,6 @@ struct Bench : WindowBench {
             .isDone();
     }
     const ChecklistItem& check() { return find<ChecklistItem>("practice.check"); }
-    /// Opens the practice tasks and selects a task.
     void turnTo(PracticeTask task) {
         command("app.practice").trigger();
         for (int i = 0; i < static_cast<int>(kPracticeTasks.size()) &&

@@ -56,7 +56,6 @@ public Q_SLOTS:
 
 Q_SIGNALS:
     void marksChanged();
-    /// The user wants to jog in this frame.
     void jogRequested(const QUuid& frame);
     /// A command needs this tab to be visible.
     void frontWanted();

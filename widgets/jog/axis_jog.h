@@ -29,7 +29,6 @@ struct Deflection {
     bool isNeutral() const { return axes.isZero() && joints.isZero(); }
 };
 
-/// Returns the target velocity for a deflection.
 control::JogTarget deflectionTarget(const JogSelection& selection, const Deflection& deflection,
                                     double factor, const control::MotionLimits& limits);
 

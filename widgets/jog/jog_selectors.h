@@ -58,7 +58,6 @@ public:
 Q_SIGNALS:
     /// Emitted before the selection changes or a menu opens. The current motion must end.
     void changing(tiller::control::StopCause cause);
-    /// The selection has changed.
     void changed();
 
 private:

@@ -143,7 +143,6 @@ Q_SIGNALS:
     void pageChanged();
     /// The robot cannot send the requested number of signals.
     void tooManySignals();
-    /// The user wants to add a note at this time.
     void noteWanted(double time);
 
 protected:

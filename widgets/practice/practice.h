@@ -49,7 +49,6 @@ public:
     QString obstacle() const;
     void start();
     bool isRunning() const { return check_ != nullptr; }
-    /// True if the check of this attempt has passed.
     bool passed() const { return check_ != nullptr && check_->passed(); }
     /// Text of the check, or the reason why there is no check.
     QString text() const;

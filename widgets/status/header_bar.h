@@ -61,7 +61,6 @@ public Q_SLOTS:
     void applyState(const tiller::SessionState& state);
 
 Q_SIGNALS:
-    /// "Connect…" was clicked.
     void connectRequested();
     /// A chip with an arrow was clicked.
     void menuRequested(tiller::HeaderBar::Menu menu);

@@ -102,7 +102,6 @@ public Q_SLOTS:
     /// emitted later.
     bool storePath();
     void showNotice(const Notice& notice);
-    /// Removes the notice with this cause.
     void resolveNotice(const QString& cause);
 
 Q_SIGNALS:

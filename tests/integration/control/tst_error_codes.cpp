@@ -300,8 +300,8 @@ private Q_SLOTS:
     }
 
     void internalIsTheLastCode() {
-        // Values beyond the last code have the name of Internal. If a code is added after Internal, this check fails,
-        // because the loop above would not cover the new code.
+        // Values beyond the last code have the name of Internal. If a code is added after Internal, this
+        // check fails, because the loop above would not cover the new code.
         const int last = static_cast<int>(ErrorCode::Internal);
         QCOMPARE(errorCodeName(static_cast<ErrorCode>(last + 1)), errorCodeName(ErrorCode::Internal));
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Hostile and broken viewers of the live server. The memory and time of each viewer are limited, and the other
-// viewers lose no data.
+// Hostile and broken viewers of the live server. The memory and time of each viewer are limited, and the
+// other viewers lose no data.
 
 #include <QDeadlineTimer>
 #include <QTest>

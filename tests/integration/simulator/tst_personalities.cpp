@@ -118,7 +118,6 @@ private Q_SLOTS:
             serial.toULongLong(&ok);
             QVERIFY(ok);
             seen << serial;
-            // The defaults are valid.
             QVERIFY(simulator::checkSoftware(model.id, simulator::defaultSoftware(model.id)).ok());
         }
         QCOMPARE(seen.size(), qsizetype(robotModels().size()));

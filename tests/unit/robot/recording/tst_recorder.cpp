@@ -451,7 +451,6 @@ void TestRecorder::unwritablePathsAreErrors() {
     const auto started = recorder.start({bench.folder.filePath(name), {}}, bench.receiver);
     QCOMPARE(started.error().code, ErrorCode::FileNotWritable);
     QVERIFY(!started.error().controllerMessage.isEmpty());
-    // Recording can be started again.
     QVERIFY(recorder.start({bench.path(), {"timestamp"}}, bench.receiver).ok());
 }
 

@@ -149,7 +149,6 @@ private Q_SLOTS:
                  (Texts{"[1,1,1,4,5]", "[]", "[1,1,1,4,5]", "[4,5]"}));
         QCOMPARE(messagesOf("l=make_list(0,\"\",3)\nl.extend([\"a\",\"b\"])\nl.remove(0)\ntextmsg(l)"),
                  (Texts{messagesOf("l=[\"b\"]\ntextmsg(l)").front()}));
-        // A list extended by itself.
         QCOMPARE(messagesOf("l=make_list(2,7,4)\nl.extend(l)\ntextmsg(l)"), (Texts{"[7,7,7,7]"}));
         for (const char* wrong :
              {"l.extend([1,2,3,4,5,6])", "l.extend(1)", "l.extend([\"x\"])", "l.remove(5)", "l.remove(-1)",
