@@ -134,7 +134,7 @@ public:
     /// Sets the signals that a client displays, so that fields outside the standard stream are requested.
     /// Replaces the previous signals of this client.
     /// who      address that identifies the client; not accessed
-    /// Returns  false, without change, if the robot cannot send so many signals
+    /// Returns  false, without change, if problem() explains why they cannot be received
     bool want(const void* who, const QSet<int>& shown);
     const QStringList& extraFields() const { return furtherFields_; }
     /// All robot fields of the displayed signals, in alphabetical order.
