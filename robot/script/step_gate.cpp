@@ -28,15 +28,20 @@ QString stepGateScript(int inputRegister) {
         "    end\n"
         "    tiller_begin()\n"
         "  end\n"
+        "  def tiller_stops_here():\n"
+        "    local permitted = tiller_steps_permitted()\n"
+        "    if permitted >= {{UNLIMITED}}:\n"
+        "      permitted = permitted - {{UNLIMITED}}\n"
+        "    end\n"
+        "    return permitted <= tiller_steps_begun\n"
+        "  end\n"
         "  def tiller_break(number):\n"
         "    write_output_integer_register({{STEP}}, number)\n"
-        "    write_output_integer_register({{GATE}}, -1 - tiller_steps_begun)\n"
-        "    local before = tiller_steps_permitted()\n"
-        "    local permitted = before\n"
-        "    while permitted == before or permitted <= tiller_steps_begun:\n"
-        "      before = permitted\n"
-        "      sync()\n"
-        "      permitted = tiller_steps_permitted()\n"
+        "    if tiller_stops_here():\n"
+        "      write_output_integer_register({{GATE}}, -1 - tiller_steps_begun)\n"
+        "      while tiller_stops_here():\n"
+        "        sync()\n"
+        "      end\n"
         "    end\n"
         "    tiller_begin()\n"
         "  end\n"
@@ -51,6 +56,7 @@ QString stepGateScript(int inputRegister) {
         "    return turn\n"
         "  end\n");
     lines.replace(QStringLiteral("{{GATE}}"), QString::number(kGateRegister));
+    lines.replace(QStringLiteral("{{UNLIMITED}}"), QString::number(StepGate::kUnlimited));
     lines.replace(QStringLiteral("{{STEP}}"), QString::number(kStepRegister));
     lines.replace(QStringLiteral("{{INPUT}}"), QString::number(inputRegister));
     return lines;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Pauses a running program between its steps. The program calls tiller_step() at the beginning of each step and
-// tiller_turn() at the beginning of each iteration of its outermost endless loop. Both functions read one integer
-// input register, so the client decides how many steps may begin.
+// Pauses a running program between its steps. The program calls tiller_step() or, at a breakpoint, tiller_break() at
+// the beginning of each step, and tiller_turn() at the beginning of each iteration of its outermost endless loop.
+// The functions read one integer input register, so the client decides how many steps may begin.
 
 #include <QString>
 #include <cstdint>
@@ -21,7 +21,9 @@ inline constexpr int kGateRegister = 46;
 /// Limits the steps that a running program may begin.
 struct StepGate {
     static constexpr std::int32_t kUnlimited = 1'000'000'000;
-    std::int32_t permitted = kUnlimited;  ///< total number of steps that may begin
+    /// Total number of steps that may begin. kUnlimited + n: no limit, but the program stops at each breakpoint
+    /// before which n or more steps have begun.
+    std::int32_t permitted = kUnlimited;
     bool endsWithCycle = false;  ///< the program ends before the next iteration of its outermost endless loop
 
     /// Value of the input register. Never 0, so a register that was not written permits no step.
@@ -29,11 +31,11 @@ struct StepGate {
     bool operator==(const StepGate&) const = default;
 };
 
-/// URScript definitions of the two functions, to be inserted at the beginning of a program.
+/// URScript definitions of the functions, to be inserted at the beginning of a program.
 /// inputRegister  integer register with StepGate::value()
 ///
 /// tiller_step(number)  writes the number to kStepRegister and waits until another step may begin
-/// tiller_break(number) also waits until StepGate::permitted changes, for a step with a breakpoint
+/// tiller_break(number) for a step with a breakpoint: the same, see StepGate::permitted
 /// tiller_turn(turn)    returns `turn`, or ends the program at standstill if it must end with its cycle
 QString stepGateScript(int inputRegister);
 

@@ -248,7 +248,8 @@ QVariant ProgramModel::data(const QModelIndex& index, int role) const {
     const bool hasBreakpoint = breakpoints_.contains(node.step->id);
     switch (role) {
         case Qt::DisplayRole:
-            return isRunning(node) && index.column() == Step     ? QStringLiteral("▶ ") + text()
+            return isRunning(node) && index.column() == Step
+                       ? (hasBreakpoint ? QStringLiteral("● ▶ ") : QStringLiteral("▶ ")) + text()
                    : hasBreakpoint && index.column() == Step     ? QStringLiteral("● ") + text()
                    : node.isMarked() && index.column() != Values ? QStringLiteral("⚠ ") + text()
                                                                  : text();

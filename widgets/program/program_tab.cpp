@@ -347,6 +347,9 @@ void ProgramTab::check() {
         runBar_->setProgram(program_, script_);
     }
     model_->setProblems(script_.problems);
+    if (program != nullptr) {
+        dropImpossibleBreakpoints(*program);
+    }
     const bool isStale = !script_.ok() || previewed_.text != script_.text || !isSameCell(previewedProject_);
     if (isStale) {
         clearPreview();
@@ -539,32 +542,49 @@ void ProgramTab::toggleDisabled() {
 }
 
 void ProgramTab::toggleBreakpoints() {
-    if (checkTimer_.isActive()) {
-        checkTimer_.stop();
-        check();
-    }
+    const program::ProgramScript script = completeScript();
     const QSet<QUuid> ids = tree_->selectedIds();
     const bool add = std::any_of(ids.begin(), ids.end(), [&](const QUuid& id) {
-        return !breakpoints_.contains(id) && script_.canPauseBefore(id);
+        return !breakpoints_.contains(id) && script.canPauseBefore(id);
     });
     if (!add && !breakpoints_.intersects(ids)) {
-        showStatus(script_.ok() ? tr("⚠ The program cannot pause before this step.")
-                                : tr("⚠ Correct the program first."));
+        showStatus(script.ok() ? tr("⚠ The program cannot pause before this step.")
+                               : tr("⚠ Correct the program first."));
         return;
     }
+    QSet<QUuid> changed = breakpoints_;
     for (const QUuid& id : ids) {
         if (!add) {
-            breakpoints_.remove(id);
-        } else if (script_.canPauseBefore(id)) {
-            breakpoints_.insert(id);
+            changed.remove(id);
+        } else if (script.canPauseBefore(id)) {
+            changed.insert(id);
         }
     }
-    model_->setBreakpoints(breakpoints_);
+    setBreakpoints(changed);
+    if (add && runBar_ != nullptr && runBar_->runner().isActive()) {
+        showStatus(tr("New breakpoints take effect at the next start."));
+    }
+}
+
+void ProgramTab::setBreakpoints(const QSet<QUuid>& steps) {
+    breakpoints_ = steps;
+    model_->setBreakpoints(steps);
     if (runBar_ != nullptr) {
-        runBar_->setBreakpoints(breakpoints_);
-        if (add && runBar_->runner().isActive()) {
-            showStatus(tr("New breakpoints take effect at the next start."));
-        }
+        runBar_->setBreakpoints(steps);
+    }
+}
+
+void ProgramTab::dropImpossibleBreakpoints(const project::Program& program) {
+    if (breakpoints_.isEmpty() || !script_.ok()) {
+        return;
+    }
+    const program::ProgramScript script = completeScript();
+    QSet<QUuid> possible = breakpoints_;
+    possible.removeIf([&](const QUuid& id) {
+        return program::findStep(program.steps, id) != nullptr && !script.canPauseBefore(id);
+    });
+    if (possible != breakpoints_) {
+        setBreakpoints(possible);
     }
 }
 

@@ -101,6 +101,9 @@ private:
     void remove();
     void toggleDisabled();
     void toggleBreakpoints();
+    void setBreakpoints(const QSet<QUuid>& steps);
+    /// Removes the breakpoints of steps that were disabled or moved into a section without pauses.
+    void dropImpossibleBreakpoints(const project::Program& program);
     void moveUp();
     void moveDown();
     void nest();

@@ -245,20 +245,22 @@ void ProgramRunner::pause() {
     }
 }
 
+bool ProgramRunner::isAtBreakpoint() const {
+    return log_.isWaiting() && gate_.permitted >= script::StepGate::kUnlimited &&
+           gate_.permitted - script::StepGate::kUnlimited <= log_.begun();
+}
+
 void ProgramRunner::resume() {
-    // A program at a breakpoint waits for a change.
-    const bool changes = gate_.permitted == script::StepGate::kUnlimited;
-    isAtBreakpoint_ = false;
-    setGate({script::StepGate::kUnlimited + (changes ? 1 : 0), gate_.endsWithCycle});
+    const std::int32_t passed = log_.isWaiting() ? log_.begun() + 1 : 0;
+    setGate({script::StepGate::kUnlimited + passed, gate_.endsWithCycle});
 }
 
 void ProgramRunner::setBreakpoints(const QSet<QUuid>& steps) {
     breakpoints_ = steps;
-    resumeAtRemovedBreakpoint();
 }
 
-void ProgramRunner::resumeAtRemovedBreakpoint() {
-    if (isAtBreakpoint_ && log_.step() > 0 &&
+void ProgramRunner::passRemovedBreakpoint() {
+    if (isAtBreakpoint() && log_.step() > 0 &&
         !breakpoints_.contains(script_.steps[static_cast<std::size_t>(log_.step() - 1)].step)) {
         resume();
     }
@@ -266,7 +268,6 @@ void ProgramRunner::resumeAtRemovedBreakpoint() {
 
 void ProgramRunner::step() {
     if (isWaiting()) {
-        isAtBreakpoint_ = false;
         setGate({log_.begun() + 1, gate_.endsWithCycle});
     }
 }
@@ -285,14 +286,13 @@ void ProgramRunner::take(const SampleBatch& batch) {
         log_.add(robot.timestamp(), robot.runtimeState(), robot.outputIntRegister(kStepRegister).value_or(0),
                  robot.outputIntRegister(script::kGateRegister).value_or(0));
     }
-    if (state_ == State::Sending && log_.hasBegun()) {
+    const bool begins = state_ == State::Sending && log_.hasBegun();
+    if (begins) {
         state_ = State::Running;
+    }
+    if (begins || std::tuple(log_.step(), log_.isWaiting(), log_.begun()) != before) {
+        passRemovedBreakpoint();
         Q_EMIT changed();
-    } else if (std::tuple(log_.step(), log_.isWaiting(), log_.begun()) != before) {
-        // The gate permits the step, so the program waits at a breakpoint.
-        isAtBreakpoint_ = log_.isWaiting() && gate_.permitted > log_.begun();
-        Q_EMIT changed();
-        resumeAtRemovedBreakpoint();
     }
 }
 

@@ -90,8 +90,9 @@ public:
     /// Pauses the program at standstill before its next step. The program stays active on the robot.
     void pause();
     void resume();
-    /// Steps before which a program pauses, also in called programs. New ones take effect at the next start; a
-    /// program that waits before a removed one continues.
+    /// Steps before which a program pauses, also in called programs. New breakpoints take effect at the next start.
+    /// A program that already waits at a removed breakpoint waits until resume(). Held programs do not pause,
+    /// because another press would end the hold.
     void setBreakpoints(const QSet<QUuid>& steps);
     /// Runs one step of a waiting program, which then pauses again.
     void step();
@@ -101,7 +102,7 @@ public:
     bool endsWithCycle() const { return gate_.endsWithCycle; }
 
     /// True after pause() or step(), and while the program waits at a breakpoint.
-    bool isPaused() const { return gate_.permitted < script::StepGate::kUnlimited || isAtBreakpoint_; }
+    bool isPaused() const { return gate_.permitted < script::StepGate::kUnlimited || isAtBreakpoint(); }
     /// True if the program is paused and has reached the next step.
     bool isWaiting() const { return state_ == State::Running && isPaused() && log_.isWaiting(); }
     State state() const { return state_; }
@@ -123,7 +124,8 @@ private:
     void follow();
     void finish(const Result<control::MotionProgress>& progress);
     void setGate(const script::StepGate& gate);
-    void resumeAtRemovedBreakpoint();
+    bool isAtBreakpoint() const;
+    void passRemovedBreakpoint();
 
     RobotSession& session_;
     RobotSession::MotionId id_ = 0;
@@ -135,7 +137,6 @@ private:
     StepLog log_;
     script::StepGate gate_;
     QSet<QUuid> breakpoints_;
-    bool isAtBreakpoint_ = false;
     double expected_ = 0;
     SpeedLimits limits_;
 };

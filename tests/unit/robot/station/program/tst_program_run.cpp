@@ -431,10 +431,56 @@ private Q_SLOTS:
         bench.runner.resume();
         QVERIFY(bench.reachStep(4));
         QVERIFY(reach(4));
-        bench.runner.setBreakpoints({id(3)});
-        QVERIFY2(bench.awaitEnd(), "continues at a removed breakpoint");
+        // Removing a breakpoint moves nothing.
+        bench.runner.setBreakpoints({});
+        QVERIFY(reach(4));
+        bench.runner.resume();
+        QVERIFY(bench.awaitEnd());
         QCOMPARE(bench.runner.end(), ProgramRunner::End::Completed);
         QCOMPARE(bench.runner.log().timings()[3].count, 2);
+        // A breakpoint that is removed during a run has no effect, also on the displayed state.
+        bench.runner.setBreakpoints({id(3)});
+        QVERIFY(bench.begin(Holding::Free));
+        bench.runner.setBreakpoints({});
+        int waits = 0;
+        const auto counting = QObject::connect(&bench.runner, &ProgramRunner::changed, &bench.runner,
+                                               [&] { waits += bench.runner.isWaiting() ? 1 : 0; });
+        QVERIFY(bench.awaitEnd());
+        QObject::disconnect(counting);
+        QCOMPARE(bench.runner.end(), ProgramRunner::End::Completed);
+        QCOMPARE(waits, 0);
+    }
+
+    // The robot may reach the breakpoint in the batch of samples in which the run begins.
+    void aRunPausesAtABreakpointOfItsFirstStep() {
+        for (int offset = 0; offset < 8; ++offset) {
+            RunBench bench;
+            QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+            bench.setSteps({step("wait", {{"time", 0.1}}), bench.move("place")});
+            bench.runner.setBreakpoints({bench.plan().script.steps.at(0).step});
+            bench.cell.advanceMs(2 * offset);
+            QVERIFY(bench.begin(Holding::Free));
+            QVERIFY(bench.reachWaiting());
+            QCOMPARE(bench.runner.log().step(), 1);
+            QVERIFY(bench.standstill() == 0 && bench.runner.isWaiting());
+            bench.runner.step();
+            QVERIFY(bench.cell.advanceUntil([&] { return bench.runner.log().begun() == 1; }, kLongMs));
+            QVERIFY(bench.reachWaiting());
+            QCOMPARE(bench.runner.log().step(), 2);
+            bench.runner.stop(StopCause::StopButton);
+            QVERIFY(bench.awaitEnd());
+            // A single step passes the breakpoint, and a held run does not stop there.
+            QVERIFY(bench.begin(Holding::Free, 1));
+            QVERIFY(bench.reachWaiting());
+            QCOMPARE(bench.runner.log().step(), 2);
+            bench.runner.stop(StopCause::StopButton);
+            QVERIFY(bench.awaitEnd());
+            if (offset == 0) {
+                QVERIFY(bench.begin(Holding::Held));
+                QVERIFY(bench.awaitEnd());
+                QCOMPARE(bench.runner.end(), ProgramRunner::End::Completed);
+            }
+        }
     }
 
     void aStopEndsARunAtABreakpoint() {
