@@ -672,11 +672,13 @@ void MainWindow::askForRobot() {
     connect(dialog, &QDialog::accepted, this, [this, dialog] {
         switch (dialog->choice()) {
             case ConnectDialog::Choice::Simulator:
-                connectSimulator();
+                changeRobot([this] { connectSimulator(); });
                 break;
             case ConnectDialog::Choice::Sample:
-                connectSimulator();
-                showSamples();
+                changeRobot([this] {
+                    connectSimulator();
+                    showSamples();
+                });
                 break;
             case ConnectDialog::Choice::Robot:
                 showPreflight(dialog->address());
@@ -894,11 +896,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 void MainWindow::askToEndRecording(const QString& title, const QString& consequence, const QString& button,
                                    const std::function<void()>& then) {
     const QString name = QStringLiteral("recordingQuestion");
-    if (auto* open = findChild<QMessageBox*>(name)) {
-        open->raise();
-        open->activateWindow();
-        return;
-    }
+    delete findChild<QMessageBox*>(name);  // its action is outdated
     auto* question = new QMessageBox(QMessageBox::Question, title, tr("A recording is running."),
                                      QMessageBox::NoButton, this);
     question->setObjectName(name);
@@ -922,8 +920,8 @@ void MainWindow::changeRobot(const std::function<void()>& change) {
         return;
     }
     stopMotion(control::StopCause::DialogOpened);
-    askToEndRecording(tr("Disconnect"), tr("Disconnecting from the robot stops the recording."),
-                      tr("Stop recording and disconnect"), change);
+    askToEndRecording(tr("Change connection"), tr("Changing the connection stops the recording."),
+                      tr("Stop recording and continue"), change);
 }
 
 // ---- commands -----------------------------------------------------------------------------------------------

@@ -168,6 +168,7 @@ private Q_SLOTS:
         QVERIFY(active());
         QVERIFY(!bench.window.close());
         QCOMPARE(bench.window.findChildren<QMessageBox*>("recordingQuestion").size(), 1);
+        question = bench.window.findChild<QMessageBox*>("recordingQuestion");
         QTest::keyClick(question, Qt::Key_Escape);
         QTRY_VERIFY_WITH_TIMEOUT(bench.window.findChild<QMessageBox*>("recordingQuestion") == nullptr,
                                  60'000);
@@ -175,9 +176,11 @@ private Q_SLOTS:
 
         // A change of the connection asks as well.
         for (const char* action : {"robot.disconnect", "robot.simulator"}) {
+            (void)bench.window.close();  // replaced by the next question
             bench.window.actions().find(QLatin1String(action))->trigger();
+            QCOMPARE(bench.window.findChildren<QMessageBox*>("recordingQuestion").size(), 1);
             question = bench.window.findChild<QMessageBox*>("recordingQuestion");
-            QVERIFY2(question != nullptr, action);
+            QVERIFY2(question != nullptr && question->windowTitle() == "Change connection", action);
             QTest::keyClick(question, Qt::Key_Escape);
             QTRY_VERIFY_WITH_TIMEOUT(bench.window.findChild<QMessageBox*>("recordingQuestion") == nullptr,
                                      60'000);

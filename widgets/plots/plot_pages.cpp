@@ -134,7 +134,10 @@ void PlotPages::dropRecordings() {
         PageLayout page = view->page();
         const bool had = takeRecordingsFrom(page);
         view->setPage(page);
-        if (had && std::all_of(page.panes.begin(), page.panes.end(), [](const PaneLayout& pane) {
+        const bool isNamed =
+            !page.name.isEmpty() && store_.recorded(page.name) == nullptr;  // by the operator
+        if (had && !isNamed && page.lanes.isEmpty() &&
+            std::all_of(page.panes.begin(), page.panes.end(), [](const PaneLayout& pane) {
                 return pane.shown.isEmpty() && pane.hidden.isEmpty();
             })) {
             removePage(i);

@@ -34,7 +34,8 @@ public:
     void addPage();
     /// Returns  false, without adding a page, if the limit is reached
     bool addPage(const PageLayout& page);
-    /// Removes all signals of recordings, and the pages that showed nothing else.
+    /// Removes all signals of recordings, and the pages that showed nothing else,
+    /// except pages with another name.
     void dropRecordings();
     /// Removes a page. The last remaining page is reset to the standard plots instead.
     void removePage(int page);

@@ -61,6 +61,10 @@ public:
         if (file_.size() > 0 && !file_.resize(0)) {
             return fileError(file_, errno, file_.errorString());
         }
+#ifndef _WIN32
+        struct stat status {};
+        hasLink_ = ::fstat(file_.handle(), &status) == 0 && status.st_nlink > 0;
+#endif
         return syncFolder();
     }
 
@@ -82,7 +86,9 @@ public:
                            : Result<void>();
     }
 
-    void cut(std::int64_t bytes) override { file_.resize(bytes); }
+    void cut(std::int64_t bytes) override {
+        file_.resize(bytes);
+    }
 
     Result<void> close() override {
         if (!file_.isOpen()) {
@@ -103,7 +109,7 @@ private:
         return false;  // an open file cannot be deleted
 #else
         struct stat status {};
-        return ::fstat(file_.handle(), &status) == 0 && status.st_nlink == 0;
+        return hasLink_ && ::fstat(file_.handle(), &status) == 0 && status.st_nlink == 0;
 #endif
     }
 
@@ -138,6 +144,7 @@ private:
     }
 
     QFile file_;
+    bool hasLink_ = false;  ///< false on file systems without link counts
 };
 
 }  // namespace

@@ -131,7 +131,9 @@ void RobotOutputs::followControl() {
         }
         return;
     }
-    heldByControl_ = false;
+    if (heldPulses_ > 0) {
+        usedNs_ = nowNs;
+    }
     if (!releasing_ && nowNs - usedNs_ >= kUnusedNs && d_.link->outputs->isConnected()) {
         release();
     }
@@ -140,10 +142,14 @@ void RobotOutputs::followControl() {
 void RobotOutputs::release() {
     // Another client may need the inputs that this connection claims.
     releasing_ = true;
+    heldByControl_ = false;
     holders_ = {};
     d_.worker.post(&session_, [this, outputs = d_.link->outputs](const CancelToken&) {
         outputs->disconnect();
-        return std::function<void()>([this] { releasing_ = false; });
+        return std::function<void()>([this] {
+            releasing_ = false;
+            holders_ = {};
+        });
     });
 }
 
@@ -171,6 +177,7 @@ void RobotOutputs::forget() {
     holders_ = {};
     heldByControl_ = false;
     releasing_ = false;
+    heldPulses_ = 0;
     pulses_.clear();
     sliderBusy_ = false;
     sliderWanted_.reset();
@@ -240,6 +247,7 @@ void RobotOutputs::setDigitalOutputs(std::uint32_t mask, std::uint32_t values, c
     }
     usedNs_ = d_.clock->nowNs();
     SerialExecutor& worker = order.pulse ? d_.pulses : d_.worker;
+    heldPulses_ += order.pulse ? 1 : 0;
     worker.post(&session_, [this, generation = d_.generation, mask, values, done, order, clock = d_.clock,
                             link = PulseLink{d_.link->controller, d_.link->receiver, d_.link->outputs}](
                                const CancelToken& token) {
@@ -254,6 +262,7 @@ void RobotOutputs::setDigitalOutputs(std::uint32_t mask, std::uint32_t values, c
                                                                    Deadline::after(kConfirmTime, either));
         }
         return std::function<void()>([this, generation, done, order, result] {
+            heldPulses_ -= order.pulse && generation == d_.generation ? 1 : 0;
             if (result || result.error().code != ErrorCode::Cancelled) {
                 report(generation, done, result);
             }

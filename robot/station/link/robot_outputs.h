@@ -103,6 +103,7 @@ private:
     std::int64_t usedNs_ = 0;     ///< time of the last command or of the last frame in control
     bool heldByControl_ = false;  ///< claimed since control was taken
     bool releasing_ = false;
+    int heldPulses_ = 0;  ///< pulses that are still running and restore their outputs at the end
     std::optional<double> sliderWanted_;  ///< newest request while another is executed
     bool sliderBusy_ = false;
     std::optional<double> sliderLogged_;  ///< last logged value

@@ -118,18 +118,19 @@ void RobotServices::stopPrograms(control::StopCause cause, std::uint64_t epoch) 
         return;
     }
     const SessionState now = d_.stateNow();
-    if (!now.isFresh()) {
-        Q_EMIT session_.message(
-            Severity::Error,
-            tr("The robot does not respond, so a stop may not reach it. Press the emergency stop if "
-               "the arm must stop."));
-    }
     if (ExternalProgramStopper::isMeant(cause, now)) {
         stopOnEveryRoute(cause);
     } else if (now.control == ControlState::InControl && unconfirmed_) {
         unconfirmed_->confirmation.repeat(epoch);
     } else if (now.control == ControlState::InControl) {
         unconfirmed_ = {cause, control::StopConfirmation(epoch, d_.stopEvidence())};
+    }
+    // The last step, because connected slots may take time.
+    const bool isControlAlive = now.control == ControlState::InControl && d_.stopEvidence().inControl;
+    if (!now.isFresh() && !isControlAlive && !std::exchange(hasReportedSilence_, true)) {
+        Q_EMIT session_.message(Severity::Error,
+                                tr("The robot sends no data, so a stop may not reach the robot. Press the "
+                                   "emergency stop if the arm must stop."));
     }
 }
 
@@ -146,6 +147,7 @@ bool RobotServices::stopsForeignProgramsAtOnce() const {
 
 void RobotServices::followForeignStop(const SampleBatch& batch) {
     using Verdict = control::StopConfirmation::Verdict;
+    hasReportedSilence_ = hasReportedSilence_ && !d_.state.isFresh();
     if (const auto verdict =
             unconfirmed_ ? unconfirmed_->confirmation.look(d_.stopEvidence()) : Verdict::Waiting;
         verdict == Verdict::EveryRoute) {

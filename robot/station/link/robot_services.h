@@ -67,8 +67,9 @@ private:
     std::optional<Unconfirmed> unconfirmed_;
     std::int64_t reportAskedNs_ = 0;
     bool reportAsked_ = false;
-    bool remoteSeen_ = false;   ///< the robot was in Remote control at the last query
-    bool primarySeen_ = false;  ///< the primary interface was connected in the last frame
+    bool remoteSeen_ = false;          ///< the robot was in Remote control at the last query
+    bool hasReportedSilence_ = false;  ///< a stop without data was reported in this outage
+    bool primarySeen_ = false;         ///< the primary interface was connected in the last frame
 };
 
 }  // namespace tiller

@@ -757,16 +757,19 @@ void RobotSession::reportChanges() {
 
 void RobotSession::reportExternalProgram() {
     const SessionState& state = d_->state;
+    // Tiller's own program also stops or pauses after a loss of control. Only a program that plays without control
+    // belongs to another client.
     const bool runs = state.isFresh() && !d_->takingControl && state.foreignProgramRuns() &&
-                      !state.programAbandoned && !state.controlInDoubt;
+                      !state.programAbandoned && !state.controlInDoubt &&
+                      (state.runtimeState == RuntimeState::Playing || d_->externalRunSeen);
     if (!state.foreignProgramRuns()) {
         d_->changesConfirmed = false;
     }
     if (!state.isFresh()) {
         return;
     }
-    reportEndOfExternalProgram(
-        runs || (state.runtimeState == RuntimeState::Paused && state.control != ControlState::InControl));
+    reportEndOfExternalProgram(runs || (d_->externalExists && state.runtimeState == RuntimeState::Paused &&
+                                        state.control != ControlState::InControl));
     if (runs == d_->externalRunSeen) {
         return;
     }
@@ -792,9 +795,9 @@ void RobotSession::reportEndOfExternalProgram(bool exists) {
     } else if (std::exchange(d_->externalExists, false)) {
         d_->externalEndNs = nowNs;
     }
-    if (d_->externalEndNs && nowNs - *d_->externalEndNs >= kEndedNs) {
+    if (d_->externalEndNs && nowNs - *d_->externalEndNs >= kEndedNs && !d_->takingControl) {
         d_->externalEndNs.reset();
-        if (d_->state.control != ControlState::InControl && !d_->takingControl) {
+        if (d_->state.control != ControlState::InControl) {
             Q_EMIT message(Severity::Info, tr("The program of the other client has ended."), Origin::Robot);
         }
     }

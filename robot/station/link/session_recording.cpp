@@ -2,6 +2,7 @@
 #include "robot/station/link/session_recording.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "robot/dashboard/robot_identity.h"
 #include "robot/receive/field_info.h"
@@ -16,6 +17,7 @@ namespace tiller {
 namespace {
 
 constexpr std::chrono::seconds kIdentityWait{2};
+constexpr std::chrono::seconds kDataWait{5};
 
 }  // namespace
 
@@ -81,7 +83,7 @@ std::shared_ptr<receive::Receiver> SessionRecording::receiverFor(const std::vect
                 .arg(missing.join(QStringLiteral(", "))));
     }
     auto another = std::make_shared<receive::Receiver>(options);
-    static_cast<void>(another->start());  // cannot fail, because all fields are in the catalogue
+    static_cast<void>(another->start());  // cannot fail, because start() has checked the names
     return another;
 }
 
@@ -113,19 +115,24 @@ void SessionRecording::start(const RecordingOrder& order) {
             options.fields.push_back(name);
         }
     }
+    if (const QStringList unknown = receive::unknownOutputs(options.fields); !unknown.isEmpty()) {
+        Q_EMIT session_.message(Severity::Error, texts::errorText({ErrorCode::FieldUnknown, order.path,
+                                                                   unknown.join(QStringLiteral("; "))}));
+        return;
+    }
     const std::shared_ptr<receive::Receiver> source = receiverFor(options.fields);
-    std::erase_if(options.fields,
-                  [&source](const std::string& field) { return source->layout()->find(field) == nullptr; });
-    contained_.clear();
-    if (everyField) {
-        options.fields.clear();
-        for (const receive::SampleLayout::Entry& entry : source->layout()->entries()) {
-            contained_ << QString::fromStdString(entry.name);
+    const auto recordableFrom = [wanted = options.fields, everyField](const receive::SampleLayout& layout) {
+        std::vector<std::string> fields;
+        for (const receive::SampleLayout::Entry& entry : layout.entries()) {
+            fields.push_back(entry.name);
         }
-    }
-    for (const std::string& field : options.fields) {
-        contained_ << QString::fromStdString(field);
-    }
+        if (!everyField) {
+            fields = wanted;
+            std::erase_if(fields,
+                          [&layout](const std::string& field) { return layout.find(field) == nullptr; });
+        }
+        return fields;
+    };
     recording::McapFormatOptions extras;
     extras.facts["robot"] = d_.address.host.toStdString();
     extras.facts["software"] = toString(receiver.version());
@@ -134,10 +141,21 @@ void SessionRecording::start(const RecordingOrder& order) {
     extras.attachment = project_.toStdString();
     // File access may be slow, so the file worker opens and closes the file. Until then, the subscription
     // keeps the samples.
-    d_.files.post(&session_, [this, options, extras, &format, robot = d_.address,
+    d_.files.post(&session_, [this, options, extras, &format, robot = d_.address, recordableFrom,
                               isCb3 = receiver.version().isCb3(), stream = source->subscribe(), source,
-                              isOwn = source != d_.link->receiver](const CancelToken& cancel) {
+                              link = d_.link->receiver,
+                              linkStream = d_.link->receiver->subscribe()](const CancelToken& cancel) {
         recording::RecorderOptions chosen = options;
+        // Without a second connection, the fields of the link are recorded.
+        const bool isOwn = source != link && source->waitForData(Deadline::after(kDataWait, cancel)).ok();
+        const auto layout = isOwn ? source->layout() : link->layout();
+        chosen.fields = recordableFrom(*layout);
+        QStringList missing;
+        for (const std::string& field : options.fields) {
+            if (layout->find(field) == nullptr && source->layout()->find(field) != nullptr) {
+                missing << QString::fromStdString(field);
+            }
+        }
         recording::McapFormatOptions facts = extras;
         if (format.isComplete) {
             const auto identity = dashboard::askIdentity(robot.host, robot.portOffset, isCb3,
@@ -146,15 +164,25 @@ void SessionRecording::start(const RecordingOrder& order) {
             facts.facts["serial_number"] = identity.serialNumber.toStdString();
         }
         chosen.format = format.recorder(facts);
-        const Result<void> result = d_.recorder.start(chosen, stream, source->layout());
+        const Result<void> result = d_.recorder.start(chosen, isOwn ? stream : linkStream, layout);
         if (result) {
             d_.recorderReceiver = isOwn ? source : nullptr;
         }
-        return std::function<void()>([this, path = options.path, result] {
+        return std::function<void()>([this, path = options.path, result, missing, fields = chosen.fields] {
             if (result) {
                 wasRecording_ = true;
                 reportedNotes_ = false;
+                contained_ = missing;
+                for (const std::string& field : fields) {
+                    contained_ << QString::fromStdString(field);
+                }
                 Q_EMIT session_.message(Severity::Info, tr("Recording to %1").arg(path), Origin::Operator);
+                if (!missing.isEmpty()) {
+                    Q_EMIT session_.message(
+                        Severity::Warning,
+                        tr("Not recorded, because the robot does not accept a second connection: %1")
+                            .arg(missing.join(QStringLiteral(", "))));
+                }
             } else {
                 Q_EMIT session_.message(Severity::Error, texts::errorText(result.error()));
             }
@@ -164,13 +192,15 @@ void SessionRecording::start(const RecordingOrder& order) {
 }
 
 void SessionRecording::stop() {
-    wasRecording_ = false;
-    d_.files.post(&session_, [this](const CancelToken&) {
-        if (d_.recorder.progress().state != recording::RecorderState::Recording) {
-            return std::function<void()>();
-        }
+    d_.files.post(&session_, [this, was = std::exchange(wasRecording_, false)](const CancelToken&) {
+        const recording::RecorderState state = d_.recorder.progress().state;
         d_.recorder.stop();
         d_.recorderReceiver.reset();
+        // A failure may not have been reported yet.
+        if (state != recording::RecorderState::Recording &&
+            !(was && state == recording::RecorderState::Failed)) {
+            return std::function<void()>();
+        }
         return std::function<void()>([this] {
             const recording::RecorderProgress progress = d_.recorder.progress();
             if (progress.state == recording::RecorderState::Finished) {
@@ -179,8 +209,8 @@ void SessionRecording::stop() {
                                             .arg(d_.recorder.path()));
                 if (progress.lost > 0) {
                     Q_EMIT session_.message(Severity::Warning,
-                                            tr("The recording has gaps: %n packets were not received.",
-                                               nullptr, static_cast<int>(progress.lost)));
+                                            tr("The recording has gaps: %n packets are missing.", nullptr,
+                                               static_cast<int>(progress.lost)));
                 }
             } else if (progress.state == recording::RecorderState::Failed) {
                 Q_EMIT session_.message(Severity::Error, texts::errorText(d_.recorder.error()));
@@ -217,7 +247,11 @@ void SessionRecording::reportFailure() {
     }
     if (wasRecording_ && !d_.state.recording.error.isEmpty()) {
         wasRecording_ = false;
-        d_.files.postCleanup([&backend = d_] { backend.recorderReceiver.reset(); });
+        d_.files.postCleanup([&backend = d_] {
+            if (backend.recorder.progress().state != recording::RecorderState::Recording) {
+                backend.recorderReceiver.reset();
+            }
+        });
         Q_EMIT session_.message(Severity::Error, d_.state.recording.error);
     }
 }

@@ -132,7 +132,7 @@ private Q_SLOTS:
         QVERIFY(bench.cell.robot.inject("link lost").ok());
         QVERIFY(bench.withoutData([&] { return bench.state().link == LinkState::Lost; }));
         bench.session.stop(StopCause::StopButton);
-        QVERIFY2(!messages.filter("may not reach it").isEmpty(), "at once, not after the timeouts");
+        QVERIFY2(!messages.filter("may not reach the robot").isEmpty(), "at once, not after the timeouts");
         QVERIFY(bench.withoutData([&] { return !messages.filter("could not be stopped").isEmpty(); }));
         QVERIFY(bench.runs());
         // Wait until the threads that expect replies have reset their connections.
