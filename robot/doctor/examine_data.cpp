@@ -25,8 +25,8 @@ constexpr double kLookSeconds = 0.5;
 /// Below this fraction of the expected packages, the data rate is not sufficient for control.
 constexpr double kMinShare = 0.9;
 /// The registers used by control.script, counted from the start of a range.
-constexpr int kIntRegisters = 5;
-constexpr int kDoubleRegisters = 12;
+constexpr int kIntRegisters = 11;
+constexpr int kDoubleRegisters = 18;
 
 std::vector<std::string> registersFrom(int first) {
     std::vector<std::string> names;

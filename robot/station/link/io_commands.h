@@ -10,7 +10,7 @@
 
 namespace tiller {
 
-/// A general purpose input register, and a value that a robot program can read from it. Integers 24-33 and
+/// A general purpose input register, and a value that a robot program can read from it. Integers 24-34 and
 /// doubles 24-41 are reserved for the control program and other channels of this interface.
 struct RegisterValue {
     enum class Kind { Int, Double, Bit };
@@ -18,7 +18,7 @@ struct RegisterValue {
     int number = 0;
     double value = 0;
 
-    static constexpr int first(Kind kind) { return kind == Kind::Int ? 34 : kind == Kind::Double ? 42 : 64; }
+    static constexpr int first(Kind kind) { return kind == Kind::Int ? 35 : kind == Kind::Double ? 42 : 64; }
     static constexpr int last(Kind kind) { return kind == Kind::Bit ? 127 : 47; }
 };
 
