@@ -2,7 +2,7 @@
 #pragma once
 
 // Limits the number of displayed controller messages. A defective controller, or a program that opens popups
-// or writes text in a loop, can send more messages than a person can read or a window can lay out.
+// or writes text in a loop, can send more messages than a user can read or a window can display.
 
 #include <array>
 #include <cstdint>
@@ -14,11 +14,11 @@
 namespace tiller::script {
 
 struct MessageLimits {
-    double burst = 100;     ///< messages of one kind that pass immediately
-    double perSecond = 20;  ///< per kind, after the burst is used up [1/s]
+    double burst = 100;     ///< messages of each kind that pass before the rate limit applies
+    double perSecond = 20;  ///< rate limit of each kind [1/s]
 };
 
-/// Each kind of message has its own budget, so that a flood of popups does not hide errors.
+/// Each kind of message has a separate budget, so that a flood of popups does not hide errors.
 /// Threads  one
 class MessageLimiter {
 public:
@@ -27,8 +27,8 @@ public:
     /// Removes the messages beyond the budget of their kind and keeps the order of the others.
     /// nowNs  monotonic time
     void limit(std::vector<ControllerMessage>& messages, std::int64_t nowNs);
-    /// Returns the number of messages removed since the last nonzero count, including those passed to
-    /// setDropped(). Nonzero at most once per second; 0 in between.
+    /// Returns the number of messages removed since the last nonzero result, including those passed to
+    /// setDropped(). The result is nonzero at most once per second.
     std::uint64_t takeRemoved(std::int64_t nowNs);
     /// total  number of messages dropped by the source so far
     void setDropped(std::uint64_t total);

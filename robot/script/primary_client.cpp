@@ -17,12 +17,11 @@ using std::chrono::milliseconds;
 
 namespace {
 
-/// A controller sends about 20 kB/s. Data beyond 100 times this rate remain in the TCP buffers, which slows
-/// down the sender, so that a flood of data does not occupy a whole CPU.
+/// Limits the read rate to 100 times the 20 kB/s of a controller. Data beyond this rate remain in the TCP
+/// buffers and slow down the sender, so that a flood of data does not occupy a whole CPU core.
 class ReadPace {
 public:
     void take(std::size_t bytes) { taken_ += bytes; }
-    /// Returns the pause before the next read.
     milliseconds pause() {
         const auto now = std::chrono::steady_clock::now();
         if (now >= end_) {

@@ -20,10 +20,10 @@ namespace {
 
 constexpr int kReadOnlySocket = 210;
 constexpr std::int64_t kAskForNs = 2 * kNsPerSecond;
-/// A controller reports a stop within two robot states, 100 ms apart.
+/// Interval between requests. A controller reports a stop within two robot states, which are 100 ms apart.
 constexpr std::int64_t kAskAgainNs = 300 * kNsPerMs;
 constexpr milliseconds kConnectTime(1000);
-/// For the second connection of a stop. The existing connection is not read while the second one is opened.
+/// Time limit for opening the second connection of a stop. Meanwhile, the existing connection is not read.
 constexpr milliseconds kSecondConnectTime(300);
 
 }  // namespace
@@ -95,8 +95,8 @@ void ProgramStopper::Private::look() {
     if (!asked) {
         return;
     }
-    constexpr int kRefusals =
-        2;  // the first one may come from a connection opened before the switch to Remote
+    // The first refusal may concern a connection opened before the switch to Remote.
+    constexpr int kRefusals = 2;
     if (refusals >= kRefusals) {
         settle({ErrorCode::RemoteControlRequired, context(),
                 QStringLiteral(
@@ -115,7 +115,7 @@ void ProgramStopper::Private::hear(PrimaryParser& parser, std::uint64_t& package
     for (const ControllerMessage& message : parser.takeMessages()) {
         if (waits && !renew && message.kind == MessageKind::ErrorCode && message.code == kReadOnlySocket) {
             ++refusals;
-            sent = false;  // answered
+            sent = false;  // the request was refused
             renew = true;
         }
     }
@@ -223,8 +223,9 @@ Error ProgramStopper::Private::listen(Descriptor descriptor) {
             goesOn = goesOn && !renew;
         }
     }
-    // When a lost connection works again, the operating system would deliver a request that it still holds, and stop
-    // whatever runs at that time. A reset discards it. If the request continues, it is sent on the next connection.
+    // If a lost connection recovers, the operating system would deliver a buffered request, which would stop
+    // the program running at that time. A reset discards the buffered request. If the stop is still wanted,
+    // the request is sent on the next connection.
     bool reset = false;
     {
         const std::lock_guard lock(mutex);
@@ -243,7 +244,7 @@ Error ProgramStopper::Private::listen(Descriptor descriptor) {
 }
 
 bool ProgramStopper::Private::pauseFor(milliseconds time) {
-    // This pause is short because the robot may become reachable at any time while a stop is requested.
+    // Short, because the robot may become reachable at any time while a stop is requested.
     constexpr milliseconds kWhileAsked(50);
     std::unique_lock lock(mutex);
     const auto wanted = [this] { return thread.cancel.isCancelled() || renew; };

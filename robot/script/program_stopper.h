@@ -7,9 +7,9 @@
 // of control::Controller are stopped by Controller::stop() instead.
 //
 // A robot in Local control refuses this command, like all commands on this interface; use the pendant in this
-// case. A connection opened in Local control is refused even after the switch to Remote, so a refusal is
-// followed by another attempt on a new connection. If the primary interface is disabled, use DashboardClient
-// or RobotService::perform(StopProgram). Callers that must be sure use both.
+// case. Commands on a connection opened in Local control are refused even after the switch to Remote, so a
+// refusal is followed by another attempt on a new connection. If the primary interface is disabled, use
+// DashboardClient or RobotService::perform(StopProgram). Use both if the stop is critical.
 //
 // Source: Universal Robots client library ("stop program" on port 30001; a socket opened in Local stays
 // read-only). It is not known whether a real controller in Local accepts this command as an exception.
@@ -31,8 +31,8 @@ struct ProgramStopperOptions {
 };
 
 /// Owns one thread with normal priority, started by start() and ended by end() or the destructor. The thread
-/// opens the connection and reads it. It retries after 0.5, 1, 2, 5, 5 ... s, or immediately while a stop is
-/// requested. A mutex, never locked while waiting, protects the socket and the request.
+/// opens the connection and reads from it. It retries after 0.5, 1, 2, 5, 5 ... s, or immediately while a
+/// stop is requested. A mutex, never locked while waiting, protects the socket and the request.
 class ProgramStopper {
 public:
     explicit ProgramStopper(const ProgramStopperOptions& options);

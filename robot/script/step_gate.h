@@ -10,8 +10,8 @@
 
 namespace tiller::script {
 
-/// Output integer register in which a program of a project writes the number of its step. The control program
-/// does not use this register.
+/// Output integer register to which a project's program writes the number of the current step. The control
+/// program does not use this register.
 inline constexpr int kStepRegister = 47;
 
 /// Output integer register with the number of steps that have begun, n, while the program runs, and -1 - n

@@ -18,7 +18,7 @@ namespace tiller::script {
 /// Input registers for the heartbeat of a client.
 struct Heartbeat {
     int number = 0;  ///< integer register whose value differs in every packet
-    /// Another integer register and its reference value.
+    /// An integer register and a reference value.
     struct Expected {
         int number = 0;
         std::int32_t value = 0;
@@ -27,7 +27,7 @@ struct Heartbeat {
     std::optional<Expected> session = {};
     /// A larger value in this register ends the program immediately.
     std::optional<Expected> lastEpoch = {};
-    /// Output register that is 0 at the start of the program. It is set to this value if the heartbeat is
+    /// The program sets this output register to 0 at the start, and to this value if the heartbeat is
     /// missing, so that a running client can read why the program ended.
     std::optional<Expected> expired = {};
     std::chrono::milliseconds timeout{0};  ///< maximum time without a heartbeat
@@ -50,14 +50,14 @@ struct SupervisedProgram {
 ///
 /// On expiry, the thread calls `halt`. It cannot call `stopj` while another thread moves the arm ("another
 /// thread is already controlling the robot"), whereas any thread of a program can call `halt`. The controller
-/// determines the deceleration. `rtde_set_watchdog` has the same effect from outside of the program, with a
+/// determines the deceleration. `rtde_set_watchdog` has the same effect from outside the program, with a
 /// 50 % longer timeout, for programs that block their other threads.
 /// Source   URScript halt, rtde_set_watchdog
 SupervisedProgram supervised(const QString& program, const Heartbeat& heartbeat,
                              const SoftwareVersion& version);
 /// Returns only the watchdog thread, for programs that are assembled elsewhere.
 QString watchdogScript(const Heartbeat& heartbeat, const SoftwareVersion& version);
-/// Returns the program without a watchdog. It continues to run without its client.
+/// Returns the program without a watchdog. The program continues to run without its client.
 SupervisedProgram unsupervised(const QString& program);
 
 /// Prefix of all names in the inserted lines.

@@ -29,7 +29,7 @@ inline constexpr std::array<std::chrono::milliseconds, 4> kReconnectDelays{
     std::chrono::milliseconds(5000)};
 
 /// A controller sends its state ten times per second. After this time without data, the connection is closed.
-/// TCP does not report that the controller has dropped the connection or is not reachable.
+/// TCP does not report that the controller has dropped the connection or has become unreachable.
 inline constexpr std::chrono::milliseconds kPrimaryTimeout(2500);
 
 /// Ends any running program.
@@ -37,9 +37,8 @@ inline constexpr std::string_view kStopProgram = "stop program\n";
 
 native_socket::Transfer sendStopProgram(native_socket::Descriptor descriptor);
 
-/// The thread of a client. To end it, the token is cancelled and `changed`, on which the thread waits, is
-/// notified.
-/// Threads  one for begin() and end()
+/// The thread of a client. end() cancels the token and notifies `changed`, on which the thread waits.
+/// Threads  begin() and end(): one at a time
 class ListenerThread {
 public:
     /// mutex, changed  members of the client that must outlive this object

@@ -192,7 +192,7 @@ bool PrimaryParser::subPackage(std::uint8_t type, std::span<const std::uint8_t> 
         readSix(in, dh.d);
         readSix(in, dh.alpha);
         readSix(in, dh.theta);
-        // The values of KinematicsInfo have priority, regardless of the order.
+        // The values of KinematicsInfo have priority, regardless of the order of the packages.
         if (!calibrated_) {
             next.dh = dh;
         }

@@ -17,8 +17,8 @@ namespace tiller::script {
 class PrimaryParser {
 public:
     /// Processes received bytes, regardless of how they are segmented.
-    /// Returns  false for an invalid length field: the start of the next package is unknown, and a new
-    /// connection is needed (call reset() first)
+    /// Returns  false for an invalid length field. The start of the next package is then unknown: call
+    /// reset() and open a new connection.
     bool feed(std::span<const std::uint8_t> bytes, std::int64_t hostTimeNs);
     /// Discards an incomplete package. Call this function for a new connection.
     void reset();
