@@ -45,7 +45,7 @@ struct Connection::State {
         }
     }
 
-    // When a connection breaks, both the reader and the writer may detect it.
+    // Thread-safe, because both the reader and the writer may detect a broken connection.
     void failWith(ErrorCode code, const QString& what) { keep({code, peer, what}); }
     void keep(const Error& reason) {
         const std::lock_guard lock(errorMutex);
@@ -252,7 +252,7 @@ Connection::Read Connection::readWire(ByteView& wire, nanoseconds atMost,
         if (timeIsUp) {
             return Read::Nothing;
         }
-        // Waiting before reading costs two system calls per package; the opposite order would cost three.
+        // Waiting before reading costs two system calls per package. Reading first would cost three.
         if (!onlyLook) {
             const auto left = end - std::chrono::steady_clock::now();
             if (left.count() <= 0 || !native_socket::waitReadable(d.socket, left, waker)) {

@@ -22,7 +22,7 @@ const char* prefix(Direction registers) {
     return registers == Direction::Output ? "output_" : "input_";
 }
 
-/// Built once; `names` owns the register names.
+/// Built once. `names_` owns the register names.
 class Catalogue {
 public:
     Catalogue() {
@@ -59,7 +59,7 @@ private:
         into.push_back({names_.back().c_str(), type, "", meaning, direction, since});
     }
 
-    /// direction  of the transmission
+    /// direction  direction of transmission
     /// registers  whether input or output registers are described
     void addRegisters(std::vector<Field>& into, Direction direction, Direction registers) {
         const Since lowBits = registers == Direction::Output ? Since{} : kSince34;

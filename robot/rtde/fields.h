@@ -3,7 +3,7 @@
 
 // The catalogue of RTDE fields: all outputs a controller can send and all inputs a client can set, with type,
 // unit, description and the first software version. The catalogue is informative; the setup reply of a robot
-// determines whether it has a field. Source: RTDE guide. Fields added by newer software are marked as
+// determines whether the field exists. Source: RTDE guide. Fields added by newer software are marked as
 // unconfirmed.
 
 #include <cstdint>
@@ -43,8 +43,8 @@ struct Field {
     }  ///< Number of values in the field: 1, 3 or 6.
     /// Compares `version` with the first and last software version of the field.
     bool isAvailableOn(const SoftwareVersion& version) const;
-    /// Like the function above, but if the first version is not documented, uses the latest one consistent
-    /// with the sources.
+    /// Like isAvailableOn(), but if the first version is not documented, uses the version of the clients that
+    /// list the field.
     bool isListedOn(const SoftwareVersion& version) const;
 };
 

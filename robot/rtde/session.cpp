@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kTextsKept = 32;
 
-/// A message has no space for all registers of a range.
+/// At most three names, because all registers of a range would be too long for a message.
 QString listed(const std::vector<std::string>& names) {
     constexpr std::size_t kShown = 3;
     const auto shown =
@@ -167,7 +167,8 @@ void Session::onProtocol(ByteView payload, Bytes& out) {
         writeProtocolRequest(out, askedProtocol_);
         return;
     }
-    // The controller refused version 1, which is the default of a connection without an agreed version.
+    // If the controller has refused version 1 too, continue, because version 1 is the default without
+    // negotiation.
     state_ = State::AskingVersion;
     writeVersionRequest(out);
 }
@@ -325,7 +326,7 @@ void Session::fail(ErrorCode code, const QString& context, const QString& messag
 void Session::keepText(const PackageView& package) {
     auto text = readControllerText(package.payload, protocol_);
     if (!text && protocol_ == ProtocolVersion::V2) {
-        // The message was sent before version 2 was agreed.
+        // The message may have been sent before version 2 was negotiated.
         text = readControllerText(package.payload, ProtocolVersion::V1);
     }
     if (!text) {

@@ -22,8 +22,8 @@ namespace tiller::rtde {
 /// One input recipe to set up.
 struct InputRequest {
     std::vector<std::string> names;
-    /// Behaviour if another client or a fieldbus uses one of the names: true fails the session with
-    /// RegisterInUse; false marks only this recipe as invalid (see Session::inUse).
+    /// If another client or a fieldbus uses one of the names: true fails the session with RegisterInUse,
+    /// false marks only this recipe as invalid (see Session::inUse()).
     bool required = true;
 };
 

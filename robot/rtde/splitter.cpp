@@ -8,7 +8,7 @@
 
 namespace tiller::rtde {
 
-// Twice the largest package, so that the rest of a package always fits after compacting.
+// Twice the largest package, so that after compacting, the remaining bytes of a package always fit.
 PackageSplitter::PackageSplitter(std::size_t limit)
     : limit_(std::clamp(limit, kHeaderSize, kMaxPackageSize)), buffer_(2 * limit_) {}
 
@@ -91,7 +91,7 @@ void PackageSplitter::compact() {
     if (begin_ == 0) {
         return;
     }
-    // Compacting is cheap when few bytes remain, and only necessary when the free space at the end is short.
+    // Move the remaining bytes only if a complete package might not fit in the free space at the end.
     const std::size_t left = end_ - begin_;
     if (left == 0) {
         begin_ = end_ = 0;
