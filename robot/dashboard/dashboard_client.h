@@ -33,8 +33,8 @@ struct ProgramState {
 /// Errors   of every call: NotConnected, ConnectionClosed, Timeout (no reply), Cancelled,
 ///          RemoteControlRequired (the robot is in Local), Rejected (an undocumented reply, see
 ///          controllerMessage), InvalidArgument (a line break in a text). The context contains address and
-///          command. Timeout and Cancelled close the connection, because a late reply would be taken for the
-///          reply to the next command. RemoteControlRequired closes it, because the controller applies a
+///          command. Timeout and Cancelled close the connection, because a late reply would be mistaken for
+///          the reply to the next command. RemoteControlRequired closes it, because the controller applies a
 ///          change to Remote only to connections opened afterwards.
 class DashboardClient {
 public:

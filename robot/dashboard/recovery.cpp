@@ -12,7 +12,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-// Pause between two attempts to connect to a controller that restarts.
+// Pause between attempts to connect to a restarting controller.
 constexpr milliseconds kOutagePause{100};
 
 QString context() {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Guided recovery from a stop to a running robot. Checks the state, and performs and reports one step after
-// the other. Decisions that require a person are made in advance as explicit consents. Without them, no
-// protective stop is unlocked and the safety system is not restarted, because the manufacturer forbids
-// automatic reset.
+// Guided recovery from a stop to a running robot. Checks the state, and performs and reports one step at a
+// time. Decisions that require a person are made in advance as explicit consents. Without them, no protective
+// stop is unlocked and the safety system is not restarted, because the manufacturer forbids automatic reset.
 
 #include <functional>
 
@@ -29,7 +28,7 @@ enum class RecoveryStep {
     Look,              ///< reads the modes; also repeated until they change
     CloseSafetyPopup,  ///< closes the safety popup once, before an unlock
     WaitForUnlock,     ///< waits for kUnlockAfter, while the controller refuses to unlock
-    Unlock,            ///< unlock a protective stop
+    Unlock,            ///< unlocks a protective stop
     RestartSafety,     ///< after a violation or fault
     PowerOn,
     ReleaseBrakes,
@@ -51,8 +50,8 @@ using RecoveryProgress = std::function<void(RecoveryStep)>;
 
 /// Brings the robot to RUNNING with safety mode NORMAL or REDUCED. If the controller restarts during the
 /// recovery, the function reconnects until the deadline.
-/// Errors   as DashboardClient; Rejected, with the missing condition, if a step needs a consent that was not
-///          given, or an action of a person at the robot (emergency stop pressed, safeguard open). In this
+/// Errors   as DashboardClient; Rejected, with the missing condition, if a step requires a consent that was
+///          not given, or an action at the robot (emergency stop pressed, safeguard open). In this
 ///          case, only the reported steps have been performed.
 /// Threads  the one that connected the client. Blocks: until the deadline
 Result<void> recover(DashboardClient& client, const RecoveryConsent& consent, const Deadline& deadline,

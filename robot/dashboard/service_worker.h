@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Access to the robot's service for threads that must not block. Calls are queued and run one after the other
-// in a worker thread. Results are posted to the event loop of the caller.
+// Access to the robot's service for threads that must not block. Calls are queued and run one at a time in a
+// worker thread. Results are posted to the event loop of the caller.
 
 #include <QObject>
 #include <QString>
