@@ -17,7 +17,7 @@ inline constexpr double kStandardGravity = 9.82;  ///< value used by the control
 struct PayloadReading {
     Eigen::Matrix3d R_base_flange = Eigen::Matrix3d::Identity();
     Wrench
-        /// force and torque about the flange, in the flange frame; either all readings are zeroed or none is
+        /// force and torque about the flange, in the flange frame; zero the sensor for all readings or none
         felt;
 };
 

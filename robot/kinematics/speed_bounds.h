@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Computes the speed at which TCP and elbow stay below a speed limit along the whole path, and the duration
-// of such a motion.
+// Computes the maximum speed at which the TCP and the elbow stay below a speed limit along the whole path,
+// and the duration of moves.
 
 #include <cstdint>
 #include <limits>
@@ -33,8 +33,8 @@ inline constexpr double kTurnRadius = 0.25;
 
 /// Speed bound of a straight line of the TCP with synchronous rotation.
 /// rotationCap  of the TCP [rad/s]
-/// Returns      the speed of the TCP along the line [m/s]; infinity if there is no motion. Beyond the
-///              workspace the line is ignored, because the controller stops at its boundary.
+/// Returns      the speed of the TCP along the line [m/s]; infinity if there is no motion. The part of the
+///              line outside the workspace is ignored, because the controller stops at the boundary.
 /// Threads      any. Real-time: no (a few hundred microseconds)
 SpeedBound lineSpeedBound(const DhParameters& dh, const JointPositions& from, const Pose& to,
                           const Pose& tcpOffset, double cap, double rotationCap);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Determines the tip of a tool from several flange poses with the tip at the same point, and the rotation of the
-// tool from one pose with known tool axes, or from three poses along the tool axes.
+// Determines the tip of a tool from several flange poses with the tip at the same point, and the tool
+// orientation from one pose with known tool axes or from three poses along the tool axes.
 
 #include <Eigen/Geometry>
 #include <array>
@@ -70,7 +70,7 @@ struct ToolRotationFit {
     double residual =
         0;          ///< largest rotation of the flange between the poses [rad]: the uncertainty of the result
     int worst = 0;  ///< 1 or 2: the pose with the largest rotation relative to the first
-    bool ok() const { return problem == Problem::None; }  ///< True if the rotation was determined.
+    bool ok() const { return problem == Problem::None; }  ///< True if the orientation was determined.
 };
 
 /// Tool orientation relative to the flange, from three poses with equal orientation: a start pose, a pose moved along
