@@ -144,7 +144,7 @@ MoveReport examineMove(const RobotModel& model, const CollisionCheck& check, con
     turns.cwiseAbs().maxCoeff(&report.largestTurnJoint);
     report.largestTurn = turns[report.largestTurnJoint];
 
-    // Computed for the whole line, so that `share` refers to the requested move.
+    // `way` ends at the limit of a line. Scale the position, so that `share` refers to the requested move.
     const bool endsBefore = report.limit && report.limit->ends();
     const double followed = move.linear && endsBefore ? report.limit->share : 1.0;
     if (std::optional<MoveLimit> limit = collisionOn(model, check, tcpOffset, report.way)) {
