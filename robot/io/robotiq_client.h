@@ -62,7 +62,7 @@ struct RobotiqState {
 
 /// Threads  one at a time. There is no internal thread: every call blocks until the reply or the deadline.
 /// Errors   of every call: NotConnected, ConnectionClosed, Timeout (the URCap does not respond), Cancelled. These
-///          close the connection, because a late reply would be taken for the reply to the next request.
+///          close the connection, because a late reply would be mistaken for the reply to the next request.
 ///          ProtocolError: an unexpected reply (see controllerMessage), or a register value that is not a byte. A
 ///          reply without a line end also closes the connection.
 class RobotiqClient {
