@@ -24,9 +24,9 @@ constexpr double kNearlyAll = 0.999;
 constexpr double kFurthest = 1;    // maximum difference between consecutive time stamps [s]
 constexpr int kLongerForGood = 5;  // consecutive late packages that indicate a permanently longer delay
 
-// With each package, the processing time approaches the estimates by at most kSmallestStep of a period, so
-// that a late package does not extend a cycle. For large deviations, the limit is kCorrectionShare of the
-// deviation.
+// With each package, the processing time moves towards median plus margin by at most kSmallestStep of a
+// period, so that a late package does not extend a cycle. For large deviations, the limit is kCorrectionShare
+// of the deviation.
 constexpr double kSmallestStep = 0.001;
 constexpr double kCorrectionShare = 0.125;
 

@@ -18,7 +18,8 @@ public:
     /// Adds a package with the time stamp `senderTime` [s]. Time stamps that go backwards or jump reset the
     /// estimate.
     /// awaited  false: the package may have arrived before `arrivedNs`, because no thread was waiting for it
-    /// Returns  when to process it [ns]: at the regular interval, or immediately if it arrived too late
+    /// Returns  the time at which to process the package [ns]: at the regular interval, or immediately if it
+    ///          arrived too late
     std::int64_t follow(std::int64_t arrivedNs, double senderTime, bool awaited = true);
 
     /// Expected processing time of the package with this time stamp [ns]. Requires a previous call to

@@ -75,7 +75,7 @@ QString CpuLatency::advice() {
 
 #else
 
-// On other systems, the power plan controls this.
+// On other systems, the power plan controls the sleep states.
 CpuLatency::CpuLatency() : granted_(false) {}
 CpuLatency::~CpuLatency() = default;
 

@@ -18,7 +18,7 @@ public:
     CpuLatency(const CpuLatency&) = delete;
     CpuLatency& operator=(const CpuLatency&) = delete;
 
-    /// False if the system does not support or permit it; see advice().
+    /// False if the system does not support or permit the request; see advice().
     bool isGranted() const { return granted_; }
     /// The reason if the request was refused, and how to permit it; empty if granted.
     static QString advice();

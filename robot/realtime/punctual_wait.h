@@ -18,11 +18,12 @@ public:
     /// Maximum duration of the busy-wait [ns].
     static constexpr std::int64_t kMaxAwakeNs = 300'000;
 
-    /// maySpin  false: only sleep. On a single CPU, a busy-wait would block the thread that is waited for.
+    /// maySpin  false: only sleep. On a single CPU, a busy-wait would block the thread that produces the
+    ///          event.
     explicit PunctualWait(bool maySpin = std::thread::hardware_concurrency() > 1) : maySpin_(maySpin) {}
 
-    /// Returns when the clock reaches `ns`, or immediately if this time has passed or the clock does not run
-    /// by itself.
+    /// Returns when the clock reaches `ns`, or immediately if this time has passed or Clock::runsByItself()
+    /// is false.
     void until(const Clock& clock, std::int64_t ns);
 
     /// Duration of the next busy-wait [ns]: the 99th percentile of the wake-up delays of the last few

@@ -14,7 +14,7 @@ namespace tiller::realtime {
 
 /// Binds the calling thread to these CPUs, counted from 0.
 /// Returns  the reason for a failure; empty on success
-/// Threads  changes the calling thread. Windows: implemented from the documentation, not run. macOS: not
+/// Threads  changes the calling thread. Windows: implemented from the documentation, not tested. macOS: not
 /// supported
 QString bindToCpus(const std::vector<int>& cpus);
 

@@ -80,7 +80,7 @@ public:
     }
 
     /// Reads the next record.
-    /// Returns  false if there is none
+    /// Returns  false if there is no unread record
     bool pop(Cursor& cursor, std::span<std::uint64_t> record) const {
         return popEach(cursor, [&](std::size_t i, std::uint64_t word) { record[i] = word; });
     }

@@ -19,8 +19,8 @@ public:
         std::int64_t jitterNs = 0;
     };
 
-    /// Starts a new connection. Its first package is compared only with the last time stamp of the previous
-    /// connection, which gives the number of packages lost during the interruption.
+    /// Starts a new connection. The first package is compared only with the last time stamp of the previous
+    /// connection, to determine the number of packages lost during the interruption.
     /// period  time between packages [s]
     void begin(double period);
     /// timestamp  time stamp of the controller [s]; NaN if the controller does not send one
