@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Texts for help() of the modules with the names of ur_rtde: one entry per class and method.
+// Texts for help() of the ur_rtde-compatible modules, one entry per class and method.
 // tests/python/test_docs.py compares the entries with the modules and with the units in the C++ headers.
 #include "robot/python/docstrings.h"
 

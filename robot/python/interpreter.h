@@ -47,8 +47,8 @@ void parkOtherThreads();
 bool isParked();
 /// For a forked child: discards the waits and objects of the parent.
 void forgetParent();
-/// Registers both functions with the interpreter, for modules without a Python part. Call this when the
-/// module is initialized.
+/// Registers parkOtherThreads() and forgetParent() with the interpreter, for modules without a Python part.
+/// Call this when the module is initialized.
 void watchProcess();
 
 /// Base of objects with threads or connections. They belong to the process that created them. A forked child

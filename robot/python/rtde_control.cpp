@@ -58,7 +58,7 @@ void definePaths(py::module_& module) {
         .def("__eq__", &AsyncOperationStatus::equals);
 }
 
-/// Objects in control. If another object cannot take control, its error names them. Protected by the
+/// Objects in control. If another object cannot take control, the error message lists them. Protected by the
 /// interpreter lock.
 std::vector<const ShownControl*>& living() {
     static std::vector<const ShownControl*> all;
