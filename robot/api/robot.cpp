@@ -48,7 +48,7 @@ control::ControllerOptions controllerOptions(const Text& host, const RobotOption
 
 }  // namespace
 
-// Has a name because a member of Robot::EventThread uses the type.
+// A named namespace, because a member of Robot::EventThread has the type Observation.
 namespace robot_events {
 
 /// Values whose changes are reported as events.
