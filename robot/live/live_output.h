@@ -77,7 +77,7 @@ public:
     ///          AddressInvalid: an address or an allowed origin is malformed
     ///          Rejected: the port is in use, or the system does not permit it
     Result<void> start(const LiveOptions& options, const receive::Receiver& receiver);
-    void stop();  ///< Closes all connections in an orderly way.
+    void stop();  ///< Closes all connections gracefully and ends the thread.
 
     LiveProgress progress() const;  ///< Threads: any
     std::uint16_t port() const;     ///< Port of the server; 0 without a server.

@@ -214,7 +214,7 @@ void FoxgloveServer::welcome() {
     }
 }
 
-// Called before Qt reads.
+// Called before Qt reads the data.
 void FoxgloveServer::countIncoming(QTcpSocket* socket, Incoming& incoming) {
     const qint64 available = socket->bytesAvailable();
     const Time now = std::chrono::steady_clock::now();
