@@ -36,7 +36,7 @@ Patient patientAt(const Text& host, int portOffset = 0);
 
 /// Checks all conditions in order. Conditions that depend on a failed one are Skipped.
 /// each      called in the calling thread with every finding; may be empty
-/// Returns   one finding per condition, even after a cancel (conditions not yet checked are Skipped)
+/// Returns   one finding per condition, even after cancellation (conditions not yet checked are Skipped)
 /// Threads   any; use a worker, because no events are processed. Blocks: about two seconds for a healthy
 ///           robot; at most twelve seconds, and never longer than the deadline
 Report examine(const Patient& patient, const Deadline& deadline,
