@@ -148,8 +148,8 @@ void LockStep::tick() {
             std::this_thread::yield();
         }
     }
-    // While control is being taken, the client must not miss the time within which the control program expects it.
-    // Packages that arrive before the control thread runs are not answered.
+    // While control is being taken, the control program expects a response from the client within a limited
+    // time. Packages that arrive before the control thread runs are not answered.
     for (const auto& controller : all) {
         const auto stamp = reached(controller->localPort());
         control::ControllerStatus status = controller->status();
@@ -189,7 +189,7 @@ void LockStep::tick() {
     while (answers > 0 && robot_.isLinkPlain() && inControl() && goesOn() &&
            !robot_.waitForInputPackages(inputs + answers, Deadline::after(kAnswerSlice))) {
     }
-    // Clients that are still connecting get their answers without advancing the time.
+    // Clients that are still connecting receive replies without the time being advanced.
     robot_.drainSockets();
 }
 
