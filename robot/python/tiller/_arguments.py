@@ -55,7 +55,7 @@ def _explained(function: Callable[..., Any], args: tuple[Any, ...], options: dic
 
 
 def _is_of_binding(error: TypeError) -> bool:
-    """True if the error was raised by a call into the C++ binding, not by a callback of the user."""
+    """True if the error was raised by a call into the C++ binding, not by a user callback."""
     trace = error.__traceback__
     while trace is not None and trace.tb_next is not None:
         trace = trace.tb_next

@@ -101,7 +101,7 @@ class Tool(_Part):
 
 @checked
 class Queries(_Part):
-    """Values that the robot computes with its calibration, limits and sensors. A query takes typically 6 ms; timeout
+    """Values that the robot computes with its calibration, limits and sensors. A query typically takes 6 ms; timeout
     [s]. Raises NotInControl, LinkLost, Timeout, InvalidArgument, VersionUnsupported."""
 
     @property

@@ -250,12 +250,12 @@ class Jog:
 
 
 class ForceMode:
-    """Force mode, active since Robot.force_mode() returned: motions are possible meanwhile.
+    """Force mode, active when Robot.force_mode() returns. Motions remain possible.
 
-    In a `with` block it always ends with the block; a nested block restores the settings of the outer block at its end.
-    Without `with` it lasts until stop(), Robot.end_force_mode(), Robot.stop(), Robot.close(), other settings or 100 ms
-    without a connection, even if this object is deleted. Settings ended by a stop are not restored at the end of a
-    block.
+    In a `with` block, force mode always ends with the block; a nested block restores the settings of the outer block at
+    its end. Without `with` it lasts until stop(), Robot.end_force_mode(), Robot.stop(), Robot.close(), other settings
+    or 100 ms without a connection, even if this object is deleted. Settings ended by a stop are not restored at the end
+    of a block.
     """
 
     def __init__(self, blocks: list[ForceMode], stops: Callable[[], int], begin: Callable[[int], None],

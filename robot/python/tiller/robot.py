@@ -406,10 +406,10 @@ class Robot:
         return self._move(self._controller.freedrive())
 
     def run_function(self, body: str, name: str = "function", timeout: float | None = 5.0) -> Move:
-        """Runs lines of URScript, without def and end, inside the control program, with the same stop functions.
+        """Runs lines of URScript, without def and end, inside the control program. It can be stopped like a motion.
 
-        Raises InvalidArgument for an `end` that closes no block of the body, ScriptError with line and text. timeout:
-        for the start [s]; the handle completes when the function returns.
+        Raises InvalidArgument for an `end` that does not close a block of the body, ScriptError with line and text.
+        timeout: for the start [s]; the handle completes when the function returns.
         """
         with self._waiting():
             return self._move(self._controller.start_function(name, body, timeout))
@@ -559,7 +559,7 @@ class Robot:
             return Pose(self._controller.forward_kinematics(joint_positions(q, "q"), timeout))
 
     def set_payload(self, mass: float, centre_of_gravity: Floats | None = None, timeout: float | None = 1.0) -> None:
-        """Sets mass [kg] and centre of gravity from the flange [m]; without it, the centre is unchanged."""
+        """Sets mass [kg] and centre of gravity from the flange [m]; centre_of_gravity=None leaves it unchanged."""
         cog = None if centre_of_gravity is None else floats(centre_of_gravity, "centre_of_gravity", 3)
         with self._waiting():
             self._controller.set_payload(mass, cog, timeout)
@@ -600,7 +600,7 @@ class Robot:
         return ForceMode(self._force_blocks, controller.stops, begin, end)
 
     def end_force_mode(self, timeout: float | None = 1.0) -> None:
-        """Ends force mode, independent of the call that started it. No effect if it is off."""
+        """Ends force mode, regardless of which call started it. No effect if it is off."""
         with self._waiting():
             self._controller.end_force_mode(timeout)
 

@@ -100,7 +100,7 @@ class Dashboard:
         self._perform("PowerOn", timeout)
 
     def release_brakes(self, timeout: float | None = TIMEOUT) -> None:
-        """Releases the brakes; the arm may move a little."""
+        """Releases the brakes; the arm may move slightly."""
         self._perform("ReleaseBrakes", timeout)
 
     def power_off(self, timeout: float | None = TIMEOUT) -> None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A simulated controller in this process, with real protocols on a separate loopback address and real URScript."""
+"""A simulated controller in this process. Uses the real protocols on a separate loopback address and runs URScript."""
 from __future__ import annotations
 
 import contextlib
