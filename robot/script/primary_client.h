@@ -43,7 +43,7 @@ public:
     /// Errors   the reason why there is no connection: HostUnreachable, ConnectionRefused, Timeout ...
     Result<void> waitForState(const Deadline& deadline) const;
     bool isConnected() const;
-    /// The reason why there is no connection; code None if connected or if no attempt was made yet.
+    /// The reason why there is no connection; code None if connected or if no attempt has been made yet.
     Error connectionError() const;
 
     /// Makes the thread stop the running or paused program on the controller within about 5 ms. No effect

@@ -168,7 +168,8 @@ bool PrimaryParser::subPackage(std::uint8_t type, std::span<const std::uint8_t> 
         readSix(in, dh.a);
         readSix(in, dh.d);
         readSix(in, dh.alpha);
-        // Older software sends a shorter package with the same number and a different meaning. It is skipped.
+        // Older software sends a shorter package with the same number and a different meaning. This package
+        // is skipped.
         if (in.ok()) {
             RobotConfiguration next = configuration_.value_or(RobotConfiguration{});
             next.dh = dh;
