@@ -88,7 +88,7 @@ public:
     Result<void> addToLog(const Text& text, const Deadline& deadline);
 
     /// Sends any command and returns the reply.
-    /// Errors   as above, without Rejected
+    /// Errors   as for all calls, except Rejected
     Result<QString> command(const Text& line, const Deadline& deadline);
 
 private:

@@ -27,7 +27,7 @@ struct RecoveryConsent {
 enum class RecoveryStep {
     Look,              ///< reads the modes; also repeated until they change
     CloseSafetyPopup,  ///< closes the safety popup once, before an unlock
-    WaitForUnlock,     ///< waits for kUnlockAfter, while the controller refuses to unlock
+    WaitForUnlock,     ///< waits while the controller refuses to unlock, see kUnlockAfter
     Unlock,            ///< unlocks a protective stop
     RestartSafety,     ///< after a violation or fault
     PowerOn,
