@@ -93,7 +93,8 @@ double turnIntoReach(const Eigen::Isometry3d& T_1_4, double d5, double a2, doubl
     const double away = wrist.norm();
     const double longest2 = (a2 + a3) * (a2 + a3);
     const double shortest2 = (a2 - a3) * (a2 - a3);
-    // Angle between the wrist and axis 5 [rad]. The closer the angle is to 0, the shorter the arm may be.
+    // Angle between the wrist and axis 5 at which the distance to be reached is sqrt(length2) [rad]. The
+    // distance increases with the angle.
     const auto between = [&](double length2) {
         return std::acos(std::clamp((away * away + d5 * d5 - length2) / (2 * d5 * away), -1.0, 1.0));
     };

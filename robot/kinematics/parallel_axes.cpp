@@ -33,8 +33,8 @@ struct Link {
     double beta = 0;
 };
 
-/// Replaces the parameters of a link by equivalent ones with the same end axis. The parameters of the next
-/// joint compensate for the shift and rotation of the frame along this axis.
+/// Replaces the parameters of a link with equivalent parameters that have the same end axis. The parameters
+/// of the next joint compensate for the shift and rotation of the frame along this axis.
 void replace(DhParameters& dh, int joint, const Link& with) {
     const auto i = static_cast<std::size_t>(joint);
     const Eigen::Isometry3d before = linkTransform(dh, joint, 0);
