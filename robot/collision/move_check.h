@@ -47,7 +47,7 @@ struct MoveReport {
     std::vector<JointPositions> way;      ///< up to the reachable end; joints move uniformly in between
     std::vector<Eigen::Vector3d> places;  ///< positions of the TCP, base frame [m]
     int largestTurnJoint = 0;             ///< 0 ... 5
-    double largestTurn = 0;               ///< from start to end, with sign [rad]
+    double largestTurn = 0;               ///< signed, from start to end [rad]
     double duration = 0;                  ///< total duration [s]
     std::optional<MoveLimit> limit;
 };
