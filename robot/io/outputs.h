@@ -50,9 +50,9 @@ struct OutputFeedback {
     /// RTDE names of fields that are never reported. Commands that need them for confirmation are rejected.
     std::vector<std::string> absent = {};
 
-    /// Reads the newest sample of a receiver, which must outlive the Outputs. The receiver has to subscribe
-    /// to the fields that confirm the commands used: actual_digital_output_bits, target_speed_fraction,
-    /// analog_io_types, standard_analog_output0 and standard_analog_output1.
+    /// Reads the newest sample of a receiver, which must outlive the Outputs object. The receiver has to
+    /// subscribe to the fields that confirm the commands used: actual_digital_output_bits,
+    /// target_speed_fraction, analog_io_types, standard_analog_output0 and standard_analog_output1.
     static OutputFeedback fromReceiver(const receive::Receiver& receiver);
 };
 

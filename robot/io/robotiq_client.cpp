@@ -97,7 +97,7 @@ struct RobotiqClient::Link {
         return readReply(line, deadline);
     }
 
-    // The real URCap sends acknowledgements without a line end. All other replies have one.
+    // The real URCap sends acknowledgements without a line end. All other replies end with a line end.
     std::optional<std::string> takeReply() {
         while (true) {
             const std::size_t end = received.find('\n');
