@@ -7,7 +7,7 @@
 
 namespace tiller::realtime {
 
-/// While an object of this class exists, it requests wake-ups without delay from the system (Linux: the
+/// While an object of this class exists, it requests immediate CPU wake-ups from the system (Linux: the
 /// process keeps /dev/cpu_dma_latency open with the value 0 us). This increases the power consumption of an
 /// idle machine.
 /// Threads  any; one request serves the whole process

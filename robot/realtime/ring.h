@@ -12,7 +12,7 @@
 
 namespace tiller::realtime {
 
-/// Threads  push(): one; each consumer uses its own Cursor, from one thread at a time. Real-time: yes
+/// Threads  push(): one; each consumer uses a separate Cursor, from one thread at a time. Real-time: yes
 /// (allocates at construction only)
 class BroadcastRing {
 public:
