@@ -38,7 +38,7 @@ GilReleased::GilReleased() {
     }
 }
 
-// A thread that passes this check still acquires the lock. parkOtherThreads() waits for this thread without
+// Threads that pass this check still acquire the lock. parkOtherThreads() waits for these threads without
 // holding the lock.
 GilReleased::~GilReleased() {
     if (isParked()) {

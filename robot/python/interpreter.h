@@ -51,8 +51,9 @@ void forgetParent();
 /// Call this when the module is initialized.
 void watchProcess();
 
-/// Base of objects with threads or connections. They belong to the process that created them. A forked child
-/// must neither use them (the parent does) nor destroy them (their threads do not exist in the child).
+/// Base of objects with threads or connections. These objects belong to the process that created them. A
+/// forked child must neither use them (the parent does) nor destroy them (their threads do not exist in the
+/// child).
 class ProcessOwned {
 public:
     ProcessOwned();
