@@ -67,7 +67,8 @@ inline Observation observe(const receive::Receiver& receiver, const control::Con
             state.runtimeState() == RuntimeState::Playing, controller.status()};
 }
 
-/// Modes are unknown during an outage, so the modes after it are compared with those before it.
+/// During an outage, `now` contains the modes of the last packet, so the modes after the outage are compared
+/// with those before it.
 template <class Report>
 void compare(const Observation& before, const Observation& now, Report report) {
     using Kind = RobotEvent::Kind;

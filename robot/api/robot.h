@@ -123,7 +123,7 @@ public:
     }                                                                            ///< Force mode, freedrive.
     control::ToolSetup tool() { return control::ToolSetup(*controller_); }       ///< Payload, TCP, sensor.
     control::ArmQueries queries() { return control::ArmQueries(*controller_); }  ///< Kinematics and limits.
-    control::Programs programs() { return control::Programs(*controller_); }     ///< Your own URScript.
+    control::Programs programs() { return control::Programs(*controller_); }     ///< User-supplied URScript.
     control::OutputPulses pulses() { return control::OutputPulses(*controller_); }  ///< Timed output pulses.
     /// A control loop with one target per packet.
     control::PacketLoop packetLoop(control::Pacing pacing = control::Pacing::Even) {
