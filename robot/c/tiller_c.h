@@ -17,7 +17,8 @@
  * A newer motion, tiller_stop(), tiller_release() and tiller_close() end a motion. A motion also ends when this process
  * ends in any way, hangs or loses the connection: the robot brakes if it receives no heartbeat for 100 ms.
  *
- * Threads: any. tiller_close() must be the last call with a robot. A child process created with fork() cannot use it.
+ * Threads: any. tiller_close() must be the last call with a robot. A child process created with fork() cannot use the
+ * robot.
  */
 #ifndef TILLER_C_H
 #define TILLER_C_H
@@ -75,7 +76,7 @@ typedef struct tiller_robot tiller_robot;
 /* TILLER_C_VERSION of the library. Never fails. */
 TILLER_C_API int tiller_version(void);
 
-/* Text of the last error in this thread, in UTF-8; empty after a successful call. Valid until the next call of this
+/* Text of the last error in this thread, in UTF-8; empty after a successful call. Valid until the next call to this
  * library in this thread. */
 TILLER_C_API const char* tiller_last_error(void);
 
@@ -88,7 +89,7 @@ TILLER_C_API void tiller_close(tiller_robot* robot);
 /* Copies the newest value of an RTDE output such as "actual_q" or "robot_mode" into `values`. `capacity` is the size of
  * `values`. *count is set to the number of values of the field; `count` may be NULL. Integers are exact.
  * TILLER_FIELD_UNKNOWN if the field is not received; TILLER_LIMIT_EXCEEDED if `capacity` is too small;
- * TILLER_LINK_LOST if the newest packet is older than 100 ms (the values are copied). Does not wait. */
+ * TILLER_LINK_LOST if the newest packet is older than 100 ms (the values are still copied). Does not wait. */
 TILLER_C_API int tiller_read(tiller_robot* robot, const char* field, double* values, int capacity,
                              int* count);
 
@@ -101,7 +102,7 @@ TILLER_C_API int tiller_release(tiller_robot* robot);
 /* 1 if motions can be commanded, else 0. */
 TILLER_C_API int tiller_in_control(tiller_robot* robot);
 
-/* Speed limit of TCP and elbow for all motions [m/s], 0.25 by default. A change ends the active motion. */
+/* Speed limit of the TCP and the elbow for all motions [m/s], 0.25 by default. A change ends the active motion. */
 TILLER_C_API int tiller_set_speed_cap(tiller_robot* robot, double speed);
 
 /* Starts a move in joint space to joint positions [rad]. Does not wait. speed [rad/s] and acceleration [rad/s2] of the
