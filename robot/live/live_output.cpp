@@ -150,8 +150,8 @@ struct LiveOutput::Worker {
         if (!state || sample.connection != connection) {
             RobotStateMessage fresh(options.fields, sample);
             if (!state || fresh.definition() != state->definition()) {
-                // Another robot sends other fields. The definition of a channel is immutable, so a new
-                // channel number is used.
+                // A different robot may send different fields. The definition of a channel is immutable, so a
+                // new channel number is used.
                 server->advertise({++stateChannel, kStateTopic, kStateType, fresh.definition()});
             }
             state = std::move(fresh);

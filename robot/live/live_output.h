@@ -22,8 +22,8 @@ namespace tiller::live {
 /// delaying other viewers.
 struct LiveLimits {
     int maxViewers = 16;  ///< viewers with a subscription
-    /// Maximum number of connections without a subscription, and of handshakes in progress. A new one
-    /// replaces the oldest.
+    /// Maximum number of connections without a subscription, and of handshakes in progress. If exceeded, the
+    /// oldest is closed.
     int maxIdleConnections = 32;
     qint64 maxHeaderBytes = 16 * 1024;    ///< HTTP header of the handshake [bytes]
     qint64 maxRequestBytes = 64 * 1024;   ///< incoming frame, and incoming message

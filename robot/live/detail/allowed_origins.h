@@ -18,8 +18,8 @@ public:
     /// Errors   AddressInvalid: not of the form scheme://host[:port], "file://" or "null"
     static Result<AllowedOrigins> from(const std::vector<Text>& origins);
 
-    /// Allowed are clients without an origin (not a browser), pages of this machine (localhost, its host name
-    /// or one of its addresses) and the listed origins. A name that DNS resolves to this machine is not
+    /// Allows clients without an origin (not a browser), pages of this machine (localhost, its host name or
+    /// one of its addresses) and the listed origins. A name that DNS resolves to this machine is not
     /// sufficient, because the owner of the name chooses the address (DNS rebinding).
     bool allow(const QString& origin) const;
 
