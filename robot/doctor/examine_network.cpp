@@ -105,7 +105,7 @@ void examinePorts(Examiner& examiner) {
             if (door.error.code == ErrorCode::None) {
                 examiner.good(door.condition, DoctorText::tr("dashboard, port %1").arg(door.port));
             }
-            continue;  // PolyScope X has another service: see examineService(examiner)
+            continue;  // PolyScope X has a different service: see examineService(examiner)
         }
         if (door.error.code == ErrorCode::None) {
             examiner.good(door.condition, DoctorText::tr("port %1").arg(door.port));
