@@ -22,7 +22,7 @@ constexpr std::chrono::milliseconds kNoticeTime{50};
 /// Maximum time for the control thread to answer a packet while control is being taken.
 constexpr std::chrono::milliseconds kTakingTime{50};
 /// Maximum wait for an answer before checking the state again, because a controller that is losing control
-/// sends none.
+/// does not answer.
 constexpr std::chrono::milliseconds kAnswerSlice{20};
 
 template <class T>
