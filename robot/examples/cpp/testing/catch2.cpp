@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Catch2: each test case has its own robot, in virtual time.
+// Catch2: each test case uses a separate robot, in virtual time.
 #include <catch2/catch_test_macros.hpp>
 
 #include "robot/testing/robot_fixture.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// GoogleTest: each test has its own robot, in virtual time.
+// GoogleTest: each test uses a separate robot, in virtual time.
 #include <gtest/gtest.h>
 
 #include "robot/testing/robot_fixture.h"

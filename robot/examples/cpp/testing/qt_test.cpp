@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Qt Test: each test function has its own robot, in virtual time.
+// Qt Test: each test function uses a separate robot, in virtual time.
 #include <QTest>
 #include <optional>
 
