@@ -45,7 +45,7 @@ struct SupervisedProgram {
     int lineOf(int line) const;
 };
 
-/// Inserts the watchdog thread into each top-level `def`, after "def name():". Lines outside of a `def` are
+/// Inserts the watchdog thread into each top-level `def`, after "def name():". Lines outside any `def` are
 /// collected in an additional program. A `sec` cannot move the arm and remains unchanged.
 ///
 /// On expiry, the thread calls `halt`. It cannot call `stopj` while another thread moves the arm ("another
