@@ -24,7 +24,7 @@ struct InputRegistersOptions {
     Text host = {};
     std::uint16_t port = rtde::kPort;
     /// Numbers of the registers to write. Registers 0-23 are reserved for a fieldbus if one is used; 24-47
-    /// are intended for external clients. The control program uses integers 0-9 and doubles 0-17 of its
+    /// are intended for external clients. The control program uses integers 0-10 and doubles 0-17 of its
     /// range.
     std::vector<int> ints = {};     ///< 0-47
     std::vector<int> doubles = {};  ///< 0-47

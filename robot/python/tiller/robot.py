@@ -616,7 +616,7 @@ class Robot:
     def registers(self, ints: Sequence[int] = (), doubles: Sequence[int] = (), bits: Sequence[int] = (),
                   timeout: float | None = 3.0) -> services.Registers:
         """Opens a connection that writes these input registers: integers and doubles 0-47, bits 64-127; the control
-        program uses integers 24-33 and doubles 24-41. Raises InvalidArgument for other numbers; RegisterInUse if
+        program uses integers 24-34 and doubles 24-41. Raises InvalidArgument for other numbers; RegisterInUse if
         another client or a fieldbus uses one of them."""
         self._opened()
         return services.registers(self.address, 30004 + self._port_offset, ints, doubles, bits, timeout, self._waiting)
