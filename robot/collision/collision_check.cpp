@@ -96,8 +96,8 @@ CollisionCheck::CollisionCheck(const RobotModel& model, const ToolBody& tool, Su
     const std::size_t armBodies = capsules_.size();
     const double length = tool.tcpOffset.position.norm();
     if (tool.radius > 0 && length > 0) {
-        // The capsule is between the plane of the flange and the TCP. Its segment is shortened to make room
-        // for the hemispherical ends, if possible.
+        // The capsule is between the plane of the flange and the TCP. Its segment is shortened by the length
+        // of the hemispherical ends, if possible.
         const Vector3d along = tool.tcpOffset.position / length;
         const double inset = std::min(tool.radius, length / 2);
         capsules_.push_back({6, {along * inset, along * (length - inset), tool.radius}, 1, false});

@@ -17,7 +17,7 @@ native_socket::Descriptor descriptorOf(const QTcpSocket& socket) {
     return static_cast<native_socket::Descriptor>(socket.socketDescriptor());
 }
 
-// The line end of the reply depends on the software version.
+// Matches only parts of the reply, because the end of the line depends on the software version.
 bool isRemoteRefusal(const QString& reply) {
     return reply.contains(QLatin1String("Remote Control"), Qt::CaseInsensitive) &&
            reply.contains(QLatin1String("not allowed"), Qt::CaseInsensitive);
@@ -279,7 +279,7 @@ Result<QString> DashboardClient::readLine(const Deadline& deadline, const QStrin
             close();
             return Error{ErrorCode::ConnectionClosed, context, {}};
         } else if (deadline.hasExpired()) {
-            // A command that has failed must not be carried out later, when a lost connection works again.
+            // A command that has failed must not be carried out later, when a lost connection recovers.
             native_socket::discardOnClose(descriptorOf(*socket_));
             close();
             return Error{deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout, context,

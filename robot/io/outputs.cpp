@@ -20,7 +20,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// Groups of fields. Each group has a separate recipe, because another client may use any of them.
+/// Groups of fields. Each group has a separate recipe, because another client may use some of the groups.
 enum Group : std::size_t { kStandard, kConfigurable, kTool, kSlider, kAnalog, kGroups };
 
 struct GroupFacts {

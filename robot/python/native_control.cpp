@@ -24,7 +24,7 @@ namespace {
 using namespace control;
 using SharedController = std::shared_ptr<NativeController>;
 
-/// A motion, and its controller, which must outlive it.
+/// A motion and its controller, which must outlive the motion.
 class NativeMotion {
 public:
     NativeMotion(SharedController controller, Motion motion)

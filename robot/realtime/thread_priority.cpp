@@ -60,8 +60,8 @@ PriorityReport requestThreadPriority(int priority) {
     int policy = SCHED_OTHER;
     sched_param actual{};
     if (pthread_getschedparam(pthread_self(), &policy, &actual) == 0 && policy == SCHED_FIFO) {
-        // The maximum priority on macOS is 47, which counts as the requested priority. Not run in this
-        // project's CI.
+        // The maximum priority on macOS is 47. If the thread has this priority, the request counts as
+        // granted. Not run in this project's CI.
         report.granted =
             wanted.sched_priority < report.requested && actual.sched_priority == wanted.sched_priority
                 ? report.requested

@@ -44,7 +44,7 @@ Result<void> setOperationalMode(DashboardClient& client, OperationalMode mode, c
 Result<OperationalMode> operationalMode(DashboardClient& client, const Deadline& deadline);  ///< since 5.6
 Result<void> clearOperationalMode(DashboardClient& client, const Deadline& deadline);
 
-// Reports; since 3.13 / 5.8. They take minutes.
+// Reports; since 3.13 / 5.8. Generating a report takes minutes.
 enum class FlightReport { Controller, Software, System };
 /// Returns  the id of the report
 Result<QString> generateFlightReport(DashboardClient& client, FlightReport kind, const Deadline& deadline);

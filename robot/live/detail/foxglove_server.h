@@ -76,7 +76,7 @@ private:
             subscriptions{};  ///< channel for each subscription id of the client
         std::deque<Queued> queue{};
         qint64 queuedBytes = 0;
-        Time waitingSince{};  ///< time since when no byte could be sent
+        Time waitingSince{};  ///< time since which no byte could be sent
         std::uint64_t order = 0;
         bool isSlow = false;
         bool isClosing = false;
