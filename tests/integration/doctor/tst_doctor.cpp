@@ -236,7 +236,7 @@ private Q_SLOTS:
         rtde::ConnectionOptions other;
         other.host = patient_.host;
         other.port = static_cast<std::uint16_t>(patient_.ports.rtde);
-        other.request.inputs = {{{"input_int_register_24", "input_double_register_41"}, true}};
+        other.request.inputs = {{{"input_double_register_41"}, true}};
         const auto held = rtde::Connection::open(other, Deadline::after(10s));
         QVERIFY(held.ok());
         expectOnly("registers.upper.taken");
