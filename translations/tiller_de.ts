@@ -3480,8 +3480,8 @@
         <translation>Schutzstopp entriegeln</translation>
     </message>
     <message>
-        <source>The robot does not respond, so a stop may not reach it. Press the emergency stop if the arm must stop.</source>
-        <translation>Der Roboter antwortet nicht, ein Stopp erreicht ihn möglicherweise nicht. Drücken Sie den Not-Halt, wenn der Arm anhalten muss.</translation>
+        <source>The robot sends no data, so a stop may not reach the robot. Press the emergency stop if the arm must stop.</source>
+        <translation>Der Roboter sendet keine Daten, ein Stopp erreicht ihn möglicherweise nicht. Drücken Sie den Not-Halt, wenn der Arm anhalten muss.</translation>
     </message>
 </context>
 <context>
@@ -3598,12 +3598,20 @@
         <source>The recording continues without notes. %1</source>
         <translation>Die Aufzeichnung läuft ohne Notizen weiter. %1</translation>
     </message>
+    <message>
+        <source>Not recorded, because the robot does not accept a second connection: %1</source>
+        <translation>Nicht aufgezeichnet, weil der Roboter eine zweite Verbindung dafür ablehnt: %1</translation>
+    </message>
     <message numerus="yes">
-        <source>The recording has gaps: %n packets were not received.</source>
+        <source>The recording has gaps: %n packets are missing.</source>
         <translation>
-            <numerusform>Die Aufzeichnung hat Lücken: %n Paket wurde nicht empfangen.</numerusform>
-            <numerusform>Die Aufzeichnung hat Lücken: %n Pakete wurden nicht empfangen.</numerusform>
+            <numerusform>Die Aufzeichnung hat Lücken: %n Paket fehlt.</numerusform>
+            <numerusform>Die Aufzeichnung hat Lücken: %n Pakete fehlen.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The current recording does not contain %1. Start a new recording to record displayed signals.</source>
+        <translation>Die laufende Aufzeichnung enthält %1 nicht. Starten Sie eine neue Aufzeichnung, um angezeigte Signale aufzuzeichnen.</translation>
     </message>
 </context>
 <context>
@@ -12134,16 +12142,20 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Änderung bei aktivem Programm</translation>
     </message>
     <message>
-        <source>Disconnect</source>
-        <translation>Trennen</translation>
+        <source>Change connection</source>
+        <translation>Verbindung wechseln</translation>
     </message>
     <message>
-        <source>Disconnecting from the robot stops the recording.</source>
-        <translation>Das Trennen vom Roboter beendet die Aufzeichnung.</translation>
+        <source>Changing the connection stops the recording.</source>
+        <translation>Ein Wechsel der Verbindung beendet die Aufzeichnung.</translation>
     </message>
     <message>
-        <source>Stop recording and disconnect</source>
-        <translation>Aufzeichnung beenden und trennen</translation>
+        <source>Stop recording and continue</source>
+        <translation>Aufzeichnung beenden und fortfahren</translation>
+    </message>
+    <message>
+        <source>Do not ask again during this program</source>
+        <translation>Während dieses Programms nicht erneut fragen</translation>
     </message>
 </context>
 <context>

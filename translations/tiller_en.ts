@@ -3480,7 +3480,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot does not respond, so a stop may not reach it. Press the emergency stop if the arm must stop.</source>
+        <source>The robot sends no data, so a stop may not reach the robot. Press the emergency stop if the arm must stop.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3598,12 +3598,20 @@
         <source>The recording continues without notes. %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Not recorded, because the robot does not accept a second connection: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
     <message numerus="yes">
-        <source>The recording has gaps: %n packets were not received.</source>
+        <source>The recording has gaps: %n packets are missing.</source>
         <translation type="unfinished">
             <numerusform></numerusform>
             <numerusform></numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The current recording does not contain %1. Start a new recording to record displayed signals.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -12118,15 +12126,19 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Disconnect</source>
+        <source>Change connection</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Disconnecting from the robot stops the recording.</source>
+        <source>Changing the connection stops the recording.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Stop recording and disconnect</source>
+        <source>Stop recording and continue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Do not ask again during this program</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -3480,8 +3480,8 @@
         <translation>Desbloquear la parada de protección</translation>
     </message>
     <message>
-        <source>The robot does not respond, so a stop may not reach it. Press the emergency stop if the arm must stop.</source>
-        <translation>El robot no responde, por lo que puede que una parada no le llegue. Pulse la parada de emergencia si el brazo debe pararse.</translation>
+        <source>The robot sends no data, so a stop may not reach the robot. Press the emergency stop if the arm must stop.</source>
+        <translation>El robot no envía datos, por lo que puede que una parada no le llegue. Pulse la parada de emergencia si el brazo debe pararse.</translation>
     </message>
 </context>
 <context>
@@ -3598,12 +3598,20 @@
         <source>The recording continues without notes. %1</source>
         <translation>La grabación continúa sin notas. %1</translation>
     </message>
+    <message>
+        <source>Not recorded, because the robot does not accept a second connection: %1</source>
+        <translation>No se graban porque el robot rechaza una segunda conexión para ellas: %1</translation>
+    </message>
     <message numerus="yes">
-        <source>The recording has gaps: %n packets were not received.</source>
+        <source>The recording has gaps: %n packets are missing.</source>
         <translation>
-            <numerusform>La grabación tiene huecos: no se recibió %n paquete.</numerusform>
-            <numerusform>La grabación tiene huecos: no se recibieron %n paquetes.</numerusform>
+            <numerusform>La grabación tiene huecos: falta %n paquete.</numerusform>
+            <numerusform>La grabación tiene huecos: faltan %n paquetes.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The current recording does not contain %1. Start a new recording to record displayed signals.</source>
+        <translation>La grabación actual no contiene %1. Inicie una grabación nueva para grabar las señales mostradas.</translation>
     </message>
 </context>
 <context>
@@ -12134,16 +12142,20 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Cambio con un programa activo</translation>
     </message>
     <message>
-        <source>Disconnect</source>
-        <translation>Desconectar</translation>
+        <source>Change connection</source>
+        <translation>Cambiar conexión</translation>
     </message>
     <message>
-        <source>Disconnecting from the robot stops the recording.</source>
-        <translation>Al desconectarse del robot se detiene la grabación.</translation>
+        <source>Changing the connection stops the recording.</source>
+        <translation>Cambiar la conexión detiene la grabación.</translation>
     </message>
     <message>
-        <source>Stop recording and disconnect</source>
-        <translation>Detener grabación y desconectar</translation>
+        <source>Stop recording and continue</source>
+        <translation>Detener grabación y continuar</translation>
+    </message>
+    <message>
+        <source>Do not ask again during this program</source>
+        <translation>No volver a preguntar durante este programa</translation>
     </message>
 </context>
 <context>

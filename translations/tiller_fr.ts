@@ -3480,8 +3480,8 @@
         <translation>Déverrouiller l’arrêt de protection</translation>
     </message>
     <message>
-        <source>The robot does not respond, so a stop may not reach it. Press the emergency stop if the arm must stop.</source>
-        <translation>Le robot ne répond pas : un arrêt peut ne pas l’atteindre. Appuyez sur l’arrêt d’urgence si le bras doit s’arrêter.</translation>
+        <source>The robot sends no data, so a stop may not reach the robot. Press the emergency stop if the arm must stop.</source>
+        <translation>Le robot n’envoie pas de données : un arrêt peut ne pas l’atteindre. Appuyez sur l’arrêt d’urgence si le bras doit s’arrêter.</translation>
     </message>
 </context>
 <context>
@@ -3598,12 +3598,20 @@
         <source>The recording continues without notes. %1</source>
         <translation>L&apos;enregistrement continue sans notes. %1</translation>
     </message>
+    <message>
+        <source>Not recorded, because the robot does not accept a second connection: %1</source>
+        <translation>Non enregistrés, car le robot refuse une deuxième connexion pour eux : %1</translation>
+    </message>
     <message numerus="yes">
-        <source>The recording has gaps: %n packets were not received.</source>
+        <source>The recording has gaps: %n packets are missing.</source>
         <translation>
-            <numerusform>L’enregistrement a des lacunes : %n paquet n’a pas été reçu.</numerusform>
-            <numerusform>L’enregistrement a des lacunes : %n paquets n’ont pas été reçus.</numerusform>
+            <numerusform>L’enregistrement a des lacunes : %n paquet manque.</numerusform>
+            <numerusform>L’enregistrement a des lacunes : %n paquets manquent.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The current recording does not contain %1. Start a new recording to record displayed signals.</source>
+        <translation>L’enregistrement en cours ne contient pas %1. Démarrez un nouvel enregistrement pour enregistrer les signaux affichés.</translation>
     </message>
 </context>
 <context>
@@ -12134,16 +12142,20 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Modification avec un programme actif</translation>
     </message>
     <message>
-        <source>Disconnect</source>
-        <translation>Déconnecter</translation>
+        <source>Change connection</source>
+        <translation>Changer de connexion</translation>
     </message>
     <message>
-        <source>Disconnecting from the robot stops the recording.</source>
-        <translation>La déconnexion du robot arrête l’enregistrement.</translation>
+        <source>Changing the connection stops the recording.</source>
+        <translation>Changer de connexion arrête l’enregistrement.</translation>
     </message>
     <message>
-        <source>Stop recording and disconnect</source>
-        <translation>Arrêter l’enregistrement et déconnecter</translation>
+        <source>Stop recording and continue</source>
+        <translation>Arrêter l’enregistrement et continuer</translation>
+    </message>
+    <message>
+        <source>Do not ask again during this program</source>
+        <translation>Ne plus demander pendant ce programme</translation>
     </message>
 </context>
 <context>

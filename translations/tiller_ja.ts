@@ -3480,8 +3480,8 @@
         <translation>保護停止のロックを解除</translation>
     </message>
     <message>
-        <source>The robot does not respond, so a stop may not reach it. Press the emergency stop if the arm must stop.</source>
-        <translation>ロボットが応答しないため、停止指令が届かない可能性があります。アームを止める必要がある場合は非常停止を押してください。</translation>
+        <source>The robot sends no data, so a stop may not reach the robot. Press the emergency stop if the arm must stop.</source>
+        <translation>ロボットからデータが届かないため、停止指令が届かない可能性があります。アームを止める必要がある場合は非常停止を押してください。</translation>
     </message>
 </context>
 <context>
@@ -3597,11 +3597,19 @@
         <source>The recording continues without notes. %1</source>
         <translation>メモなしで記録を続けます。%1</translation>
     </message>
+    <message>
+        <source>Not recorded, because the robot does not accept a second connection: %1</source>
+        <translation>ロボットが 2 つ目の接続を拒否したため記録されません: %1</translation>
+    </message>
     <message numerus="yes">
-        <source>The recording has gaps: %n packets were not received.</source>
+        <source>The recording has gaps: %n packets are missing.</source>
         <translation>
-            <numerusform>記録に欠落があります: %n パケットを受信できませんでした。</numerusform>
+            <numerusform>記録に欠落があります: %n パケットがありません。</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The current recording does not contain %1. Start a new recording to record displayed signals.</source>
+        <translation>現在の記録には %1 が含まれていません。表示中の信号を記録するには、新しい記録を開始してください。</translation>
     </message>
 </context>
 <context>
@@ -12093,16 +12101,20 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>プログラム有効中の変更</translation>
     </message>
     <message>
-        <source>Disconnect</source>
-        <translation>切断</translation>
+        <source>Change connection</source>
+        <translation>接続の変更</translation>
     </message>
     <message>
-        <source>Disconnecting from the robot stops the recording.</source>
-        <translation>ロボットから切断すると停止します。</translation>
+        <source>Changing the connection stops the recording.</source>
+        <translation>接続を変更すると記録が停止します。</translation>
     </message>
     <message>
-        <source>Stop recording and disconnect</source>
-        <translation>記録を停止して切断</translation>
+        <source>Stop recording and continue</source>
+        <translation>記録を停止して続行</translation>
+    </message>
+    <message>
+        <source>Do not ask again during this program</source>
+        <translation>このプログラムの実行中は再度確認しない</translation>
     </message>
 </context>
 <context>

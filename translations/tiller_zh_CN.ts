@@ -3480,8 +3480,8 @@
         <translation>解锁保护性停止</translation>
     </message>
     <message>
-        <source>The robot does not respond, so a stop may not reach it. Press the emergency stop if the arm must stop.</source>
-        <translation>机器人没有响应，停止指令可能无法到达。如果必须停止机械臂，请按紧急停止按钮。</translation>
+        <source>The robot sends no data, so a stop may not reach the robot. Press the emergency stop if the arm must stop.</source>
+        <translation>机器人没有发送数据，停止指令可能无法到达。如果必须停止机械臂，请按紧急停止按钮。</translation>
     </message>
 </context>
 <context>
@@ -3597,11 +3597,19 @@
         <source>The recording continues without notes. %1</source>
         <translation>录制继续，但不含备注。%1</translation>
     </message>
+    <message>
+        <source>Not recorded, because the robot does not accept a second connection: %1</source>
+        <translation>未记录，因为机器人拒绝第二个连接：%1</translation>
+    </message>
     <message numerus="yes">
-        <source>The recording has gaps: %n packets were not received.</source>
+        <source>The recording has gaps: %n packets are missing.</source>
         <translation>
-            <numerusform>记录有间断：%n 个数据包未收到。</numerusform>
+            <numerusform>记录有间断：缺少 %n 个数据包。</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The current recording does not contain %1. Start a new recording to record displayed signals.</source>
+        <translation>当前记录不包含 %1。要记录显示的信号，请开始新的记录。</translation>
     </message>
 </context>
 <context>
@@ -12093,16 +12101,20 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>程序处于活动状态时的更改</translation>
     </message>
     <message>
-        <source>Disconnect</source>
-        <translation>断开</translation>
+        <source>Change connection</source>
+        <translation>更改连接</translation>
     </message>
     <message>
-        <source>Disconnecting from the robot stops the recording.</source>
-        <translation>断开与机器人的连接会停止记录。</translation>
+        <source>Changing the connection stops the recording.</source>
+        <translation>更改连接会停止记录。</translation>
     </message>
     <message>
-        <source>Stop recording and disconnect</source>
-        <translation>停止记录并断开</translation>
+        <source>Stop recording and continue</source>
+        <translation>停止记录并继续</translation>
+    </message>
+    <message>
+        <source>Do not ask again during this program</source>
+        <translation>此程序运行期间不再询问</translation>
     </message>
 </context>
 <context>
