@@ -116,9 +116,9 @@ QStringList CommandArguments::operands() const {
 
 const std::vector<const Command*>& commands() {
     static const std::vector<const Command*> kCommands = {
-        &simulateCommand(),   &faultCommand(),    &doctorCommand(),    &recordCommand(), &projectCommand(),
-        &runProgramCommand(), &testCommand(),     &scriptCommand(),    &infoCommand(),   &exportCommand(),
-        &serveCommand(),      &episodesCommand(), &divergenceCommand()};
+        &simulateCommand(),   &faultCommand(), &doctorCommand(),   &recordCommand(),    &projectCommand(),
+        &runProgramCommand(), &testCommand(),  &scriptCommand(),   &importCommand(),    &infoCommand(),
+        &exportCommand(),     &serveCommand(), &episodesCommand(), &divergenceCommand()};
     return kCommands;
 }
 

@@ -117,6 +117,8 @@ const Command& runProgramCommand();
 const Command& testCommand();
 /// Prints a program as URScript.
 const Command& scriptCommand();
+/// Adds a program of the teach pendant or a URScript file to a project.
+const Command& importCommand();
 /// Prints the content of a recording as text or JSON.
 const Command& infoCommand();
 const Command& exportCommand();

@@ -102,6 +102,10 @@ std::optional<ScriptFault> ScriptRun::check(const QString& script, const Softwar
                : std::optional(ScriptFault{outcome.error.line, QString::fromStdString(outcome.error.text)});
 }
 
+bool ScriptRun::isReservedName(const QString& name) {
+    return urscript::isReservedName(name.toStdString());
+}
+
 std::optional<ScriptFault> ScriptRun::start(const QString& script) {
     if (auto fault = check(script, d_->plant.options().software)) {
         return fault;

@@ -71,6 +71,9 @@ public:
     /// Returns  the error; empty without an error
     static std::optional<ScriptFault> check(const QString& script, const SoftwareVersion& software);
 
+    /// True if the name is a keyword or a function of the language, which functions must not have.
+    static bool isReservedName(const QString& name);
+
     /// Compiles the script and starts it. The first step() runs its first period.
     /// Returns  the error; empty without an error
     std::optional<ScriptFault> start(const QString& script);

@@ -93,7 +93,7 @@ struct Motion::Until {
 
 void Motion::defineWaypoints(const XmlElement& element) {
     for (const auto& child : element.children) {
-        if (isSuppressed(*child)) {
+        if (isSuppressed(*child) && !keepsDisabled_) {
             continue;
         }
         const QString type = child->attribute("type");
@@ -410,6 +410,8 @@ std::vector<Motion::Until> Motion::untilsOf(const XmlElement& node, bool ofWaypo
     for (const auto& child : children->children) {
         const QString type = child->attribute("type");
         if (isSuppressed(*child) || child->is("Comment")) {
+            t_.out->mark(NodeMark::Kind::Omitted, t_.numberOf(*child),
+                         QStringLiteral("a disabled node or a comment is not translated here"));
             continue;
         }
         if (!child->is("Until")) {

@@ -15,9 +15,13 @@ namespace tiller::simulator::pendant {
 class Motion {
 public:
     /// writeChildren  writes the child nodes of a node, including referenced nodes
+    /// keepsDisabled  whether disabled waypoints are translated
     Motion(Translation& translation, Expressions& expressions,
-           std::function<void(const XmlElement&)> writeChildren)
-        : t_(translation), x_(expressions), writeChildren_(std::move(writeChildren)) {}
+           std::function<void(const XmlElement&)> writeChildren, bool keepsDisabled)
+        : t_(translation)
+        , x_(expressions)
+        , writeChildren_(std::move(writeChildren))
+        , keepsDisabled_(keepsDisabled) {}
 
     /// Assigns a name to every fixed waypoint below an element and writes the variables with the waypoint
     /// positions.
@@ -52,6 +56,7 @@ private:
     Translation& t_;
     Expressions& x_;
     std::function<void(const XmlElement&)> writeChildren_;
+    bool keepsDisabled_;
     bool usesDirections_ = false;
 };
 

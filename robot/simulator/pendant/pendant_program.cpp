@@ -56,6 +56,9 @@ Result<PendantProgram> readUrp(const QByteArray& content, const QString& name, c
     if (!root) {
         return root.error();
     }
+    if (source.keepsDisabled) {
+        nameDisabledNodes(**root);
+    }
     const Result<Installation> installation = installationOf(**root, source);
     if (!installation) {
         return Error{ErrorCode::FileCorrupt,

@@ -11,9 +11,11 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "robot/core/result.h"
 #include "robot/core/version.h"
+#include "robot/simulator/pendant/script_text.h"
 #include "robot/simulator/pendant/urcaps.h"
 
 namespace tiller::simulator::pendant {
@@ -33,12 +35,15 @@ struct PendantSource {
     std::function<bool(const QString& name)> isReserved = {};
     bool eventNeedsEdge =
         false;  ///< an event runs once each time its condition becomes true, instead of while it is true
+    /// Translates disabled nodes as well, between marks. The script must not be played then.
+    bool keepsDisabled = false;
 };
 
 struct PendantProgram {
     std::string script;  ///< complete function, starting with `def`
     /// The first unfinished node. A program with such a node can be loaded but cannot be played.
     std::optional<Error> unfinished = {};
+    std::vector<NodeMark> marks = {};  ///< of a `.urp` program, in the order of the lines
 };
 
 /// True for gzipped data, or for XML with a program as its root.

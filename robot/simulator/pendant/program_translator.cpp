@@ -51,7 +51,8 @@ ProgramTranslator::ProgramTranslator(const PendantSource& source, const Installa
     : source_(source)
     , t_(installation, source.software, source.isReserved)
     , x_(t_)
-    , motion_(t_, x_, [this](const XmlElement& node) { writeChildren(node); }) {}
+    , motion_(
+          t_, x_, [this](const XmlElement& node) { writeChildren(node); }, source.keepsDisabled) {}
 
 Result<PendantProgram> ProgramTranslator::translate(const XmlElement& root, const QString& name) {
     t_.out = &head_;
@@ -68,7 +69,7 @@ Result<PendantProgram> ProgramTranslator::translate(const XmlElement& root, cons
         return *t_.refusal();
     }
     t_.numberNodes(*parts);
-    const QString head = QStringLiteral("def %1():\n").arg(t_.uniqueName(name));
+    const QString head = QStringLiteral("def %1():").arg(t_.uniqueName(name));
     writeInstallation();
     writeInitialValues(root, false);
     writeInitNode(*parts, *main);
@@ -90,9 +91,14 @@ Result<PendantProgram> ProgramTranslator::translate(const XmlElement& root, cons
     ScriptText timers(1);
     t_.out = &timers;
     defineTimers();
-    program.script =
-        (head + timers.text() + head_.text() + functions_.text() + body_.text() + QStringLiteral("end\n"))
-            .toStdString();
+    ScriptText whole;
+    whole.line(head);
+    for (const ScriptText* const part : {&timers, &head_, &functions_, &body_}) {
+        whole.append(*part);
+    }
+    whole.line(QStringLiteral("end"));
+    program.script = whole.text().toStdString();
+    program.marks = whole.marks();
     program.unfinished = t_.unfinishedNode();
     return program;
 }
@@ -208,6 +214,8 @@ void ProgramTranslator::writeBeforeStart(const XmlElement& parts) {
                    !part->is("InitVariablesNode") && !part->is("SubProgram") && !part->is("Comment") &&
                    !isSuppressed(*part)) {
             t_.refuse(*part, QStringLiteral("this part of a program is not simulated"));
+        } else if (isSuppressed(*part) || part->is("Comment")) {
+            markOmitted(*part);
         }
     }
 }
@@ -301,6 +309,8 @@ void ProgramTranslator::writeSubPrograms(const XmlElement& parts) {
         if (t_.refusal() || (t_.unfinishedNode() && !reasons.unfinished)) {
             t_.restore(reasons);
             functions_ = before;
+            functions_.mark(NodeMark::Kind::Omitted, t_.numberOf(*sub),
+                            QStringLiteral("this subprogram is not called and cannot be translated"));
             written = subPrograms_.size();
         }
     }
@@ -389,6 +399,10 @@ void ProgramTranslator::writeChildren(const XmlElement& node) {
     };
     for (const auto& child : children->children) {
         if (isSuppressed(*child)) {
+            if (source_.keepsDisabled) {
+                finish();
+                writeDisabled(*child);
+            }
             continue;
         }
         if (continuesIf(*child)) {
@@ -409,6 +423,46 @@ void ProgramTranslator::writeChildren(const XmlElement& node) {
         }
     }
     finish();
+}
+
+/// Marks a comment, or a disabled node in a place where only enabled nodes are translated.
+void ProgramTranslator::markOmitted(const XmlElement& node) {
+    if (node.is("Comment")) {
+        t_.out->mark(NodeMark::Kind::Omitted, t_.numberOf(node),
+                     QStringLiteral("comment: ") + node.attribute("comment"));
+    } else {
+        t_.out->mark(NodeMark::Kind::Omitted, t_.numberOf(node),
+                     QStringLiteral("a disabled node is not translated here"));
+    }
+}
+
+/// A disabled node need not be supported.
+void ProgramTranslator::writeDisabled(const XmlElement& suppressed) {
+    using Kind = NodeMark::Kind;
+    const Translation::Reasons reasons = t_.reasons();
+    const ScriptText before = *t_.out;
+    const int number = t_.numberOf(suppressed);
+    t_.out->mark(Kind::DisabledBegin, number);
+    for (const auto& node : suppressed.children) {
+        if (continuesIf(*node)) {
+            t_.refuse(*node, QStringLiteral("a disabled branch of an If is not translated"));
+        } else if (node->is("If")) {
+            std::vector<const XmlElement*> branches = branchesBelow(*node);
+            branches.insert(branches.begin(), node.get());
+            writeBranches(branches, 0);
+        } else {
+            writeNode(*node);
+        }
+    }
+    const std::optional<Error> refusal = t_.refusal() ? t_.refusal() : t_.unfinishedNode();
+    if (refusal && !reasons.refusal && !reasons.unfinished) {
+        *t_.out = before;
+        t_.restore(reasons);
+        t_.out->mark(Kind::Omitted, number, refusal->context);
+        return;
+    }
+    t_.out->setStatements(before.statements());
+    t_.out->mark(Kind::DisabledEnd, number);
 }
 
 /// A continuously checked condition ends its child nodes when it becomes false. The next branch is then
@@ -500,12 +554,15 @@ void ProgramTranslator::writeNode(const XmlElement& node) {
     } else if (const auto motion = kMotions.find(node.name); motion != kMotions.end()) {
         (motion_.*motion->second)(node);
     } else if (node.is("Folder")) {
+        t_.out->mark(NodeMark::Kind::FolderBegin, t_.numberOf(node), node.attribute("name"));
         t_.label(node, node.attribute("name"));
         writeChildren(node);
+        t_.out->mark(NodeMark::Kind::FolderEnd, t_.numberOf(node));
     } else if (node.is("Halt")) {
         t_.label(node, QStringLiteral("Halt"));
         statement(QStringLiteral("halt"));
     } else if (node.is("Comment")) {
+        t_.out->mark(NodeMark::Kind::Comment, t_.numberOf(node), node.attribute("comment"));
         t_.label(node, '\'' + node.attribute("comment") + '\'');
     } else if (node.is("Placeholder")) {
         t_.unfinished(node, QStringLiteral("it is empty"));
@@ -793,6 +850,7 @@ void ProgramTranslator::writeSwitch(const XmlElement& node) {
     for (std::size_t i = 0; children != nullptr && i < children->children.size(); ++i) {
         const XmlElement& branch = *children->children[i];
         if (isSuppressed(branch) || branch.is("Comment")) {
+            markOmitted(branch);
             continue;
         }
         const QString wanted = branch.attribute("caseValue");

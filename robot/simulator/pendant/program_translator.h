@@ -63,6 +63,8 @@ private:
     void writeBlock(const XmlElement& node);
     void writeChildren(const XmlElement& node);
     void writeNode(const XmlElement& node);
+    void writeDisabled(const XmlElement& suppressed);
+    void markOmitted(const XmlElement& node);
     void writeBranches(const std::vector<const XmlElement*>& branches, std::size_t first);
     void writeWhileHolds(const XmlElement& node, const QString& condition);
     void writeSwitch(const XmlElement& node);

@@ -56,15 +56,22 @@ void Translation::numberNodes(const XmlElement& container) {
         }
         // A disabled node and its children also have lines in the program tree.
         const XmlElement* const off = node->child("suppressedNode");
+        if (off != nullptr) {
+            lines_.emplace(off, lastLine_);
+        }
         if (const XmlElement* const children = (off == nullptr ? node : off)->child("children")) {
             numberNodes(*children);
         }
     }
 }
 
-void Translation::label(const XmlElement& node, const QString& text) {
+int Translation::numberOf(const XmlElement& node) const {
     const auto found = lines_.find(&node);
-    out->label(found == lines_.end() ? 0 : found->second, text);
+    return found == lines_.end() ? 0 : found->second;
+}
+
+void Translation::label(const XmlElement& node, const QString& text) {
+    out->label(numberOf(node), text);
 }
 
 }  // namespace tiller::simulator::pendant

@@ -58,6 +58,7 @@ public:
     /// Assigns to every node of a program its line number in the program tree.
     void numberNodes(const XmlElement& container);
     void label(const XmlElement& node, const QString& text);
+    int numberOf(const XmlElement& node) const;  ///< line number in the program tree; 0: none
 
 private:
     static void keep(std::optional<Error>& reason, const XmlElement& at, const QString& why);

@@ -5,6 +5,7 @@
 #include <QStringList>
 #include <QXmlStreamReader>
 #include <algorithm>
+#include <utility>
 
 namespace tiller::simulator::pendant {
 
@@ -21,8 +22,10 @@ const XmlElement* childAt(const XmlElement& from, const QString& step) {
     const qsizetype bracket = step.indexOf('[');
     const QString name = bracket < 0 ? step : step.left(bracket);
     int number = bracket < 0 ? 1 : step.mid(bracket + 1, step.size() - bracket - 2).toInt();
-    const auto found = std::find_if(from.children.begin(), from.children.end(),
-                                    [&](const auto& child) { return child->name == name && --number == 0; });
+    const auto found = std::find_if(from.children.begin(), from.children.end(), [&](const auto& child) {
+        const QString& own = child->fileName.isEmpty() ? child->name : child->fileName;
+        return own == name && --number == 0;
+    });
     return found == from.children.end() ? nullptr : found->get();
 }
 
@@ -78,6 +81,15 @@ const XmlElement* XmlElement::resolved() const {
         at = follow(*at, at->attribute("reference"));
     }
     return nullptr;
+}
+
+void nameDisabledNodes(XmlElement& root) {
+    for (const auto& child : root.children) {
+        if (child->is("suppressedNode") && child->has("class")) {
+            child->fileName = std::exchange(child->name, child->attribute("class"));
+        }
+        nameDisabledNodes(*child);
+    }
 }
 
 Result<std::unique_ptr<XmlElement>> readXmlTree(const QByteArray& xml) {

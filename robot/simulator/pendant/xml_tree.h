@@ -19,8 +19,9 @@ namespace tiller::simulator::pendant {
 struct XmlElement {
     QString name;
     QXmlStreamAttributes attributes;
-    QString text;     ///< text of the element itself, without its children
-    qint64 line = 0;  ///< start line in the file, counted from 1
+    QString text;           ///< text of the element itself, without its children
+    qint64 line = 0;        ///< start line in the file, counted from 1
+    QString fileName = {};  ///< name in the file, if it differs from `name`
     XmlElement* parent = nullptr;
     std::vector<std::unique_ptr<XmlElement>> children;
 
@@ -40,6 +41,9 @@ struct XmlElement {
 
 /// Errors   FileCorrupt with the reason: not XML, or too deep or too large for a pendant file
 Result<std::unique_ptr<XmlElement>> readXmlTree(const QByteArray& xml);
+
+/// Gives disabled nodes the names of their classes. References still use the names in the file.
+void nameDisabledNodes(XmlElement& root);
 
 /// Decompresses gzip data. Empty for other data, or if the result exceeds `maxSize` bytes.
 std::optional<QByteArray> gunzip(const QByteArray& compressed, qsizetype maxSize);

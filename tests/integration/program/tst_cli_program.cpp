@@ -229,7 +229,76 @@ private Q_SLOTS:
         QVERIFY(run({"script", "--help"}).out.contains("--out"));
     }
 
+    void importAddsAProgramAndItsWaypoints() {
+        const QString project = copyOfProject("import.tiller");
+        const QString file = written("two moves.script",
+                                     "def two():\n  movej([-1.6, -1.7, -2.2, -0.8, 1.6, 0], a=1, v=1)\n"
+                                     "  zero_ftsensor()\n  set_standard_digital_out(2, True)\nend\n");
+        const Answer answer = run({"import", file, "--project", project, "--json"});
+        QVERIFY2(answer.code == 0, qPrintable(answer.out + answer.err));
+        const QJsonObject report = QJsonDocument::fromJson(answer.out.toUtf8()).object();
+        QCOMPARE(report["program"].toString(), "two moves");
+        QCOMPARE(report["steps"].toInt(), 2);
+        QCOMPARE(report["texts"].toInt(), 1);
+        QCOMPARE(report["rows"].toArray()[1].toObject()["line"].toInt(), 3);
+        const auto read = project::loadProject(project);
+        QVERIFY(read.ok());
+        QCOMPARE(read->waypoints.size(), project_.waypoints.size() + 1);
+        QCOMPARE(read->programs.size(), project_.programs.size() + 1);
+        const Answer text = run({"import", file, "--project", project, "--program", "again"});
+        QVERIFY2(text.code == 0 && text.out.contains("   2  movej(") && text.out.contains(": MoveJ\n"),
+                 qPrintable(text.out + text.err));
+        const Answer simulated = run({"run", project, "--program", "again", "--simulate"});
+        QVERIFY2(simulated.code == 0, qPrintable(simulated.out + simulated.err));
+    }
+
+    void failedImportLeavesTheProjectUnchanged_data() {
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<QByteArray>("content");
+        QTest::addColumn<QString>("message");
+        QTest::newRow("existing name")
+            << "short.script" << QByteArray("sleep(1)\n") << "already has a program 'short'";
+        QTest::newRow("damaged script") << "a.script" << QByteArray("def a():\n  while True:\n")
+                                        << "a.script: line 4: the block that begins in line 2";
+        QTest::newRow("damaged program") << "a.urp" << QByteArray("<URProgram") << "a.urp: ";
+        QTest::newRow("empty program") << "b.urpx" << QByteArray("{}") << "b.urpx: it contains no URScript";
+    }
+    void failedImportLeavesTheProjectUnchanged() {
+        QFETCH(QString, file);
+        QFETCH(QByteArray, content);
+        QFETCH(QString, message);
+        const QString project = copyOfProject("unchanged.tiller");
+        const QByteArray before = contentOf(project);
+        const Answer answer = run({"import", written(file, content), "--project", project});
+        QCOMPARE(answer.code, 1);
+        QVERIFY2(answer.err.contains(message) && answer.out.isEmpty(), qPrintable(answer.out + answer.err));
+        QCOMPARE(contentOf(project), before);
+    }
+
+    void importRequiresAFileAndAProject() {
+        QCOMPARE(run({"import"}).code, 2);
+        QCOMPARE(run({"import", "a.script"}).code, 2);
+        QCOMPARE(run({"import", "missing.script", "--project", path()}).code, 1);
+        QCOMPARE(run({"import", written("c.script", "sleep(1)\n"), "--project", "missing.tiller"}).code, 1);
+    }
+
 private:
+    /// Path of a copy of the project.
+    QString copyOfProject(const QString& name) const {
+        const QString copy = folder_.filePath(name);
+        QFile::remove(copy);
+        return QFile::copy(path(), copy) ? copy : QString();
+    }
+    QString written(const QString& name, const QByteArray& content) const {
+        QFile file(folder_.filePath(name));
+        return file.open(QIODevice::WriteOnly) && file.write(content) == content.size() ? file.fileName()
+                                                                                        : QString();
+    }
+    static QByteArray contentOf(const QString& path) {
+        QFile file(path);
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    }
+
     QString path() const { return folder_.filePath("cell.tiller"); }
     QTemporaryDir folder_;
     project::Project project_;

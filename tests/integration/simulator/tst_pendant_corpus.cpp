@@ -10,6 +10,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "robot/station/program/import/program_import.h"
+#include "robot/station/program/program_script.h"
 #include "tests/support/primary_listener.h"
 
 using namespace tiller;
@@ -139,6 +141,12 @@ QStringList effects(QStringList trace) {
     return trace;
 }
 
+/// The trace without the titles of messages, which steps do not have.
+QStringList withoutTitles(QStringList trace) {
+    static const QRegularExpression title("^(popup \\d+) '[^']*'");
+    return trace.replaceInStrings(title, "\\1");
+}
+
 }  // namespace
 
 class TestPendantCorpus : public QObject {
@@ -233,6 +241,46 @@ private Q_SLOTS:
                                           "<Contributed "}) {
             QVERIFY2(all.contains(QLatin1String(element)), element);
         }
+    }
+
+    void theImportedProgramHasTheSameEffects_data() {
+        QTest::addColumn<QString>("file");
+        for (const char* const ending : {"*.urp", "exports/*.script"}) {
+            const QDir folder(kFolder + '/' + QFileInfo(ending).path());
+            for (const QString& file :
+                 folder.entryList({QFileInfo(ending).fileName()}, QDir::Files, QDir::Name)) {
+                if (!file.startsWith("refused") && !file.startsWith("unfinished")) {
+                    QTest::newRow(qPrintable(file)) << folder.filePath(file);
+                }
+            }
+        }
+    }
+    void theImportedProgramHasTheSameEffects() {
+        QFETCH(QString, file);
+        program::ImportSource source;
+        source.file = QFileInfo(file).fileName();
+        source.content = contentOf(file).toUtf8();
+        source.files = [](const QString& name) -> std::optional<QByteArray> {
+            QFile other(kFolder + '/' + QFileInfo(name).fileName());
+            return other.open(QIODevice::ReadOnly) ? std::optional(other.readAll()) : std::nullopt;
+        };
+        const auto imported = program::importProgram({}, source);
+        QVERIFY2(imported.ok(), qPrintable(imported.error().toString()));
+        const auto script = program::writeScript(imported->project, imported->program);
+        QVERIFY2(script.ok(), qPrintable(script.problems.empty() ? QString() : script.problems[0].text));
+        if (qEnvironmentVariableIsSet("TILLER_SHOW")) {
+            qInfo().noquote() << script.text;
+            for (const auto& row : imported->rows) {
+                qInfo().noquote() << row.line << row.name << int(row.result) << row.kind << row.reason;
+            }
+        }
+        const QTemporaryDir folder;
+        QFile exported(folder.filePath("imported.script"));
+        QVERIFY(exported.open(QIODevice::WriteOnly));
+        exported.write(script.text.toUtf8());
+        exported.close();
+        QCOMPARE(withoutTitles(effects(Player(folder.path()).play("imported.script"))),
+                 withoutTitles(effects(Player(kFolder).play(QDir(kFolder).relativeFilePath(file)))));
     }
 
     void theExportedScriptHasTheSameEffects_data() { addPrograms(kFolder + "/exports", ".script"); }

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <QDir>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include "app/cli_command.h"
+#include "robot/core/file_reading.h"
+#include "robot/station/program/import/program_import.h"
+#include "robot/station/program/step_kind.h"
+
+namespace tiller::app {
+
+namespace {
+
+using program::ImportRow;
+
+QString stepText(const ImportRow& row) {
+    const program::StepKind* kind = program::findStepKind(row.kind);
+    return kind == nullptr ? row.kind : kind->name();
+}
+
+QString resultText(const ImportRow& row) {
+    const QString reason = row.reason.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(row.reason);
+    QString text;
+    switch (row.result) {
+        case ImportRow::Result::Step:
+            text = stepText(row) + reason;
+            break;
+        case ImportRow::Result::Text:
+            text = QStringLiteral("URScript text") + reason;
+            break;
+        case ImportRow::Result::Merged:
+            text = row.reason;
+            break;
+        case ImportRow::Result::Omitted:
+            text = QStringLiteral("not imported") + reason;
+            break;
+    }
+    return row.disabled ? text + QStringLiteral(", disabled") : text;
+}
+
+QJsonObject rowJson(const ImportRow& row) {
+    static const char* const kResults[] = {"step", "text", "merged", "omitted"};
+    QJsonObject json{{"line", row.line},
+                     {"name", row.name},
+                     {"result", QLatin1String(kResults[static_cast<int>(row.result)])}};
+    if (!row.kind.isEmpty()) {
+        json.insert("kind", row.kind);
+    }
+    if (!row.reason.isEmpty()) {
+        json.insert("reason", row.reason);
+    }
+    if (row.disabled) {
+        json.insert("disabled", true);
+    }
+    return json;
+}
+
+void printReport(const QString& program, const QString& path, const program::ImportedProgram& imported,
+                 bool asJson) {
+    const int steps = imported.count(ImportRow::Result::Step);
+    const int texts = imported.count(ImportRow::Result::Text);
+    const int omitted = imported.count(ImportRow::Result::Omitted);
+    if (asJson) {
+        QJsonArray rows;
+        for (const ImportRow& row : imported.rows) {
+            rows.append(rowJson(row));
+        }
+        out() << QJsonDocument(QJsonObject{{"project", path},
+                                           {"program", program},
+                                           {"programs", imported.programs},
+                                           {"waypoints", imported.waypoints},
+                                           {"steps", steps},
+                                           {"texts", texts},
+                                           {"omitted", omitted},
+                                           {"notes", QJsonArray::fromStringList(imported.notes)},
+                                           {"rows", rows}})
+                     .toJson();
+        out().flush();
+        return;
+    }
+    for (const ImportRow& row : imported.rows) {
+        const QString line = row.line > 0 ? QString::number(row.line) : QString();
+        out() << QStringLiteral("%1  %2: %3\n").arg(line, 4).arg(row.name, resultText(row));
+    }
+    for (const QString& note : imported.notes) {
+        out() << "note: " << note << '\n';
+    }
+    out() << QStringLiteral(
+                 "%1: program '%2' with %3 as steps, %4 as URScript text, %5 not imported; %6 new "
+                 "waypoints\n")
+                 .arg(path, program, QString::number(steps), QString::number(texts), QString::number(omitted),
+                      QString::number(imported.waypoints));
+    out().flush();
+}
+
+int import(const CommandArguments& arguments) {
+    if (arguments.operands().size() != 1) {
+        return wrongArguments(QStringLiteral("import: one program file is required"));
+    }
+    if (!arguments.isSet("project")) {
+        return wrongArguments(QStringLiteral("import: --project FILE is missing"));
+    }
+    const QString file = arguments.operands().constFirst();
+    const QString path = arguments.value("project");
+    const auto content = readWholeFile(file, program::kMaxImportedBytes);
+    if (!content) {
+        return complain(content.error().toString(), kFailed);
+    }
+    const auto opened = project::openProject(path);
+    if (!opened) {
+        return complain(opened.error().toString(), kFailed);
+    }
+    // Names in programs are paths on the robot. Only files in the folder of the program are read.
+    const QDir folder = QFileInfo(file).absoluteDir();
+    program::ImportSource source;
+    source.file = QFileInfo(file).fileName();
+    source.content = *content;
+    source.programName = arguments.value("program");
+    source.files = [folder](const QString& name) -> std::optional<QByteArray> {
+        const auto other =
+            readWholeFile(folder.filePath(QFileInfo(name).fileName()), program::kMaxImportedBytes);
+        return other ? std::optional(*other) : std::nullopt;
+    };
+    const auto imported = program::importProgram(opened->document, source);
+    if (!imported) {
+        return complain(imported.error().toString(), kFailed);
+    }
+    const auto saved = project::saveProject(path, imported->project, QList<QByteArray>{opened->fingerprint});
+    if (!saved) {
+        return complain(saved.error().toString(), kFailed);
+    }
+    if (saved->changedByOther) {
+        return complain(
+            QStringLiteral("%1 was changed by another program and is not saved; try again").arg(path),
+            kFailed);
+    }
+    const QString name = imported->project.programs.find(imported->program)->name;
+    printReport(name, path, *imported, arguments.isSet("json"));
+    return kSuccess;
+}
+
+}  // namespace
+
+const Command& importCommand() {
+    static const Command kCommand{
+        .name = "import",
+        .operands = "FILE",
+        .summary = "adds a program of the teach pendant or a URScript file to a project",
+        .title = "adds a program of the teach pendant or a URScript file to a project",
+        .usage = {"FILE --project FILE.tiller [options]"},
+        .operandRows = {{"FILE",
+                         "program (.urp, .urpx) or URScript (.script). The installation, subprograms and "
+                         "scripts that the program uses must be in the same folder"}},
+        .options = {{"project", "FILE", "project to which the program and its waypoints are added"},
+                    {"program", "NAME", "name of the new program; default: the name of the file"},
+                    {"json", "", "prints the report as one JSON object"}},
+        .notes =
+            "Prints for each node or statement the step that it became. Everything without an equivalent "
+            "step becomes URScript text. An existing program is never replaced, and after an error the "
+            "project is unchanged. Exit code: 0 imported, 1 the program cannot be imported or a file cannot "
+            "be read or written, 2 invalid arguments.",
+        .run = import};
+    return kCommand;
+}
+
+}  // namespace tiller::app

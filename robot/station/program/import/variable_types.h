@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Types of expressions and variables of a script, as far as they are certain. Private to
+// robot/station/program/import.
+
+#include <QHash>
+#include <QString>
+#include <vector>
+
+namespace tiller::program {
+
+struct VariableAssignment {
+    QString name;
+    QString value;
+    bool isGlobal = false;
+    bool isInFunction = false;
+};
+
+/// Types by name, as in the field `type` of steps. Without the variables that have different or uncertain types,
+/// or that are local in a part of the script.
+QHash<QString, QString> variableTypes(const std::vector<VariableAssignment>& assignments);
+
+/// Type of an expression; empty if it is not certain.
+QString typeOf(const QString& expression, const QHash<QString, QString>& variables);
+
+}  // namespace tiller::program
