@@ -92,7 +92,8 @@ Result<ImportedProgram> importProgram(const project::Project& project, const Imp
     if (!read) {
         return read.error();
     }
-    const QString script = QString::fromStdString(read->script).remove(QLatin1Char('\r'));
+    const QString script =
+        QString::fromStdString(read->script).remove(QLatin1Char('\r')).remove(QChar(QChar::ByteOrderMark));
     if (script.contains(QChar(0)) || script.contains(QChar::ReplacementCharacter)) {
         return importError(source.file, QStringLiteral("the file is not text in UTF-8"));
     }

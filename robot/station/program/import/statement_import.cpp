@@ -5,18 +5,16 @@
 #include <QRegularExpression>
 #include <QSet>
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 
-#include "robot/kinematics/arm_kinematics.h"
 #include "robot/simulator/script_run.h"
 #include "robot/station/program/expression.h"
+#include "robot/station/program/import/call_steps.h"
+#include "robot/station/program/import/move_import.h"
 #include "robot/station/program/import/script_statements.h"
 #include "robot/station/program/import/variable_types.h"
-#include "robot/station/program/program_edit.h"
 #include "robot/station/program/program_script.h"
-#include "robot/station/program/step_kind.h"
 
 namespace tiller::program {
 
@@ -29,31 +27,8 @@ using Statements = std::vector<ScriptStatement>;
 using Row = ImportRow;
 
 constexpr int kMaxPasses = 50;
-constexpr double kSameTcp = 1e-9;  ///< [m, rad]
 
 const QString kNoStep = QStringLiteral("no step generates this statement");
-
-QString idOf(const QUuid& id) {
-    return id.toString(QUuid::WithoutBraces);
-}
-
-ProgramStep makeStep(const char* kind, const QJsonObject& fields = {}) {
-    ProgramStep step = newStep(*findStepKind(QLatin1String(kind)));
-    for (auto field = fields.begin(); field != fields.end(); ++field) {
-        step.fields.insert(field.key(), field.value());
-    }
-    return step;
-}
-
-bool isSame(const Pose& a, const Pose& b) {
-    return (a.position - b.position).norm() < kSameTcp && (a.rotation - b.rotation).norm() < kSameTcp;
-}
-
-/// True if the expression in a step gives the same script.
-bool isExpression(const QString& text) {
-    const Expression parsed = parseExpression(text);
-    return parsed.error.isEmpty() && parsed.script == text.trimmed();
-}
 
 QString poseText(const Pose& pose) {
     QStringList numbers;
@@ -61,34 +36,6 @@ QString poseText(const Pose& pose) {
         numbers << QString::number(number);
     }
     return QStringLiteral("p[%1]").arg(numbers.join(QStringLiteral(", ")));
-}
-
-std::optional<bool> flagLiteral(const QString& text) {
-    return text == QLatin1String("True") || text == QLatin1String("true")     ? std::optional(true)
-           : text == QLatin1String("False") || text == QLatin1String("false") ? std::optional(false)
-                                                                              : std::nullopt;
-}
-
-std::optional<int> wholeLiteral(const QString& text) {
-    bool ok = false;
-    const int value = text.toInt(&ok);
-    return ok ? std::optional(value) : std::nullopt;
-}
-
-/// A string literal that a step writes unchanged.
-std::optional<QString> plainString(const QString& literal) {
-    const auto text = stringLiteral(literal);
-    return text && !text->isEmpty() && scriptString(*text) == literal ? text : std::nullopt;
-}
-
-/// Channel of a digital terminal in steps, from the group in the name of the script function.
-std::optional<int> channelOf(const QString& group, const QString& pin) {
-    const auto number = wholeLiteral(pin);
-    const int count = group == QLatin1String("tool") ? 2 : 8;
-    if (!number || *number < 0 || *number >= count) {
-        return std::nullopt;
-    }
-    return *number + (group == QLatin1String("tool") ? 16 : group == QLatin1String("configurable") ? 8 : 0);
 }
 
 /// Calls `visit` for each statement, also inside of blocks.
@@ -189,22 +136,6 @@ public:
     }
 
 private:
-    struct Tcp {
-        enum class Kind { Initial, Known, Unknown };
-        Kind kind = Kind::Initial;
-        Pose value;
-    };
-    struct Definition {
-        QString expression;
-        Tcp tcp;  ///< when the definition is executed
-    };
-    struct Target {
-        std::optional<JointPositions> joints;
-        QString name;         ///< of the variable with the position; may be empty
-        QStringList defined;  ///< variables that the steps do not need
-        QString pose;         ///< if there are no joint positions
-    };
-
     // ---- the script as a whole --------------------------------------------------------------------------
 
     QString findMain(Statements top) {
@@ -269,6 +200,7 @@ private:
     void analyse() {
         QStringList codes;
         QHash<QString, int> assignments;
+        QSet<QString> globals;
         std::vector<VariableAssignment> values;
         static const QRegularExpression assignment(
             QStringLiteral("^(global\\s+|local\\s+)?([A-Za-z_]\\w*)\\s*=(?!=)\\s*(.+)$"));
@@ -287,13 +219,18 @@ private:
             const auto match = assignment.match(statement.code);
             if (statement.kind == Kind::Simple && match.hasMatch()) {
                 ++assignments[match.captured(2)];
-                values.push_back({match.captured(2), match.captured(3).trimmed(),
-                                  match.captured(1).startsWith(QLatin1String("global")), inFunction});
+                const bool isGlobal = match.captured(1).startsWith(QLatin1String("global"));
+                if (isGlobal && !inFunction) {
+                    globals.insert(match.captured(2));
+                }
+                // Before the variable is global, an assignment creates a local one.
+                const bool isLocal = inFunction || !globals.contains(match.captured(2));
+                values.push_back({match.captured(2), match.captured(3).trimmed(), isGlobal, isLocal});
             }
         });
         types_ = variableTypes(values);
         for (const VariableAssignment& value : values) {
-            if (value.isGlobal && !value.isInFunction && assignments.value(value.name) == 1) {
+            if (value.isGlobal && !value.isLocal && assignments.value(value.name) == 1) {
                 constants_.insert(value.name);
             }
         }
@@ -311,15 +248,9 @@ private:
         out_ = {};
         out_.project = before_;
         keys_.clear();
-        definitions_.clear();
-        used_.clear();
         programs_.clear();
         texts_.clear();
-        tcp_ = {};
-        required_.reset();
-        if (const auto* tool = before_.tooling.tools.find(before_.tooling.activeTool)) {
-            required_ = tool->tcpOffset;
-        }
+        moves_.clear();
         project::Program program;
         program.id = QUuid::createUuid();
         program.name = name_;
@@ -349,7 +280,7 @@ private:
             }
         }
         const QSet<QString> omittedBefore = omitted_;
-        for (const QString& name : used_) {
+        for (const QString& name : moves_.used()) {
             if (!kept_.contains(name)) {
                 omitted_.insert(name);
             }
@@ -361,7 +292,7 @@ private:
                 if (omittedBefore.contains(name)) {
                     kept_.insert(name);
                     omitted_.remove(name);
-                    further.unite(wordsOf(definitions_.value(name).expression));
+                    further.unite(wordsOf(moves_.definitions().value(name).first));
                 }
             }
             missing = further.intersect(omitted_);
@@ -493,7 +424,7 @@ private:
     void addText(std::vector<ProgramStep>& steps, const ScriptStatement& statement, const QString& reason) {
         const QString text = textOf(statement);
         if (callsSetTcp(text)) {
-            tcp_.kind = Tcp::Kind::Unknown;
+            moves_.setTcpUnknown();
         }
         const bool joins = !steps.empty() && steps.back().id == lastText_ && lastNode_ == statement.node &&
                            steps.back().kind == QLatin1String("script");
@@ -585,7 +516,8 @@ private:
     }
 
     void addDisabled(std::vector<ProgramStep>& steps, const ScriptStatement& statement) {
-        const Tcp tcp = tcp_;
+        const ScriptTcp tcp = moves_.tcp();
+        const MoveImport::Definitions definitions = moves_.definitions();
         const std::size_t rows = out_.rows.size();
         std::vector<ProgramStep> disabled = block(statement.body);
         for (ProgramStep& step : disabled) {
@@ -595,7 +527,8 @@ private:
         for (std::size_t row = rows; row < out_.rows.size(); ++row) {
             out_.rows[row].disabled = true;
         }
-        tcp_ = tcp;
+        moves_.setTcp(tcp);
+        moves_.setDefinitions(definitions);
         lastText_ = {};
     }
 
@@ -622,8 +555,8 @@ private:
         if (!step) {
             if (const auto tcp = literalTcp(statement.code)) {
                 addText(steps, statement, QStringLiteral("the TCP applies until the end of the program"));
-                tcp_ = {functionSetsTcp_ ? Tcp::Kind::Unknown : Tcp::Kind::Known, *tcp};
-                required_ = *tcp;
+                using TcpKind = ScriptTcp::Kind;
+                moves_.setTcp({functionSetsTcp_ ? TcpKind::Unknown : TcpKind::Known, *tcp});
                 return true;
             }
             return false;
@@ -634,20 +567,20 @@ private:
     }
 
     std::vector<ProgramStep> innerBlock(const Statements& list, bool repeats) {
-        const Tcp before = tcp_;
+        const ScriptTcp before = moves_.tcp();
         bool sets = false;
         forEachStatement(list, false, [&](const ScriptStatement& statement, bool) {
             sets = sets || callsSetTcp(statement.code);
         });
         if (repeats && sets) {
-            tcp_.kind = Tcp::Kind::Unknown;
+            moves_.setTcpUnknown();
         }
         ++depth_;
         std::vector<ProgramStep> steps = block(list);
         --depth_;
-        tcp_ = before;
+        moves_.setTcp(before);
         if (sets) {
-            tcp_.kind = Tcp::Kind::Unknown;
+            moves_.setTcpUnknown();
         }
         return steps;
     }
@@ -817,16 +750,16 @@ private:
             return false;
         }
         addRow(statement, Row::Result::Step, QStringLiteral("call"), QStringLiteral("a program"));
-        const Tcp tcp = tcp_;
+        const ScriptTcp tcp = moves_.tcp();
         if (callsSetTcpAfter(statement.last)) {
-            tcp_.kind = Tcp::Kind::Unknown;
+            moves_.setTcpUnknown();
         }
         project::Program program;
         program.id = QUuid::createUuid();
         program.name = out_.project.programs.uniqueName(name_ + QStringLiteral(": ") + name);
         program.steps = block(statement.body);
         addTexts(program.steps);
-        tcp_ = tcp;
+        moves_.setTcp(tcp);
         if (program.steps.empty()) {
             program.steps.push_back(makeStep("comment"));
         }
@@ -840,8 +773,6 @@ private:
         return std::any_of(lines_.begin() + line, lines_.end(), callsSetTcp);
     }
 
-    // ---- definitions and positions ----------------------------------------------------------------------
-
     /// Returns  true if the statement only defines a position that is a waypoint now
     bool takeDefinition(const ScriptStatement& statement) {
         static const QRegularExpression global(QStringLiteral("^global\\s+(\\w+)\\s*=(?!=)\\s*(.+)$"));
@@ -850,242 +781,12 @@ private:
         if (!match.hasMatch() || !constants_.contains(name)) {
             return false;
         }
-        definitions_.insert(name, {match.captured(2).trimmed(), tcp_});
+        moves_.define(name, match.captured(2).trimmed());
         if (omitted_.contains(name)) {
             addRow(statement, Row::Result::Merged, {}, QStringLiteral("part of a waypoint"));
             return true;
         }
         return false;
-    }
-
-    static std::optional<Pose> literalPose(const QString& text) {
-        const auto values = listLiteral(text, QStringLiteral("p"), 6);
-        return values ? std::optional(Pose::fromStdVector(*values)) : std::nullopt;
-    }
-    static std::optional<Pose> literalTcp(const QString& code) {
-        const auto call = parseCall(code);
-        return call && call->function == QLatin1String("set_tcp") && call->arguments.size() == 1
-                   ? literalPose(call->arguments.front().text)
-                   : std::nullopt;
-    }
-
-    /// True if the TCP of the program at this statement is this one.
-    bool isTcp(const Pose& tcp) {
-        if (tcp_.kind == Tcp::Kind::Known) {
-            return isSame(tcp_.value, tcp);
-        }
-        if (tcp_.kind == Tcp::Kind::Initial) {
-            // The program requires this TCP; see ProgramScript::tcp.
-            required_ = required_.value_or(tcp);
-            return isSame(*required_, tcp);
-        }
-        return false;
-    }
-    bool isSameTcp(const Tcp& then) const {
-        return tcp_.kind == then.kind && tcp_.kind != Tcp::Kind::Unknown && isSame(tcp_.value, then.value);
-    }
-
-    /// Joint positions that the expression stands for, as a list.
-    std::optional<Target> jointsOf(const QString& expression) {
-        if (const auto values = listLiteral(expression, {}, 6)) {
-            return Target{JointPositions(*values), {}, {}, {}};
-        }
-        const auto known = definitions_.constFind(expression);
-        if (known == definitions_.constEnd()) {
-            return std::nullopt;
-        }
-        const auto values = listLiteral(known->expression, {}, 6);
-        return values ? std::optional(Target{JointPositions(*values), expression, {expression}, {}})
-                      : std::nullopt;
-    }
-
-    /// Joint positions whose pose with the current TCP is the value of the expression.
-    std::optional<Target> jointsOfPose(const QString& expression) {
-        if (const auto known = definitions_.constFind(expression); known != definitions_.constEnd()) {
-            const Definition definition = *known;
-            const auto call = parseCall(definition.expression);
-            if (!call || (call->arguments.size() == 1 && !isSameTcp(definition.tcp))) {
-                return std::nullopt;
-            }
-            auto target = jointsOfPose(definition.expression);
-            if (target) {
-                target->name = expression;
-                target->defined << expression;
-            }
-            return target;
-        }
-        const auto call = parseCall(expression);
-        if (!call || call->function != QLatin1String("get_forward_kin") || call->arguments.empty() ||
-            call->arguments.size() > 2) {
-            return std::nullopt;
-        }
-        const auto values = call->bind({QStringLiteral("q"), QStringLiteral("tcp")});
-        if (!values || values->front().isEmpty()) {
-            return std::nullopt;
-        }
-        if (!values->back().isEmpty()) {
-            const auto tcp = literalPose(values->back());
-            if (!tcp || !isTcp(*tcp)) {
-                return std::nullopt;
-            }
-        } else if (tcp_.kind == Tcp::Kind::Unknown) {
-            return std::nullopt;
-        }
-        return jointsOf(values->front());
-    }
-
-    std::optional<Target> targetOf(const QString& expression, bool joint) {
-        if (const auto target = jointsOf(expression)) {
-            return target;
-        }
-        if (const auto target = jointsOfPose(expression)) {
-            return target;
-        }
-        const auto call = parseCall(expression);
-        if (joint && call && call->function == QLatin1String("get_inverse_kin")) {
-            const auto values = call->bind({QStringLiteral("x"), QStringLiteral("qnear")});
-            if (!values || values->front().isEmpty()) {
-                return std::nullopt;
-            }
-            if (values->back().isEmpty()) {
-                return poseTarget(values->front());
-            }
-            auto target = jointsOfPose(values->front());
-            const auto near = jointsOf(values->back());
-            if (!target || !near || *target->joints != *near->joints) {
-                return std::nullopt;
-            }
-            target->defined << near->defined;
-            return target;
-        }
-        const bool isPose =
-            typeOf(expression, types_) == QLatin1String("pose") ||
-            (definitions_.contains(expression) &&
-             typeOf(definitions_.value(expression).expression, types_) == QLatin1String("pose"));
-        return !joint || isPose ? poseTarget(expression) : std::nullopt;
-    }
-
-    static std::optional<Target> poseTarget(const QString& expression) {
-        return isExpression(expression) ? std::optional(Target{{}, {}, {}, expression}) : std::nullopt;
-    }
-
-    /// The waypoint of the imported program at these joint positions.
-    /// label   its name; may be empty
-    /// values  speed and blend of a new waypoint
-    QUuid waypointFor(const Target& target, const QString& label, const project::Waypoint& values) {
-        required_ = required_.value_or(tcp_.kind == Tcp::Kind::Known ? tcp_.value : Pose());
-        const Pose tcp = tcp_.kind == Tcp::Kind::Known ? tcp_.value : *required_;
-        QString wanted = !label.isEmpty() ? label : target.name;
-        if (label.isEmpty() &&
-            (wanted.endsWith(QLatin1String("_q")) || wanted.endsWith(QLatin1String("_p")))) {
-            wanted.chop(2);
-        }
-        const auto& known = out_.project.waypoints;
-        for (int i = before_.waypoints.size(); i < known.size(); ++i) {
-            const project::Waypoint& point = known.at(i);
-            if (point.joints == *target.joints && isSame(point.tcpOffset, tcp) &&
-                (wanted.isEmpty() || point.name == wanted)) {
-                return point.id;
-            }
-        }
-        project::Waypoint point = values;
-        point.id = QUuid::createUuid();
-        point.name = known.uniqueName(
-            wanted.isEmpty() ? QStringLiteral("%1 %2").arg(name_).arg(out_.waypoints + 1) : wanted);
-        point.group = name_;
-        point.ruling = project::TargetKind::Joints;
-        point.tcpOffset = tcp;
-        point.joints = *target.joints;
-        const RobotModelId model = before_.robot.value_or(RobotModelId::UR5e);
-        point.pose = kinematics::forwardTcp(robotModel(model).dh, point.joints, tcp);
-        out_.project.waypoints.append(point);
-        ++out_.waypoints;
-        return point.id;
-    }
-
-    void use(const Target& target) {
-        for (const QString& name : target.defined) {
-            used_.insert(name);
-        }
-    }
-
-    std::optional<ProgramStep> moveStep(const ScriptCall& call, const ScriptStatement& statement) {
-        const bool joint = call.function == QLatin1String("movej");
-        const bool process = call.function == QLatin1String("movep");
-        const QString target = joint ? QStringLiteral("q") : QStringLiteral("pose");
-        const auto values = process ? call.bind({target, QStringLiteral("a"), QStringLiteral("v"),
-                                                 QStringLiteral("r"), QStringLiteral("t")})
-                                    : call.bind({target, QStringLiteral("a"), QStringLiteral("v"),
-                                                 QStringLiteral("t"), QStringLiteral("r")});
-        if (!values || values->front().isEmpty() || (process && !values->at(4).isEmpty())) {
-            return std::nullopt;
-        }
-        const auto numberAt = [&](qsizetype at, double initial) {
-            return values->at(at).isEmpty() ? std::optional(initial) : numberLiteral(values->at(at));
-        };
-        // The initial values are those of the controller.
-        const auto acceleration = numberAt(1, joint ? 1.4 : 1.2);
-        const auto speed = numberAt(2, joint ? 1.05 : 0.25);
-        const auto time = process ? std::optional(0.0) : numberAt(3, 0);
-        const auto blend = numberAt(process ? 3 : 4, 0);
-        if (!acceleration || !speed || !blend || time != 0) {
-            reason_ = QStringLiteral("the speed, acceleration or blend is not a number, or a time is set");
-            return std::nullopt;
-        }
-        const auto found = targetOf(values->front(), joint);
-        if (!found) {
-            reason_ = QStringLiteral("its target cannot be a waypoint or a pose of a step");
-            return std::nullopt;
-        }
-        ProgramStep step = makeStep(joint     ? "moveJ"
-                                    : process ? "moveP"
-                                              : "moveL",
-                                    {{"acceleration", *acceleration}, {"speed", *speed}, {"blend", *blend}});
-        if (found->joints) {
-            project::Waypoint point;
-            point.move = joint ? project::MoveKind::Joint : project::MoveKind::Linear;
-            (joint ? point.jointSpeed : point.toolSpeed) = *speed;
-            point.blend = *blend;
-            use(*found);
-            step.fields.insert(
-                QStringLiteral("waypoint"),
-                idOf(waypointFor(*found, statement.node > 0 ? statement.nodeName : QString(), point)));
-        } else {
-            step.fields.insert(QStringLiteral("pose"), found->pose);
-        }
-        return step;
-    }
-
-    std::optional<ProgramStep> circleStep(const ScriptCall& call) {
-        const auto values =
-            call.bind({QStringLiteral("pose_via"), QStringLiteral("pose_to"), QStringLiteral("a"),
-                       QStringLiteral("v"), QStringLiteral("r"), QStringLiteral("mode")});
-        if (!values || values->at(0).isEmpty() || values->at(1).isEmpty()) {
-            return std::nullopt;
-        }
-        const auto numberAt = [&](qsizetype at, double initial) {
-            return values->at(at).isEmpty() ? std::optional(initial) : numberLiteral(values->at(at));
-        };
-        const auto acceleration = numberAt(2, 1.2);
-        const auto speed = numberAt(3, 0.25);
-        const auto blend = numberAt(4, 0);
-        const auto mode = numberAt(5, 0);
-        const auto via = jointsOfPose(values->at(0));
-        const auto end = jointsOfPose(values->at(1));
-        if (!acceleration || !speed || !blend || (mode != 0 && mode != 1) || !via || !end) {
-            return std::nullopt;
-        }
-        project::Waypoint point;
-        point.move = project::MoveKind::Linear;
-        point.toolSpeed = *speed;
-        use(*via);
-        use(*end);
-        return makeStep("moveCircle", {{"via", idOf(waypointFor(*via, {}, point))},
-                                       {"waypoint", idOf(waypointFor(*end, {}, point))},
-                                       {"acceleration", *acceleration},
-                                       {"speed", *speed},
-                                       {"blend", *blend},
-                                       {"orientation", mode == 1 ? "fixed" : "free"}});
     }
 
     // ---- other statements -------------------------------------------------------------------------------
@@ -1111,28 +812,9 @@ private:
         if (call->arguments.empty() && programs_.contains(function)) {
             return makeStep("call", {{"program", idOf(programs_.value(function))}});
         }
-        if (function == QLatin1String("movej") || function == QLatin1String("movel") ||
-            function == QLatin1String("movep")) {
-            return moveStep(*call, statement);
-        }
-        if (function == QLatin1String("movec")) {
-            return circleStep(*call);
-        }
-        if (function == QLatin1String("sleep")) {
-            const auto values = call->bind({QStringLiteral("t")});
-            const auto time = values ? numberLiteral(values->front()) : std::nullopt;
-            return time ? std::optional(makeStep("wait", {{"time", *time}})) : std::nullopt;
-        }
-        if (function == QLatin1String("popup")) {
-            return messageStep(*call);
-        }
-        if (function == QLatin1String("textmsg")) {
-            return logStep(*call);
-        }
-        if (function == QLatin1String("set_payload")) {
-            return payloadStepFor(*call);
-        }
-        return outputStep(*call);
+        const QString label = statement.node > 0 ? statement.nodeName : QString();
+        return MoveImport::isMove(*call) ? moves_.step(*call, label, reason_)
+                                         : stepForCall(*call, out_.project.tooling.payloads, reason_);
     }
 
     std::optional<ProgramStep> assignStep(const QString& name, const QString& value) {
@@ -1157,112 +839,6 @@ private:
                    : std::nullopt;
     }
 
-    std::optional<ProgramStep> messageStep(const ScriptCall& call) {
-        static const QStringList kTitles{QStringLiteral("\"Message\""), QStringLiteral("\"Warning\""),
-                                         QStringLiteral("\"Error\""), QStringLiteral("\"Popup\""),
-                                         QStringLiteral("\"Tiller\"")};
-        const auto values =
-            call.bind({QStringLiteral("s"), QStringLiteral("title"), QStringLiteral("warning"),
-                       QStringLiteral("error"), QStringLiteral("blocking")});
-        if (!values) {
-            return std::nullopt;
-        }
-        const auto flagAt = [&](qsizetype at) {
-            return values->at(at).isEmpty() ? std::optional(false) : flagLiteral(values->at(at));
-        };
-        const auto text = plainString(values->front());
-        const auto warning = flagAt(2), error = flagAt(3), waits = flagAt(4);
-        if (!values->at(1).isEmpty() && !kTitles.contains(values->at(1))) {
-            reason_ = QStringLiteral("the Message step has no title");
-            return std::nullopt;
-        }
-        if (!text || !warning || !error || !waits || (*warning && *error)) {
-            return std::nullopt;
-        }
-        return makeStep("message", {{"text", *text},
-                                    {"level", *error     ? "error"
-                                              : *warning ? "warning"
-                                                         : "message"},
-                                    {"waits", *waits}});
-    }
-
-    static std::optional<ProgramStep> logStep(const ScriptCall& call) {
-        const auto values = call.bind({QStringLiteral("s1"), QStringLiteral("s2")});
-        const auto text = values ? plainString(values->front()) : std::nullopt;
-        if (!text || (!values->back().isEmpty() && !isExpression(values->back()))) {
-            return std::nullopt;
-        }
-        ProgramStep step = makeStep("log", {{"text", *text}});
-        if (!values->back().isEmpty()) {
-            step.fields.insert(QStringLiteral("value"), values->back());
-        }
-        return step;
-    }
-
-    std::optional<ProgramStep> payloadStepFor(const ScriptCall& call) {
-        const auto values = call.bind({QStringLiteral("m"), QStringLiteral("cog")});
-        const auto mass = values ? numberLiteral(values->front()) : std::nullopt;
-        const auto centre = values ? listLiteral(values->back(), {}, 3) : std::nullopt;
-        if (!mass || !centre || *mass < 0 || *mass > project::kHeaviestPayload ||
-            std::any_of(centre->begin(), centre->end(),
-                        [](double value) { return std::abs(value) > project::kFarthestPayload; })) {
-            reason_ = QStringLiteral("the payload is not given by numbers");
-            return std::nullopt;
-        }
-        const Eigen::Vector3d point((*centre)[0], (*centre)[1], (*centre)[2]);
-        project::PayloadList& payloads = out_.project.tooling.payloads;
-        const auto same =
-            std::find_if(payloads.begin(), payloads.end(), [&](const project::Payload& payload) {
-                return payload.mass == *mass && payload.centre == point;
-            });
-        if (same != payloads.end()) {
-            return makeStep("payload", {{"payload", idOf(same->id)}});
-        }
-        project::Payload payload;
-        payload.id = QUuid::createUuid();
-        payload.name = payloads.uniqueName(QStringLiteral("%1 kg").arg(*mass));
-        payload.mass = *mass;
-        payload.centre = point;
-        payloads.append(payload);
-        return makeStep("payload", {{"payload", idOf(payload.id)}});
-    }
-
-    static std::optional<ProgramStep> outputStep(const ScriptCall& call) {
-        static const QRegularExpression digital(
-            QStringLiteral("^set_(?:(standard|configurable|tool)_)?digital_out$"));
-        static const QRegularExpression reg(
-            QStringLiteral("^write_output_(integer|float|boolean)_register$"));
-        if (call.arguments.size() != 2 || !call.arguments[0].name.isEmpty() ||
-            !call.arguments[1].name.isEmpty()) {
-            return std::nullopt;
-        }
-        const QString& pin = call.arguments[0].text;
-        const QString& value = call.arguments[1].text;
-        if (const auto match = digital.match(call.function); match.hasMatch()) {
-            const auto channel = channelOf(match.captured(1), pin);
-            const auto on = flagLiteral(value);
-            return channel && on
-                       ? std::optional(makeStep("setOutput", {{"output", *channel}, {"value", *on}}))
-                       : std::nullopt;
-        }
-        if (call.function == QLatin1String("set_standard_analog_out")) {
-            const auto number = wholeLiteral(pin);
-            const auto level = numberLiteral(value);
-            return number && level
-                       ? std::optional(makeStep("setAnalogOutput", {{"output", *number}, {"level", *level}}))
-                       : std::nullopt;
-        }
-        if (const auto match = reg.match(call.function); match.hasMatch()) {
-            const auto number = wholeLiteral(pin);
-            return number && isExpression(value)
-                       ? std::optional(
-                             makeStep("setRegister",
-                                      {{"type", match.captured(1)}, {"register", *number}, {"value", value}}))
-                       : std::nullopt;
-        }
-        return std::nullopt;
-    }
-
     const project::Project& before_;
     const QString name_;
     const QStringList& lines_;
@@ -1281,11 +857,8 @@ private:
     // state of a pass
     ImportedProgram out_;
     QHash<QUuid, int> keys_;  ///< first line of the statement of each step
-    QHash<QString, Definition> definitions_;
-    QSet<QString> used_;  ///< definitions of waypoints
     QHash<QString, QUuid> programs_;
-    Tcp tcp_;
-    std::optional<Pose> required_;  ///< TCP at the start
+    MoveImport moves_{before_, out_, name_, types_};
     QString reason_;
     QHash<QUuid, QStringList> texts_;  ///< of the text steps
     int depth_ = 0;                    ///< number of sections around the current statement

@@ -92,7 +92,7 @@ QHash<QString, QString> variableTypes(const std::vector<VariableAssignment>& ass
     QSet<QString> globals, excluded;
     for (const VariableAssignment& assignment : assignments) {
         (assignment.isGlobal ? globals : excluded)
-            .insert(assignment.isGlobal || assignment.isInFunction ? assignment.name : QString());
+            .insert(assignment.isGlobal || assignment.isLocal ? assignment.name : QString());
     }
     QHash<QString, QString> types;
     for (bool changed = true; changed;) {

@@ -14,7 +14,7 @@ struct VariableAssignment {
     QString name;
     QString value;
     bool isGlobal = false;
-    bool isInFunction = false;
+    bool isLocal = false;  ///< unless it is global: the variable of a function, or not yet global
 };
 
 /// Types by name, as in the field `type` of steps. Without the variables that have different or uncertain types,

@@ -256,6 +256,12 @@ const Sample kSamples[] = {
      "  end\n"
      "  write_output_integer_register(1, n + f())\n"
      "end\n"},
+    {"a variable that is local before it is global", "script setRegister",
+     "def p():\n"
+     "  n = 4\n"
+     "  global n = 5\n"
+     "  write_output_integer_register(1, n)\n"
+     "end\n"},
     {"loops", "assign loop(assign if(leaveLoop) wait setRegister) setOutput",
      "def p():\n"
      "  global k = 0\n"
