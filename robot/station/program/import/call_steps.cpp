@@ -37,6 +37,7 @@ std::optional<bool> flagLiteral(const QString& text) {
 }
 
 namespace {
+
 std::optional<int> wholeLiteral(const QString& text) {
     bool ok = false;
     const int value = text.toInt(&ok);

@@ -126,7 +126,8 @@ public:
                 addNotes(script);
                 return isCompiled(script.text)
                            ? Result<ImportedProgram>(out_)
-                           : asText(textOf(main_), QStringLiteral("the steps use each other's names"));
+                           : asText(textOf(main_),
+                                    QStringLiteral("the script of the steps does not compile"));
             }
             if (!deny(script.problems)) {
                 return asText(textOf(main_), script.problems.front().text);
@@ -740,8 +741,7 @@ private:
         const auto match = def.match(statement.code);
         if (!match.hasMatch() || keptFunctions_.contains(match.captured(1)) ||
             hasWord(statement.body, QStringLiteral("return"))) {
-            reason_ =
-                QStringLiteral("it is a function with parameters or a result, or a thread, or part of one");
+            reason_ = QStringLiteral("functions with parameters or results, and threads, have no step");
             return false;
         }
         const QString name = match.captured(1);
@@ -749,7 +749,7 @@ private:
             reason_ = QStringLiteral("the program does not call this function");
             return false;
         }
-        addRow(statement, Row::Result::Step, QStringLiteral("call"), QStringLiteral("a program"));
+        addRow(statement, Row::Result::Step, QStringLiteral("call"), QStringLiteral("becomes a program"));
         const ScriptTcp tcp = moves_.tcp();
         if (callsSetTcpAfter(statement.last)) {
             moves_.setTcpUnknown();
