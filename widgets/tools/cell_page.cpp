@@ -25,7 +25,8 @@ namespace {
 constexpr double kFarthestInCell = 10;  ///< [m]
 constexpr double kNewEdge = 0.1;        ///< initial edge length of a box [m]
 
-/// Returns a pose at this point whose Z axis is the normal. Its rotation relative to the base is minimal.
+/// Returns a pose at this point with its Z axis along the normal and the smallest rotation relative to the
+/// base frame.
 Pose planePose(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) {
     const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), normal);
     Pose pose;
@@ -145,7 +146,7 @@ void VectorEditor::updateValueTexts() {
         box.setRange(kind_ == Kind::Size ? kMinEdge / unit() : -most, most);
         box.setSuffix(kind_ == Kind::Direction ? QString() : QLatin1Char(' ') + format::lengthUnit());
         box.setValue(vector_[static_cast<Eigen::Index>(i)] / unit());
-        // The box rounds; with the rounded value, only edited values count as changed.
+        // Store the rounded value of the box, so that only edited values count as changed.
         shown_[i] = box.value();
     }
 }
@@ -255,7 +256,7 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
     cellRow->addWidget(floorHere);
     cellRow->addWidget(keep);
     cellRow->addWidget(distance_, 1);
-    // In a panel with little height, the values scroll. The list and the row below do not move.
+    // In a panel with little height, the values scroll, and the list and the row below stay in place.
     auto* figures = new NoFocusScrollArea;
     figures->setObjectName(QStringLiteral("cell.figures"));
     figures->setWidgetResizable(true);
@@ -347,7 +348,7 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
             refresh();
             return;
         }
-        project::CellPlane after = *selected;  // the position of the plane may still be unknown
+        project::CellPlane after = *selected;  // keeps the other values of the plane
         after.pose = planePose(after.pose.position, normal.normalized());
         change(after, CellPage::tr("Rotate “%1”").arg(after.name));
     });

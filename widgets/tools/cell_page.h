@@ -2,7 +2,7 @@
 #pragma once
 
 // The surroundings of the arm: boxes, planes, the floor and the safety distance. Objects are entered as
-// numbers or taught from the TCP. Changes are displayed and checked immediately.
+// numbers or taught with the TCP. Changes are displayed and checked immediately.
 
 #include <array>
 #include <optional>
@@ -19,7 +19,7 @@ class DecimalSpinBox;
 class PoseEditor;
 class ProjectDocument;
 
-/// Three numbers in a row: a point or size in the units of the settings, or a direction without a unit.
+/// Three number fields in a row: a point or size in the selected length unit, or a direction without a unit.
 class VectorEditor : public QWidget {
     Q_OBJECT
 
@@ -91,7 +91,7 @@ private:
 
     ProjectDocument& document_;
     SessionState state_;
-    std::optional<Eigen::Vector3d> corner_;  ///< first corner of a box in the base frame [m]
+    std::optional<Eigen::Vector3d> corner_;  ///< first corner of a new box, in the base frame [m]
     QPushButton* cornerKey_ = nullptr;
     QWidget* selected_;  ///< widgets for the selected object
     QLabel* facts_;

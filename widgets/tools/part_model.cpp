@@ -10,7 +10,8 @@ PartModel::PartModel(Content content, QObject* parent)
 
 void PartModel::follow() {
     const int now = content_.count();
-    // The remaining rows keep their selection, and all values are updated.
+    // Insert or remove rows only at the end, so that the remaining rows keep their selection. Then update all
+    // values.
     if (now > rows_) {
         beginInsertRows({}, rows_, now - 1);
         rows_ = now;

@@ -2,7 +2,7 @@
 #pragma once
 
 // Table model for a list of named objects of the project: a mark for the active object, the name, and values.
-// The name is editable. Callback functions provide the access to the project.
+// The name is editable. The model accesses the project through callback functions.
 
 #include <QAbstractTableModel>
 #include <QStringList>
@@ -23,13 +23,13 @@ public:
         QString inUse;  ///< text of the mark, e.g. "In use"
         std::function<QString(int row)> name;
         std::function<QStringList(int row)> figures;  ///< one text per column
-        /// Returns the reason why the row cannot have this name, as a sentence; empty if the name is valid.
+        /// Returns a sentence explaining why the row cannot have this name; empty if the name is valid.
         std::function<QString(int row, const QString& name)> nameProblem;
         std::function<void(int row, const QString& name)> rename;
     };
     explicit PartModel(Content content, QObject* parent = nullptr);
 
-    /// Updates the model after the list or its content has changed.
+    /// Updates the model. Call this after the list or its content has changed.
     void follow();
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -40,7 +40,7 @@ public:
     Qt::ItemFlags flags(const QModelIndex& index) const override;
 
 Q_SIGNALS:
-    /// An edit was rejected. The argument is the reason.
+    /// An edit was rejected for this reason.
     void editRefused(const QString& reason);
 
 private:

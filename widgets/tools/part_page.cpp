@@ -80,7 +80,7 @@ PartPage::PartPage(const QString& name, const QString& title, PartModel* model, 
 }
 
 PartPage::~PartPage() {
-    // The model of the table is destroyed first, and the document may no longer exist.
+    // The base class destroys the table after its model, and the document may already be destroyed.
     disconnect(table_, nullptr, this, nullptr);
 }
 

@@ -52,19 +52,19 @@ protected:
     /// needsRow  if true, the command is disabled without a selection
     QAction* addCommand(const QString& name, const QString& text, bool needsRow, std::function<void()> run);
     QMenu* menu() { return menu_; }
-    /// Shows the widget instead of buttons, list and details. Null restores them.
+    /// Shows the widget in place of the buttons, the list and the details. Null restores them.
     void showInstead(QWidget* widget);
     PartModel& model() { return *model_; }
     RowTable& table() { return *table_; }
     NoticeBar& notice() { return *notice_; }
     QWidget& details() { return *details_; }
     void showProblem(const QString& text);
-    /// Updates the page after a change of the list.
+    /// Updates the page. Call this after a change of the list.
     void followList();
     /// Shows the details even without a selection.
     void keepDetails() { detailsAlways_ = true; }
 
-    /// Called when the selection or the values of the selected object have changed.
+    /// Called after the selection or the values of the selected object have changed.
     virtual void onSelection() = 0;
 
 private:

@@ -22,7 +22,8 @@ constexpr double kProposals[][3] = {{0, 0, 0},      {0.6, 0, 0},     {-0.4, 0.7,
                                     {0, -0.7, 1.6}, {0.5, 0.5, 2.4}, {-0.5, -0.5, -0.8}};
 constexpr double kProposedSpeed = 0.5;         ///< [rad/s]
 constexpr double kProposedAcceleration = 1.0;  ///< [rad/s2]
-/// Minimum differences of the forces and torques between the poses. They must exceed the noise [N, Nm].
+/// Minimum differences of the forces and torques between the poses [N, Nm]. They must exceed the sensor
+/// noise.
 constexpr double kPoorForce = 1.0;
 constexpr double kPoorTorque = 0.1;
 
@@ -128,7 +129,7 @@ JointPositions PayloadEstimator::nextPose() const {
     const auto& turns = kProposals[readings_.size() % std::size(kProposals)];
     for (int i = 0; i < 3; ++i) {
         const double there = q[3 + i] + turns[i];
-        // If the rotation would exceed the limit of the range, rotate in the other direction.
+        // Rotate in the opposite direction if the joint would leave its position range.
         q[3 + i] = std::abs(there) <= kJointPositionLimit ? there : q[3 + i] - turns[i];
     }
     return q;

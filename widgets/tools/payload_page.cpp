@@ -19,7 +19,7 @@
 namespace tiller {
 namespace {
 
-/// Cause of the notice about different payloads in robot and project.
+/// Cause of the notice that the payloads of robot and project differ.
 constexpr char kPayloadDifference[] = "robot.payload";
 
 PartModel* payloadModel(ProjectDocument& document) {
@@ -192,7 +192,7 @@ void PayloadPage::storeValue(int figure) {
     const project::Payload* payload = current();
     const auto at = static_cast<std::size_t>(figure);
     if (payload == nullptr || boxes_[at]->isRefused() || boxes_[at]->value() == shown_[at]) {
-        return;  // keep the full precision
+        return;  // an unchanged field keeps the full precision
     }
     project::Payload after = *payload;
     if (figure == 0) {
@@ -224,7 +224,7 @@ void PayloadPage::use() {
         return;
     }
     const project::Payload chosen = *payload;
-    // Do not ask about a value that is about to be set.
+    // Do not ask about the difference that this command removes.
     asked_ = chosen;
     askedMass_ = state_.payloadMass;
     askedCentre_ = state_.payloadCentre;
@@ -352,7 +352,7 @@ void PayloadPage::refresh() {
 void PayloadPage::updateValueTexts(const project::Payload& payload) {
     const double perUnit = format::metresPerUnit();
     if (shownPayload_ == payload && shownUnit_ == perUnit) {
-        return;  // preserve a value that is being edited
+        return;  // do not overwrite a value that is being edited
     }
     shownPayload_ = payload;
     shownUnit_ = perUnit;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The payloads of the project. A payload is entered, selected from presets, or measured with the arm. One
-// payload is active. The payload configured in the robot is compared with the active payload and with the
-// measured forces.
+// The payloads of the project, one of which is active. A payload is entered, selected from presets, or
+// measured with the arm. The page compares the payload configured in the robot with the active payload and
+// with the measured forces.
 
 #include <array>
 #include <optional>
@@ -28,17 +28,17 @@ public:
                 QWidget* parent = nullptr);
 
     void setState(const SessionState& state);
-    /// Call this after undo or redo. Selects the changed payload, and asks the user if the robot has a
-    /// different payload.
+    /// Selects the changed payload, and asks the user if the robot has a different payload. Call this after
+    /// undo or redo.
     void followStep(const QUuid& id);
     void setHeldSpeed(std::function<HeldSpeed()> speed) { estimator_->setHeldSpeed(std::move(speed)); }
-    /// Measures for one second, and shows whether the configured payload explains the measured forces.
+    /// Measures for one second and shows whether the configured payload matches the measured forces.
     void checkTruth();
 
     /// Tolerances [kg, m]. Larger differences between robot and project are reported.
     static constexpr double kSameMass = 0.005;
     static constexpr double kSameCentre = 0.0005;
-    /// Maximum residual force and torque at standstill with a correct payload [N, Nm].
+    /// Maximum residual force and torque at standstill if the payload is correct [N, Nm].
     static constexpr double kTrueForce = 3.0;
     static constexpr double kTrueTorque = 0.5;
 

@@ -18,7 +18,7 @@
 namespace tiller {
 namespace {
 
-/// Cause of the notice about different TCPs in robot and project.
+/// Cause of the notice that the TCPs of robot and project differ.
 constexpr char kTcpDifference[] = "robot.tcp";
 
 PartModel* tcpModel(ProjectDocument& document) {
@@ -187,7 +187,7 @@ void TcpPage::use() {
         return;
     }
     const project::Tool chosen = *tool;
-    // Do not ask about a value that is about to be set.
+    // Do not ask about the difference that this command removes.
     asked_ = chosen;
     askedAbout_ = state_.tcpOffset;
     project::Tooling after = document_.tooling();

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The tool centre points of the project. They are named, and entered or taught. One of them is active. The
-// TCP of the robot is also displayed. If it differs from the active TCP, the user is asked, and neither is
-// changed automatically.
+// The tool centre points of the project, one of which is active. A TCP is entered or taught. The page also
+// displays the TCP of the robot. If it differs from the active TCP, the page asks the user and changes
+// neither automatically.
 
 #include <optional>
 
@@ -26,8 +26,8 @@ public:
     TcpPage(RobotSession& session, ProjectDocument& document, QWidget* parent = nullptr);
 
     void setState(const SessionState& state);
-    /// Call this after undo or redo. Selects the changed TCP, and asks the user if the robot has a different
-    /// TCP.
+    /// Selects the changed TCP, and asks the user if the robot has a different TCP. Call this after undo or
+    /// redo.
     void followStep(const QUuid& id);
 
     /// Tolerances [m, rad]. Larger differences between robot and project are reported.
@@ -56,8 +56,8 @@ private:
     QLabel* facts_;
     TcpTeacher* teacher_;
     QUuid teachingInto_;
-    std::optional<project::Tool> asked_;  ///< the tool of the last question to the user
-    Pose askedAbout_;                     ///< the TCP of the robot in the last question
+    std::optional<project::Tool> asked_;  ///< tool in the last question to the user
+    Pose askedAbout_;  ///< TCP of the robot in the last question
 };
 
 }  // namespace tiller

@@ -35,7 +35,7 @@ public:
     void takeNext();
     void finish();
 
-    /// The TCP that results from the poses recorded so far.
+    /// The TCP computed from the recorded poses.
     std::optional<Pose> tcp() const;
 
 Q_SIGNALS:

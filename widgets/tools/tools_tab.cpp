@@ -106,7 +106,8 @@ ToolsTab::ToolsTab(RobotSession& session, ProjectDocument& document, MotionPort 
         }
     });
 
-    // Values that change sixty times per second are not legible. Measurements still use every state.
+    // Limit the update rate, because values that change 60 times per second are not legible. Measurements use
+    // every state.
     liveTimer_.setSingleShot(true);
     liveTimer_.setInterval(100);
     connect(&liveTimer_, &QTimer::timeout, this, [this] {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The tab "Tools" with one page each for the TCPs, payloads, named positions and cell of the project.
+// The tab "Tools" with a page each for the TCPs, payloads, named positions and cell of the project.
 
 #include <QTimer>
 #include <QWidget>
@@ -42,8 +42,8 @@ public:
     CellPage& cell() { return *cell_; }
     /// All actions for the menus, the command list and the help page.
     QList<QAction*> commandActions() const;
-    /// Sets the function that returns the speed limit for suggested poses. It is called at each press;
-    /// initially none.
+    /// Sets the function that returns the speed limit for moves to suggested poses. Each press calls it.
+    /// Initially none.
     void setHeldSpeed(std::function<HeldSpeed()> speed);
 
 Q_SIGNALS:
@@ -51,7 +51,7 @@ Q_SIGNALS:
     void message(tiller::Severity severity, const QString& text);
     /// A command needs this tab to be visible.
     void frontWanted();
-    /// Another page was selected. A hold-to-run motion must end.
+    /// Another page was selected, so a hold-to-run motion must end.
     void pageChanged();
 
 private:

@@ -140,7 +140,7 @@ QWidget* ActionsDialog::buildFields() {
         const int row = grid->rowCount();
         grid->addWidget(label, row, 0);
         grid->addWidget(field, row, 1);
-        // All fields are at the same position for all action types.
+        // Hidden fields keep their space, so that every field has the same position for all action types.
         for (QWidget* part : {static_cast<QWidget*>(label), field}) {
             QSizePolicy policy = part->sizePolicy();
             policy.setRetainSizeWhenHidden(true);
@@ -206,7 +206,7 @@ void ActionsDialog::change() {
     refresh();
 }
 
-/// Lists outputs or inputs, depending on the action.
+/// Lists the digital outputs or inputs, depending on the action type.
 void ActionsDialog::listPins() {
     const int row = list_->currentRow();
     Action action = actions_[static_cast<std::size_t>(row)];

@@ -23,10 +23,10 @@ class ActionsDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// waypoints  at least one; the actions of the first one are shown initially
+    /// waypoints  at least one; the dialog initially shows the actions of the first
     explicit ActionsDialog(const std::vector<project::Waypoint>& waypoints, QWidget* parent = nullptr);
 
-    /// The edited actions. They apply to each of the waypoints.
+    /// The edited actions, which apply to each of the waypoints.
     const project::WaypointActions& actions() const { return actions_; }
 
     void accept() override;

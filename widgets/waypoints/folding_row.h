@@ -14,8 +14,8 @@ public:
     }
 
     QSize minimumSizeHint() const override { return {0, 0}; }
-    /// Shows or hides the row. Hiding the row ends a hold-to-run motion of its buttons.
-    /// room  space in the panel without its other content [px]
+    /// Shows or hides the row. Hiding it ends a hold-to-run motion started by its buttons.
+    /// room  space that the other content of the panel leaves for the row [px]
     void fitInto(const QSize& room) {
         const QSize wanted = sizeHint();
         setVisible(room.width() >= wanted.width() && room.height() >= wanted.height());

@@ -141,7 +141,7 @@ void GoThroughBar::updateAvailability() {
                                                : state_.controlReason;
     }
     for (std::size_t i = 0; i < keys_.size(); ++i) {
-        // A held button is not disabled, because the motion ends by itself.
+        // Do not disable a held button. The motion ends by itself.
         if (robot.isEmpty() && keys_[i]->isHolding()) {
             continue;
         }

@@ -2,7 +2,7 @@
 #pragma once
 
 // The buttons for "Run route": hold to run, one waypoint back, one waypoint forward, selection of waypoints,
-// and running once or in a loop. Also shows the next waypoint. The rules are those of HoldRules.
+// and running once or in a loop. Also shows the next waypoint. HoldRules determines when a held motion ends.
 
 #include <QWidget>
 #include <array>
@@ -25,7 +25,7 @@ public:
     /// The waypoints of the route, in the order of the list.
     enum class Scope { FromHere, Selection, All };
 
-    /// policy  the policy of the window; must outlive the bar
+    /// policy  hold policy of the window; must outlive the bar
     /// The other arguments are those of RouteRunner.
     GoThroughBar(MotionPort port, HoldPolicy& policy, ActionPort actions, const ProjectDocument& document,
                  const std::function<HeldSpeed()>& heldSpeed, QWidget* parent = nullptr);
@@ -39,7 +39,6 @@ public:
     /// Updates the route after an edit of the document, with this selection.
     void followDocument(int current, const QList<int>& selected);
     void showSpeed();
-    /// Ends the active motion, if any.
     void stop(control::StopCause cause);
     bool isHolding() const;
 
@@ -48,9 +47,9 @@ public:
     const RouteRunner& goThrough() const { return goThrough_; }
 
 Q_SIGNALS:
-    /// The next waypoint has changed, or a button was pressed or released.
+    /// Emitted when the next waypoint changes, or when a button is pressed or released.
     void comingChanged();
-    /// A press had no effect, or the run was aborted. The argument is the reason.
+    /// A press had no effect, or the run was aborted for this reason.
     void refused(const QString& reason);
 
 private:

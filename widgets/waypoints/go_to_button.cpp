@@ -69,8 +69,8 @@ bool GoToButton::takeKey(const QKeyEvent& key) {
     const KeyCode code = PhysicalKeys::codeOf(key);
     const bool press = key.type() == QEvent::KeyPress;
     if (!key_.isEmpty() && !key_.isDown(code)) {
-        // Another key was pressed or released in addition to the held key. Two keys do not count as holding,
-        // and an unmatched release may have been that of the held key.
+        // Another key was pressed or released in addition to the held key. Pressing two keys does not count
+        // as holding. A release without a matching press may have been the release of the held key.
         if (!key.isAutoRepeat()) {
             guard().tell(press ? HoldEvent::Kind::OtherKey : HoldEvent::Kind::Unmatched);
         }
@@ -107,7 +107,7 @@ bool GoToButton::eventFilter(QObject* watched, QEvent* event) {
     if (isKey && watched->isWidgetType() && takeKey(*static_cast<QKeyEvent*>(event))) {
         return true;
     }
-    // Check any window, because the panel of this button may have moved to another window since the press.
+    // Check every window, because the panel of this button may have moved to another window since the press.
     if (event->type() == QEvent::WindowDeactivate && !key_.isEmpty() && watched->isWidgetType() &&
         static_cast<QWidget*>(watched)->isWindow()) {
         key_.clear();  // the release of the key will not be received

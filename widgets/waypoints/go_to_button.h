@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The button "Go to (hold)". The arm moves to a waypoint while the button or the key G is held. The rules are
-// those of HoldRules. G works anywhere in the window except in text fields.
+// The button "Go to (hold)". The arm moves to a waypoint while the button or the key G is held. HoldRules
+// determines when the motion ends. G works anywhere in the window except in text fields.
 
 #include <functional>
 
@@ -16,8 +16,8 @@ class GoToButton : public HoldToRunButton {
     Q_OBJECT
 
 public:
-    /// Returns the move for a press. If no move is possible, returns the reason as text for the operator
-    /// (NoSolution).
+    /// Returns the move for a press. If no move is possible, returns NoSolution with the reason as text for
+    /// the operator.
     using Target = std::function<Result<MoveRequest>()>;
 
     /// policy  the policy of the window; must outlive the button
@@ -25,11 +25,10 @@ public:
     ~GoToButton() override;
 
     void setState(const SessionState& state);
-    /// Ends the active motion, if any.
     void stop(control::StopCause cause) { guard().stop(cause); }
 
 Q_SIGNALS:
-    /// A press had no effect. The argument is the reason.
+    /// A press had no effect for this reason.
     void refused(const QString& reason);
 
 protected:

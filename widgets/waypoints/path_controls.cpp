@@ -126,7 +126,7 @@ void PathControls::show() {
                                  "waypoints. Press again to stop. Recording does not move the robot."));
     actions_.first()->setText(recording ? tr("Stop recording path") : tr("Record path"));
     actions_.first()->setEnabled(obstacle.isEmpty());
-    // Keep the width that fits the longest text, so that adjacent elements do not move.
+    // Reserve the width of the longest text, so that adjacent elements do not move.
     const QString now = record_->text();
     int widest = record_->sizeHint().width();
     record_->setText(recording ? tr("○ Path") : QStringLiteral("● REC 00:00"));

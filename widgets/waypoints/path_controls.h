@@ -20,7 +20,7 @@ class PathControls : public QWidget {
     Q_OBJECT
 
 public:
-    /// The selection in the list.
+    /// Access to the selection in the list.
     struct Selection {
         std::function<int()> currentRow;  ///< -1 for none
         std::function<QList<int>()> rows;
@@ -45,7 +45,7 @@ public:
 Q_SIGNALS:
     void kept(const QString& summary);
     void refused(const QString& reason, const QString& details);
-    /// A sentence for the log, e.g. after a file was written.
+    /// The sentence is for the log, e.g. after a file was written.
     void reported(const QString& sentence);
 
 private:

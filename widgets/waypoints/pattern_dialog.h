@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Edits a new or existing pattern between three corners: corner waypoints, number of positions, order,
+// Edits a new or existing pattern defined by three corner waypoints: corners, number of positions, order,
 // skipped positions, and layers.
 
 #include <QDialog>
@@ -26,7 +26,7 @@ class PatternDialog : public QDialog {
 public:
     /// Creates a new pattern.
     /// corners  waypoints of the first position, of the end of the first row, and of the start of the last
-    /// row; missing corners can be selected
+    /// row; the user selects missing corners
     PatternDialog(const ProjectDocument& document, const QVector<QUuid>& corners, QWidget* parent = nullptr);
     /// Edits an existing pattern of the document.
     PatternDialog(const ProjectDocument& document, const project::Pattern& pattern,

@@ -16,7 +16,7 @@ class PatternGrid : public QWidget {
 public:
     explicit PatternGrid(QWidget* parent = nullptr);
 
-    /// Sets positions and order. Skipped positions are kept if they are in the grid.
+    /// Sets positions and order. Positions that are still in the grid remain skipped.
     void setPattern(const project::Pattern& pattern);
     const std::vector<project::PatternCell>& excluded() const { return pattern_.excluded; }
     QRect rectOf(const project::PatternCell& cell) const;

@@ -83,7 +83,7 @@ WaypointDetails::WaypointDetails(ProjectDocument& document, WaypointModel& model
         place_->setToolTip(keysShown ? tr("Shows the values instead of the route controls.")
                                      : tr("Shows the route controls instead of the values."));
     };
-    // Measure both texts, so that the button does not change its size when it is pressed.
+    // Reserve the width of both texts, so that a press does not resize the button.
     name(true);
     const int valuesWidth = place_->sizeHint().width();
     name(false);
@@ -112,7 +112,7 @@ WaypointDetails::WaypointDetails(ProjectDocument& document, WaypointModel& model
     layout->setSpacing(6);
     layout->addLayout(headline);
     layout->addWidget(pose_);
-    // A change of the texts must not move the buttons below.
+    // Hidden parts keep their space, so that changed texts do not move the buttons below.
     for (QWidget* part :
          {static_cast<QWidget*>(headlines_), static_cast<QWidget*>(pose_), static_cast<QWidget*>(frame_)}) {
         QSizePolicy policy = part->sizePolicy();
@@ -159,7 +159,7 @@ void WaypointDetails::setValuesVisible(bool shown) {
     policy.setRetainSizeWhenHidden(shown);
     pose_->setSizePolicy(policy);
     refresh();
-    // Update at once, because the panel would otherwise use the size of the previous content.
+    // Update the layout immediately. Otherwise, the panel would use the size of the previous content.
     layout()->activate();
 }
 

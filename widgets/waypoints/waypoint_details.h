@@ -33,17 +33,17 @@ public:
     void setLive(const SessionState& state);
     /// Shows the limit on the path to the waypoint; empty if there is none.
     void setPathLimitText(const QString& text);
-    /// Sets the number of program steps that use the waypoint. Initially it is not displayed.
+    /// Sets the number of program steps that use the waypoint. An empty value hides the number, as initially.
     void setUsedIn(std::optional<int> steps);
-    /// Shows or hides the button that switches between the values and other buttons of the tab. The button is
-    /// needed if there is not enough space for both.
+    /// Shows or hides the button that switches between the values and the route controls. It is needed if
+    /// there is not enough space for both.
     void offerPlace(bool offered);
-    /// True if the user switched to the other buttons.
+    /// True if the user switched to the route controls.
     bool isPlaceWanted() const;
     void setValuesVisible(bool shown);
     bool areValuesVisible() const { return valuesVisible_; }
     int valuesHeight() const;  ///< height of the values, including the spacing to the headline [px]
-    /// Fixes the height of the values with their spacing [px]. 0 restores their natural height.
+    /// Reserves this height for the values, including their spacing [px]; 0 restores the natural height.
     void setValuesSlot(int height);
 
     QString headline() const;

@@ -19,7 +19,7 @@
 namespace tiller {
 namespace {
 
-/// A file larger than this is not a list of waypoints.
+/// A larger file cannot be a list of waypoints.
 constexpr qint64 kMaxImportBytes = 64LL * 1024 * 1024;
 
 bool isJson(const QString& path) {

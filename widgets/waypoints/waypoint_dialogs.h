@@ -21,7 +21,7 @@ class WaypointDialogs : public QObject {
     Q_OBJECT
 
 public:
-    /// document, table  must outlive the object; the selected rows of the table are edited
+    /// document, table  must outlive the object, which edits the selected rows of the table
     WaypointDialogs(ProjectDocument& document, WaypointTable& table, QObject* parent = nullptr);
 
     void properties();
@@ -35,16 +35,17 @@ public:
     void history();
     void importFile();
     void exportFile();
-    /// Imports waypoints from a file: JSON if the name ends in .json, otherwise CSV. Nothing is imported if
-    /// the file contains an error.
+    /// Imports waypoints from a file: JSON if the name ends in .json or .tiller, otherwise CSV. Nothing is
+    /// imported if the file contains an error.
     void importFrom(const QString& path);
-    /// Exports the selected waypoints. If only one or none is selected, exports all waypoints.
+    /// Exports the selected waypoints, or all waypoints if fewer than two are selected.
     void exportTo(const QString& path);
     /// Sets the current joint positions [rad] and TCP, which are used for poses without joint positions.
     void setLive(const JointPositions& q, const Pose& tcpOffset);
 
 Q_SIGNALS:
-    /// Nothing was changed. reason is a sentence; details contains the invalid numbers or lines of the text.
+    /// Nothing was changed. `reason` is a sentence. `details` contains the invalid numbers or lines of the
+    /// text.
     void refused(const QString& reason, const QString& details);
     /// A change was made that is not visible in the list.
     void done(const QString& text);
@@ -55,7 +56,7 @@ private:
 
     ProjectDocument& document_;
     WaypointTable& table_;
-    /// A typical position, used until data arrive.
+    /// Typical position, used until the robot sends data.
     JointPositions liveJoints_{0, -1.57, 1.57, -1.57, -1.57, 0};
     Pose liveTcp_;
 };

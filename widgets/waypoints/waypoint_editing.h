@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Edits the selected waypoints by other means than teaching: duplicate, delete, move, copy and paste. Each
-// change is one undoable edit of the document.
+// Duplicates, deletes, moves, copies and pastes the selected waypoints. Each change is one undoable edit of
+// the document.
 
 #include <QObject>
 
@@ -20,7 +20,7 @@ class WaypointEditing : public QObject {
     Q_OBJECT
 
 public:
-    /// document, table  must outlive the object; the selected rows of the table are edited
+    /// document, table  must outlive the object, which edits the selected rows of the table
     WaypointEditing(ProjectDocument& document, WaypointTable& table, QObject* parent = nullptr);
 
     void duplicate();
@@ -29,14 +29,15 @@ public:
     void move(int by);
     /// Copies the selected waypoints as a table for spreadsheets.
     void copy() const;
-    /// Inserts the pasted waypoints after the current row. A pose without joint positions gets the solution
-    /// nearest to the joint positions of the current row, or to those of the arm.
+    /// Inserts the pasted waypoints after the current row. For a pose without joint positions, uses the
+    /// solution nearest to the joint positions of the current row, or of the arm if no row is selected.
     void paste();
     /// Sets the current joint positions [rad] and TCP.
     void setLive(const JointPositions& q, const Pose& tcpOffset);
 
 Q_SIGNALS:
-    /// Nothing was changed. reason is a sentence; details contains the invalid numbers or lines of the text.
+    /// Nothing was changed. `reason` is a sentence. `details` contains the invalid numbers or lines of the
+    /// text.
     void refused(const QString& reason, const QString& details);
     /// Requests the selection of this row; -1: no row.
     void rowWanted(int row);
@@ -46,7 +47,7 @@ private:
 
     ProjectDocument& document_;
     WaypointTable& table_;
-    /// A typical position, used until data arrive.
+    /// Typical position, used until the robot sends data.
     JointPositions liveJoints_{0, -1.57, 1.57, -1.57, -1.57, 0};
     Pose liveTcp_;
 };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Shows the latest changes of a waypoint: author, time, and differences from the current state. An earlier
-// state can be restored.
+// Shows the latest changes of a waypoint: author, time, and differences from the current state. The user can
+// restore an earlier state.
 
 #include <QDialog>
 
@@ -23,10 +23,10 @@ public:
     WaypointHistoryDialog(const ProjectDocument& document, const project::Waypoint& waypoint,
                           QWidget* parent = nullptr);
 
-    /// The waypoint before the selected change, together with its history.
+    /// The state of the waypoint before the selected change, together with the history.
     project::Waypoint chosen() const;
 
-    /// The differences, one sentence per line; empty if there are none.
+    /// Returns the differences as one sentence per line; empty if there are none.
     static QStringList differences(const project::Waypoint& before, const project::Waypoint& now,
                                    const ProjectDocument& document);
 

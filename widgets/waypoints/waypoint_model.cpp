@@ -32,7 +32,7 @@ QColor colourOf(project::WaypointColour colour) {
     return QColor(kColours[static_cast<int>(colour)]);
 }
 
-/// The name with additional information: a mark if it is the next waypoint, and the number of actions.
+/// Returns the name, marked if it is the next waypoint, and the number of actions.
 QString shownName(const project::Waypoint& point, bool coming) {
     QString text = coming ? QStringLiteral("▶ ") + point.name : point.name;
     if (!point.actions.empty()) {
@@ -41,8 +41,8 @@ QString shownName(const project::Waypoint& point, bool coming) {
     return text;
 }
 
-/// Returns the leading number of a text, e.g. 250 for "250" or "250 mm/s"; "250,5" is accepted. Empty without
-/// a leading number.
+/// Returns the leading number of a text, e.g. 250 for "250" or "250 mm/s". A decimal comma is accepted. Empty
+/// if the text does not start with a number.
 std::optional<double> leadingNumber(const QString& text) {
     QString figure;
     for (const QChar c : text.trimmed()) {
@@ -206,8 +206,8 @@ QVariant WaypointModel::data(const QModelIndex& index, int role) const {
                              (!document_.reach(index.row()).ok() || !pathLimit(index.row()).isEmpty());
     switch (role) {
         case Qt::DisplayRole:
-            // The view displays the row number. As model data, the row number would change with every
-            // insertion above.
+            // The view displays the row number. As model data, it would change for all following rows with
+            // every insertion.
             return index.column() == Number ? QVariant() : display(point, index.row(), index.column());
         case Qt::EditRole:
             if (index.column() == Speed) {
@@ -387,7 +387,7 @@ bool WaypointModel::setFrame(int row, const QString& text) {
         return true;
     }
     if (text == QStringLiteral("—")) {
-        // The joint target uses the joint positions of the current pose.
+        // The joint positions of the current pose become the joint target.
         if (document_.reach(row).ok()) {
             point.joints = document_.reach(row).q;
         }
@@ -400,7 +400,7 @@ bool WaypointModel::setFrame(int row, const QString& text) {
         Q_EMIT editRefused(tr("The project has no frame named “%1”. Choose another frame.").arg(text));
         return false;
     }
-    // The position is unchanged. Only the frame changes.
+    // Keep the position in the base frame.
     const std::optional<Pose> place =
         point.ruling == project::TargetKind::Joints
             ? std::optional(kinematics::forwardTcp(document_.robot().dh, point.joints, point.tcpOffset))
@@ -417,7 +417,7 @@ bool WaypointModel::setFrame(int row, const QString& text) {
 bool WaypointModel::setNumber(int row, int column, const QString& text) {
     project::Waypoint point = waypointAt(row);
     if (text == data(index(row, column), Qt::EditRole).toString()) {
-        return true;  // keep the full precision
+        return true;  // an unchanged text keeps the full precision
     }
     const std::optional<double> figure = leadingNumber(text);
     if (!figure) {

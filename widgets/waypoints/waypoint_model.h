@@ -23,15 +23,15 @@ public:
     /// The choices for the frame column: "—" (joint target), "Base" and the taught frames.
     QStringList frameChoices() const;
 
-    /// Sets the position of the waypoint, in its frame or, with a joint target, in the base frame. The joint
-    /// positions become the nearest solution. An unreachable position is accepted and marked if the waypoint
-    /// has a pose target, and rejected if it has a joint target.
+    /// Sets the position of the waypoint in its frame or, for a joint target, in the base frame. The joint
+    /// positions become the nearest solution. An unreachable position is rejected for a joint target. For a
+    /// pose target, it is accepted and marked.
     void setPose(int row, const Pose& pose);
 
     /// Highlights the next waypoint of the route; null removes the highlight.
     void setComing(const QUuid& id);
     /// Sets the reason why the arm may not move from its current position to this waypoint, as a sentence;
-    /// empty: no limit.
+    /// empty if the move is permitted.
     void setPathLimit(const QUuid& id, const QString& limit);
     QString pathLimit(int row) const { return pathLimits_.value(waypointAt(row).id); }
 
@@ -50,7 +50,7 @@ public:
                       const QModelIndex& parent) override;
 
 Q_SIGNALS:
-    /// An edit was rejected. The argument is the reason.
+    /// An edit was rejected for this reason.
     void editRefused(const QString& reason);
 
 private:
@@ -66,7 +66,7 @@ private:
     ProjectDocument& document_;
     QUuid coming_;
     QHash<QUuid, QString> pathLimits_;  ///< contains only non-empty texts
-    QVector<QUuid> orderBefore_;        ///< used to update persistent indexes when the order changes
+    QVector<QUuid> orderBefore_;  ///< waypoint of each persistent index before a reordering
 };
 
 }  // namespace tiller

@@ -79,7 +79,8 @@ WaypointProperties::WaypointProperties(const std::vector<project::Waypoint>& way
     blend_ = addValue(*grid, QStringLiteral("blend"), tr("Blend"), format::lengthUnit(), 0, 1.0 / perUnit,
                       blendTick_);
 
-    // The fields show the values of the first waypoint. The check boxes indicate different values.
+    // The fields show the values of the first waypoint. The check boxes mark values that differ between the
+    // waypoints.
     const project::Waypoint& first = waypoints.front();
     group_->setCurrentText(first.group);
     colour_->setCurrentIndex(static_cast<int>(first.colour));

@@ -30,7 +30,7 @@ public:
 
     std::vector<project::Waypoint> changed() const;
 
-    /// Names of the colours, e.g. "None", "Blue"; one per colour.
+    /// One translated name per colour, e.g. "None", "Blue".
     static QStringList colourNames();
 
     void accept() override;

@@ -61,7 +61,7 @@ WaypointShift::WaypointShift(const ProjectDocument& document, std::vector<projec
         box->setAccessibleName(tr("Offset %1").arg(QLatin1String(kLetters[i]).toString().toUpper()));
         box->setRange(-most, most);
         box->setSuffix(QLatin1Char(' ') + format::lengthUnit());
-        box->setKeyboardTracking(true);  // the text below is updated for every digit
+        box->setKeyboardTracking(true);  // update the text below while the user types
         grid->addWidget(box, 2, 1 + i);
         offset_[static_cast<std::size_t>(i)] = box;
         connect(box, &QDoubleSpinBox::valueChanged, this, &WaypointShift::refresh);

@@ -11,7 +11,7 @@
 namespace tiller {
 namespace {
 
-/// Move type and frame are selected from a list. Other values are typed.
+/// Move type and frame are selected from a list. Other cells use a line edit.
 class WaypointDelegate : public RowDelegate {
 public:
     explicit WaypointDelegate(WaypointModel& model, QObject* parent)
@@ -95,7 +95,7 @@ void WaypointTable::resizeEvent(QResizeEvent* event) {
 }
 
 void WaypointTable::fitColumns() {
-    // Each column is as wide as its longest usual text. The name column fills the remaining width.
+    // Column widths [px] for the longest usual text. The name column fills the remaining width.
     struct Width {
         int column;
         int wide;
@@ -105,7 +105,7 @@ void WaypointTable::fitColumns() {
         {WaypointModel::Number, 34, 34}, {WaypointModel::Move, 52, 52},
         {WaypointModel::Frame, 70, 66},  {WaypointModel::Speed, 90, 88},
         {WaypointModel::Blend, 80, 80},  {WaypointModel::ReachColumn, 92, 90}};
-    // Titles are longer in some languages and then reduce the remaining width.
+    // Titles that are longer in some languages reduce the remaining width.
     constexpr int kMargins = 12;
     const QFontMetrics metrics = horizontalHeader()->fontMetrics();
     const auto titleWidth = [&](int column) {
@@ -121,12 +121,12 @@ void WaypointTable::fitColumns() {
         setColumnWidth(width.column,
                        std::max(room >= 520 ? width.wide : width.narrow, titleWidth(width.column)));
     }
-    // Row numbers may have more than one digit.
+    // The number column must fit the largest row number.
     constexpr int kCellMargins = 28;
     const int digits = fontMetrics().horizontalAdvance(QString::number(model_.rowCount()));
     setColumnWidth(WaypointModel::Number,
                    std::max(columnWidth(WaypointModel::Number), digits + kCellMargins));
-    // The name needs a minimum width. Hidden columns are displayed elsewhere.
+    // Hide columns to keep a minimum width for the name. Their values are also displayed elsewhere.
     setColumnHidden(WaypointModel::Blend, room < 500);
     setColumnHidden(WaypointModel::Number, room < 440);
 }

@@ -59,7 +59,7 @@ WaypointsTab::WaypointsTab(RobotSession& session, UndoableDocument& document, Mo
     buildLayout(std::move(port), policy);
     buildActions();
 
-    // Values that change sixty times per second are not legible.
+    // Limit the update rate, because values that change 60 times per second are not legible.
     detailsTimer_.setSingleShot(true);
     detailsTimer_.setInterval(100);
     connect(&detailsTimer_, &QTimer::timeout, this, [this] {
@@ -138,7 +138,7 @@ void WaypointsTab::buildLayout(MotionPort port, HoldPolicy& policy) {
     pages_ = new QStackedWidget;
     pages_->addWidget(empty);
     pages_->addWidget(table_);
-    constexpr int kMinTable = 104;  // [px] the header and two rows
+    constexpr int kMinTable = 104;  // [px] header and two rows
     pages_->setMinimumHeight(kMinTable);
     details_ = new WaypointDetails(document_, *model_);
 
@@ -270,8 +270,8 @@ void WaypointsTab::fitRoutes() {
     const bool instead = !both && details_->isPlaceWanted();
     details_->offerPlace(!both);
     details_->setValuesVisible(!instead);
-    // The route controls replace the values below the headline, so that the pressed button keeps its
-    // position.
+    // Insert the route controls below the headline, where the values were, so that the pressed button keeps
+    // its position.
     auto* column = static_cast<QVBoxLayout*>(layout());
     const bool below = column->indexOf(routes_) > column->indexOf(details_);
     if (instead != below) {
@@ -282,8 +282,7 @@ void WaypointsTab::fitRoutes() {
     const int wanted = routes_->sizeHint().height();
     routes_->fitInto({width(), instead ? available : spare});
     if (!both) {
-        // Values and route controls have the same height, so that the headline keeps its position when they
-        // are swapped.
+        // Values and route controls have the same height, so that swapping them does not move the headline.
         const int slot = std::max(details_->valuesHeight(), std::min(wanted, available));
         details_->setValuesSlot(slot);
         routes_->setMinimumHeight(instead ? slot : 0);
@@ -292,20 +291,20 @@ void WaypointsTab::fitRoutes() {
 
 QSize WaypointsTab::minimumSizeHint() const {
     QSize least = QWidget::minimumSizeHint();
-    // The reserved height is also included while the route controls replace the values, so that the panel
-    // size does not change.
+    // Include the reserved height while the route controls replace the values, so that the panel keeps its
+    // size.
     const bool slotIsKept = details_->areValuesVisible() || routes_->minimumHeight() > 0;
     least.rheight() += slotIsKept ? 0 : details_->valuesHeight();
     if (details_->isHidden()) {
-        // The details appear with the first waypoint. They must not move the buttons of a panel with little
-        // height.
+        // Reserve space for the details, which appear with the first waypoint. They must not move the buttons
+        // of a panel with little height.
         least.rheight() += details_->minimumSizeHint().height() + layout()->spacing();
     }
     return least;
 }
 
 bool WaypointsTab::eventFilter(QObject* watched, QEvent* event) {
-    // The user has answered the question.
+    // The user has answered the touch-up question.
     if (watched == notice_ && event->type() == QEvent::Hide) {
         setTouchUpGhost(std::nullopt);
     }
@@ -411,7 +410,7 @@ std::vector<WaypointMark> WaypointsTab::marks() const {
 
 QString WaypointsTab::teachObstacle() const {
     if (state_.link == LinkState::Live) {
-        // In one project, positions of two different arm models could not be distinguished.
+        // Positions taught with different arm models could not be distinguished in one project.
         return document_.isOfOtherModel() ? reachAdvice({project::Reach::Obstacle::OtherModel, {}})
                                           : QString();
     }
@@ -480,7 +479,7 @@ void WaypointsTab::setGripper(GripperPort gripper) {
 
 void WaypointsTab::followSpeed() {
     goThrough_->stop(
-        control::StopCause::SelectionChanged);  // the current motion would otherwise change its speed
+        control::StopCause::SelectionChanged);  // otherwise, the motion would change its speed
     showSpeed();
     goThrough_->showSpeed();
     Q_EMIT ghostChanged();
@@ -517,7 +516,7 @@ void WaypointsTab::buildActions() {
                                 [this] { this->teach(); });
     QAction* touchUp = onSelected(addCommand("waypoint.action.touchUp", tr("Touch up"),
                                              QKeySequence(Qt::Key_U), [this] { this->touchUp(); }));
-    // Added to the whole window, because the focus may be on the jog pad during teaching.
+    // Add the actions to the whole window, because the focus may be on the jog pad during teaching.
     addAction(teach);
     addAction(touchUp);
 
@@ -586,7 +585,7 @@ void WaypointsTab::buildActions() {
     for (QAction* action :
          {undo.createUndoAction(this, tr("Undo")), undo.createRedoAction(this, tr("Redo"))}) {
         const bool isUndo = actions_.last()->objectName() != QLatin1String("waypoint.action.undo");
-        // Undo through the document, because it reports the change.
+        // Undo and redo through the document, which also reports the change.
         disconnect(action, nullptr, &undo, nullptr);
         connect(action, &QAction::triggered, &document_,
                 isUndo ? &UndoableDocument::undo : &UndoableDocument::redo);
@@ -675,7 +674,7 @@ void WaypointsTab::touchUp() {
 }
 
 void WaypointsTab::replaceByTouchUp(const QUuid& id, const project::Waypoint& taught) {
-    // Use the displayed position, even if the arm has moved since.
+    // Use the position shown in the question, even if the arm has moved since.
     const int row = document_.waypoints().indexOf(id);
     if (row >= 0) {
         document_.changeWaypoint(row, taught, tr("Touch up “%1”").arg(taught.name));

@@ -47,7 +47,7 @@ public:
     /// session, document, policy  must outlive the tab
     WaypointsTab(RobotSession& session, UndoableDocument& document, HoldPolicy& policy,
                  QWidget* parent = nullptr);
-    /// For tests: moves are sent to `port`. The states are still those of the session.
+    /// For tests: `port` executes the moves. The states are still those of the session.
     WaypointsTab(RobotSession& session, UndoableDocument& document, MotionPort port, HoldPolicy& policy,
                  QWidget* parent = nullptr);
     ~WaypointsTab() override;
@@ -65,20 +65,22 @@ public:
     void setPathLimitText(const QString& text);
     /// Sets the function that returns the speed limit for "Go to". It is called at each press; initially
     /// none.
+    void setPathLimitText(const QString& text);
+    /// Sets the function that returns the speed limit for "Go to". Each press calls it. Initially none.
     void setHeldSpeed(std::function<HeldSpeed()> speed);
-    /// Sets the gripper used by "Run route"; initially none.
+    /// Sets the gripper used by "Run route". Initially none.
     void setGripper(GripperPort gripper);
 
     std::optional<Ghost> ghost() const;
-    /// While a touch-up is being confirmed, the new position of the waypoint; ghost() is then the current
-    /// position of the waypoint.
+    /// The new position of the waypoint while a touch-up is being confirmed. ghost() is then the current
+    /// position.
     const std::optional<Ghost>& touchUpGhost() const { return touchUpGhost_; }
     std::vector<WaypointMark> marks() const;
 
     /// Row of the selected waypoint; -1 for none.
     int currentRow() const;
 
-    /// Always includes the details, even if they are hidden.
+    /// Includes the details, even if they are hidden.
     QSize minimumSizeHint() const override;
 
 protected:
@@ -93,19 +95,19 @@ public Q_SLOTS:
     void touchUp();
     void selectWaypoint(const QUuid& id);
     void selectRow(int row);
-    /// Call this after a change of the speed limit. Ends a motion of "Run route" and updates the displayed
-    /// speeds.
+    /// Ends a motion of "Run route" and updates the displayed speeds. Call this after a change of the speed
+    /// limit.
     void followSpeed();
     /// True while a path is being recorded or simplified to waypoints.
     bool isStoringPath() const;
-    /// Ends the recording of a path. Returns true if the path has not been stored yet; pathStored() is then
-    /// emitted later.
+    /// Stops recording a path. Returns true if the path has not been stored yet. In that case, pathStored()
+    /// is emitted later.
     bool storePath();
     void showNotice(const Notice& notice);
     void resolveNotice(const QString& cause);
 
 Q_SIGNALS:
-    /// The selection has changed. Null: no waypoint is selected.
+    /// The selection has changed. Null if no waypoint is selected.
     void selectionChanged(const QUuid& waypoint);
     void ghostChanged();
     void marksChanged();
