@@ -95,7 +95,8 @@ void ProjectFiles::onChangedByOther() {
         tr("“Keep both” saves the project of this window to a second file. “Reload” shows the new content. "
            "Tiller then offers to restore the unsaved changes at the next start.");
     Q_EMIT message(Severity::Warning, title + QStringLiteral(". ") + text);
-    // This notice may replace another notice under the pointer, so the first button must not discard work.
+    // The first button must not discard work, because this notice may replace another notice under the
+    // pointer.
     Q_EMIT noticeWanted({.title = title,
                          .text = text,
                          .accept = tr("Keep both"),
@@ -316,7 +317,8 @@ void ProjectFiles::offerRecovery(const QString& path, const Error& error) {
                          .accept = tr("Open %n waypoints", nullptr, whole),
                          .accepted =
                              [this, path] {
-                                 // The current project may have been changed since the damage was detected.
+                                 // The user may have changed the current project since the damage was
+                                 // detected.
                                  if (!mayLeave(QApplication::activeWindow())) {
                                      return;
                                  }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Opens and saves projects with user interaction: prompts for the file, reports errors, and offers to load
-// the readable part of a damaged file. The window determines where the messages are shown.
+// Opens and saves projects interactively: prompts for the file, reports errors, and offers to load the
+// readable part of a damaged file. The main window decides where to show the messages.
 
 #include <QObject>
 
@@ -23,26 +23,26 @@ public:
     /// document  must outlive this object
     explicit ProjectFiles(ProjectDocument& document, QObject* parent = nullptr);
 
-    /// The file of the project: its path, autosave, and the text for the status line.
+    /// Manages the project file: path, autosave, and the text for the status line.
     ProjectStore& store() { return store_; }
 
-    /// over  the parent window of the questions
+    /// over  parent window of the file dialog
     void askToOpen(QWidget* over);
     void askToSave(QWidget* over);
     void askForNew(QWidget* over);
-    /// Starts an empty project that will be saved to this file, after mayLeave(). An existing file is refused with a
-    /// message.
+    /// Starts an empty project for this file, after mayLeave(). The file is created when the project is
+    /// saved. If the file exists, shows a message and does nothing.
     void startNew(const QString& path, QWidget* over);
-    /// Opens the file. If it does not exist, opens an empty project that will be saved under this name. If
-    /// the file is damaged, reports the error and offers to load the readable part.
+    /// Opens the file. If it does not exist, starts an empty project with this file name. If the file is
+    /// damaged, reports the error and offers to load the readable part.
     void open(const QString& path);
-    /// Opens the content of the file as a project without a file. Saving prompts for a file name.
+    /// Opens the content of the file as a project without a file, so that saving prompts for a file name.
     /// name  name of the copy until it is saved
     void openCopy(const QString& path, const QString& name);
     /// Offers to restore the newest unsaved project of a window that was closed or has crashed.
     void offerKept();
     /// Saves unsaved changes. If saving is not possible, asks whether to discard the changes.
-    /// over  the parent window of the question
+    /// over  parent window of the question
     /// Returns  false if the user cancelled
     bool mayLeave(QWidget* over);
     /// path  file path; the extension .tiller is added if there is no extension

@@ -22,7 +22,7 @@ bool isSameTcp(const Pose& a, const Pose& b) {
     return by.distance <= kSameDistance && by.angle <= kSameAngle;
 }
 
-/// Returns the first names and the number of remaining names.
+/// Lists the first names, and the number of further names.
 QString namesText(const QStringList& names) {
     constexpr int kNamed = 8;
     const QString first = names.mid(0, kNamed).join(QStringLiteral(", "));
@@ -37,7 +37,7 @@ ProjectFit::ProjectFit(RobotSession& session, ProjectDocument& document, QWidget
     session_.setProjectGuard([this] {
         const QString why = obstacle();
         if (!why.isEmpty()) {
-            // Queued, so that the question does not open during the press that is being rejected.
+            // Queued, so that the question opens after the rejected press has been processed.
             QMetaObject::invokeMethod(this, &ProjectFit::ask, Qt::QueuedConnection);
         }
         return why;
@@ -74,7 +74,7 @@ std::optional<project::Tool> ProjectFit::otherTcp() const {
     if (const project::Tool* used = tooling.tools.find(tooling.activeTool)) {
         return isSameTcp(used->tcpOffset, state.tcpOffset) ? std::nullopt : std::optional(*used);
     }
-    // If no tool is active, use the TCPs with which the waypoints were taught.
+    // Without an active tool, check the TCPs that the waypoints were taught with.
     for (const project::Waypoint& point : document_.waypoints()) {
         if (isSameTcp(point.tcpOffset, state.tcpOffset)) {
             return {};
@@ -116,7 +116,7 @@ QString ProjectFit::obstacle() const {
 
 void ProjectFit::follow(const SessionState& state) {
     if (state.link == LinkState::Disconnected) {
-        resolve();  // the notice referred to the previously connected robot
+        resolve();  // the notice was about the previous robot
     }
     if (!state.hasData() || !state.modelKnown) {
         return;
@@ -177,7 +177,7 @@ void ProjectFit::askAboutModel() {
     question->setEscapeButton(cancel);
     connect(question, &QMessageBox::buttonClicked, this, [this, poses, joints](QAbstractButton* button) {
         if (!isOfOtherModel()) {
-            return;  // another robot was connected or another project was opened in the meantime
+            return;  // another robot or project may have replaced the one in the question
         }
         if (button == poses) {
             change(project::Keep::Poses);

@@ -2,8 +2,8 @@
 #pragma once
 
 // Checks whether the model and the TCP of the connected robot match the open project. If they do not match,
-// no move to a position of the project can start (RobotSession::setProjectGuard), and the operator is asked
-// how to proceed. The question about another model is shown when the project is opened and when the robot is
+// moves to positions of the project are refused (RobotSession::setProjectGuard), and the operator is asked
+// how to proceed. The question about another model is shown when a project is opened and when a robot is
 // connected. The question about another TCP is shown when the user starts a move.
 
 #include <QObject>
@@ -30,10 +30,10 @@ public:
     ProjectFit(RobotSession& session, ProjectDocument& document, QWidget* over);
     ~ProjectFit() override;
 
-    /// The reason why no move to a position of the project may start, as a sentence; empty if moves may
-    /// start.
+    /// The reason why moves to positions of the project are refused, as a sentence; empty if they are
+    /// permitted.
     QString obstacle() const;
-    /// Asks about the differences. If there are none, reports that.
+    /// Asks about the differences, or reports that there are none.
     void ask();
 
 Q_SIGNALS:
@@ -48,7 +48,7 @@ Q_SIGNALS:
 private:
     void follow(const SessionState& state);
     bool isOfOtherModel() const;
-    /// The TCP that the project uses, if the TCP of the robot differs.
+    /// The TCP of the project if it differs from the TCP of the robot.
     std::optional<project::Tool> otherTcp() const;
     QString modelText() const;
     QString tcpText(const project::Tool& tool) const;
@@ -63,9 +63,9 @@ private:
     ProjectDocument& document_;
     QWidget* over_;
     QPointer<QMessageBox> question_;
-    /// The robot model that the last question for this project was about.
+    /// Robot model in the last question for this project.
     std::optional<RobotModelId> askedFor_;
-    /// The TCP of the robot that the user chose to keep for this project.
+    /// TCP of the robot that the user has decided to keep for this project.
     std::optional<Pose> keptTcp_;
     bool noticed_ = false;  ///< true if a notice about the model is shown
 };

@@ -24,13 +24,13 @@ Eigen::Isometry3d axisAt(const Eigen::Vector3d& origin, const Eigen::Vector3d& z
     return T;
 }
 
-/// Adds a joint housing: a cylinder about the joint axis. `lid` points to the side that is closed by a lid.
-/// The other side rotates against the next housing.
+/// Adds a joint housing, a cylinder about the joint axis. `lid` points to the end with the lid. The other end
+/// rotates against the adjacent housing.
 void addJoint(Mesh& mesh, const Eigen::Vector3d& centre, const Eigen::Vector3d& lid, double radius,
               double toLid, double toSeal, int segments) {
     const Eigen::Isometry3d T = axisAt(centre, lid);
     addLathe(mesh, T, drumOutline(radius, -toSeal, toLid, 0.10 * radius), segments, Material::Housing);
-    // The lid has a step, is slightly domed, and has a groove around its middle.
+    // The lid has a step and a groove around its middle, and is slightly domed.
     const double foot = toLid - 0.02 * radius;
     const double height = 0.17 * radius;
     std::vector<LathePoint> outline = {{0.90 * radius, foot}, {0.90 * radius, foot + 0.45 * height}};
@@ -158,7 +158,7 @@ ArmMesh armMesh(const RobotModel& model) {
         const Eigen::Vector3d end = z * p.elbowOffset;
         const double top = joint3Inner - p.elbowOffset - kGap * elbow;
         const double r = 0.96 * elbow;
-        // The inner side is closed by a dome instead of a lid, because this part contains no motor.
+        // A dome closes the inner side, because this part contains no motor.
         std::vector<LathePoint> outline;
         constexpr int kSteps = 5;
         const double dome = 0.95 * r;
@@ -175,7 +175,7 @@ ArmMesh armMesh(const RobotModel& model) {
         addTube(mesh, start, end, p.foreRadius, 0.92 * elbow, wrist, kBigSegments);
         addJoint(mesh, end, -z, wrist, kDrumHalf * wrist, joint4Outer - p.elbowOffset, kSmallSegments);
     }
-    // Wrist 1: from joint 4 to joint 5, whose lid is opposite wrist 2.
+    // Wrist 1: from joint 4 to joint 5. The lid of joint 5 is opposite wrist 2.
     {
         Mesh& mesh = links[4];
         const double start = joint4Outer - dh.d[3];
@@ -184,7 +184,7 @@ ArmMesh armMesh(const RobotModel& model) {
         addNeck(mesh, y * 0.0, y * (start + kGap * wrist), 0.96 * wrist, kSmallSegments);
         addJoint(mesh, Eigen::Vector3d::Zero(), -z, wrist, kDrumHalf * wrist, 1.25 * wrist, kSmallSegments);
     }
-    // Wrist 2: from joint 5 to joint 6, whose lid is opposite the tool.
+    // Wrist 2: from joint 5 to joint 6. The lid of joint 6 is opposite the tool.
     {
         Mesh& mesh = links[5];
         const double start = dh.d[4] - 1.25 * wrist;

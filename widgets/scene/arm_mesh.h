@@ -11,7 +11,7 @@
 
 namespace tiller {
 
-/// One mesh per link, in the frame of the link, from 0 (base) to 6 (flange).
+/// A mesh for each link from 0 (base) to 6 (flange), in the frame of the link.
 using ArmMesh = std::array<Mesh, 7>;
 
 /// Takes about a millisecond, so callers should cache the result.

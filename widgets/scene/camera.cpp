@@ -63,7 +63,7 @@ struct Camera::Room {
     double right = 0, left = 0, top = 0, bottom = 0;
     double kRight = 0, kLeft = 0, kTop = 0, kBottom = 0;
     double least = 0;
-    /// minimum and maximum position of the spheres along the line of sight, increasing towards the eye
+    /// Minimum and maximum position of the spheres along the line of sight. Values increase towards the eye.
     double nearest = 0, farthest = 0;
 
     double lowX(double d) const { return right - kRight * d; }
@@ -73,7 +73,7 @@ struct Camera::Room {
 };
 
 double Camera::focalLength() const {
-    // A narrow image shows less at the sides. The arm is made smaller only if it would be cut off otherwise.
+    // Use the width of a narrow image only if the arm would be cut off at the sides otherwise.
     return kFocalLength * std::min(viewport_.height(), 0.9 * viewport_.width());
 }
 

@@ -13,7 +13,7 @@
 namespace tiller {
 
 /// Viewing direction. Axes of the base frame in the image: Front has X to the right and Z up, Side has Y to
-/// the right and Z up, Top has X to the right and Y up. Home is the initial view, between front and side and
+/// the right and Z up, Top has X to the right and Y up. Home is the initial view, between Front and Side and
 /// slightly from above.
 enum class StandardView { Home, Front, Side, Top };
 
@@ -35,16 +35,16 @@ public:
     /// Changes the viewing direction. The target is unchanged.
     void look(StandardView from);
     /// Moves as close as the spheres allow, and targets their centre.
-    /// margins  of the viewport that remain free [px]
+    /// margins  borders of the viewport that remain free [px]
     void fit(std::span<const Ball> balls, const QMarginsF& margins);
-    /// Moves as little as necessary to make the spheres visible.
+    /// Moves the minimum distance that makes all spheres visible.
     /// Returns  true if the camera moved
     bool contain(std::span<const Ball> balls, const QMarginsF& margins);
     /// Copies target and distance of another camera. The viewing direction is unchanged.
     void standLike(const Camera& other);
 
-    /// Rotates around the target by these angles [rad]. The eye remains above the ground and does not pass
-    /// the pole.
+    /// Rotates around the target by these angles [rad]. The eye remains above the ground and does not move
+    /// past the pole.
     void orbit(double azimuth, double elevation);
     /// Moves the image by this distance on the screen [px].
     void pan(const QPointF& pixels);
@@ -59,7 +59,7 @@ public:
     /// screen, Y up, Z towards the eye.
     const Eigen::Matrix3d& viewRotation() const { return R_base_view_; }
 
-    /// Parameters for projecting many points.
+    /// The camera in the form needed to project many points.
     struct Eye {
         Eigen::Matrix3d R_base_view = Eigen::Matrix3d::Identity();
         Eigen::Vector3d target = Eigen::Vector3d::Zero();  ///< target in the base frame [m]
@@ -83,7 +83,8 @@ private:
     struct Room;
     Room roomFor(std::span<const Ball> balls, const QMarginsF& margins) const;
     double focalLength() const;
-    /// Sets the viewing direction [rad]. The rotation is stored, because each frame projects many points.
+    /// Sets the viewing direction [rad]. Also stores the rotation matrix, because each frame projects many
+    /// points.
     void turnTo(double azimuth, double elevation);
 
     Eigen::Vector3d target_{0, 0, 0.35};

@@ -12,8 +12,8 @@ std::optional<QRectF> LabelPlacer::place(const QPointF& mark, const QSizeF& size
     const double w = size.width();
     const double h = size.height();
     const double row = h + kApart;
-    // Labels at the sides leave space for one label below and one above the mark. A line connects labels
-    // farther away with the mark.
+    // Candidate positions. Labels at the sides leave space for a label below and a label above the mark. A
+    // line connects a more distant label with the mark.
     const std::array<QPointF, 8> corners = {QPointF(-w / 2, row / 2),
                                             QPointF(kSideDistance, -h / 2),
                                             QPointF(-w - kSideDistance, -h / 2),

@@ -27,8 +27,8 @@ public:
 
     /// Keeps this rectangle free.
     void block(const QRectF& box) { taken_.push_back(box); }
-    /// Finds a free position: below the mark, otherwise next to it, above it, or farther away. The returned
-    /// rectangle is then occupied.
+    /// Finds a free position below the mark, otherwise next to it, above it, or farther away, and marks the
+    /// returned rectangle as occupied.
     /// Returns  empty if there is no free position
     std::optional<QRectF> place(const QPointF& mark, const QSizeF& size);
 

@@ -11,7 +11,7 @@
 
 namespace tiller {
 
-/// Material of a surface. Its colour is defined when drawing.
+/// Material of a surface. BodyColors defines its colour.
 enum class Material : std::uint8_t { Housing, Tube, Lid, Seal, Flange, Tool, Cell };
 inline constexpr int kMaterialCount = 7;
 

@@ -77,7 +77,7 @@ void store(std::int32_t* to, FourBits v) {
 
 constexpr std::uint32_t kEvenBytes = 0x00FF00FF;
 
-/// Blends `over`, with its alpha, over a premultiplied colour.
+/// Blends `over` with a premultiplied colour, according to the alpha of `over`.
 std::uint32_t blended(std::uint32_t over, std::uint32_t under) {
     const std::uint32_t alpha = (over >> 24) + (over >> 31);  // 0 ... 256
     const std::uint32_t color = over | 0xFF000000;
@@ -154,7 +154,7 @@ void Rasterizer::add(const Mesh& mesh, const Eigen::Isometry3d& T_base_mesh, con
         const float near = 1 / (distance - v.z());
         return Vertex{middleX + v.x() * focal * near, middleY - v.y() * focal * near, near, red, green, blue};
     };
-    // Colours are computed on demand, because half of all vertices belong to back faces.
+    // Compute colours on demand, because half of all vertices belong only to back faces.
     std::vector<std::int8_t>& shaded = shaded_;
     shaded.assign(mesh.places.size(), -1);
     const auto colored = [&](std::uint32_t corner, Material material) -> ScratchVertex& {
@@ -344,7 +344,7 @@ void Rasterizer::draw(const Face& face, int left, int top, bool glass) {
     }
     const auto alpha = static_cast<std::int32_t>(std::uint32_t(face.alpha) << 24);
     for (int y = y0; y <= y1; ++y) {
-        // The range of pixels in this row that can contain covered samples.
+        // Range of pixels in this row that can contain covered samples.
         float from = 0;
         auto to = static_cast<float>(x1 - x0);
         std::array<float, 3> edge;

@@ -2,9 +2,9 @@
 #pragma once
 
 // Renders meshes without a graphics card, with hidden surface removal, shading and antialiasing (four samples
-// per pixel). Solid bodies hide other bodies. Through transparent bodies (the ghost, planes of the cell),
-// solid bodies behind them are visible, but other transparent bodies are not. The image is rendered in tiles,
-// so that only the requested part is rendered.
+// per pixel). Solid bodies hide other bodies. Solid bodies are visible through transparent bodies (the ghost,
+// planes of the cell), but other transparent bodies are not. The image is rendered in tiles, so that render()
+// processes only the requested part.
 
 #include <QColor>
 #include <QImage>
@@ -33,7 +33,7 @@ public:
     /// Bounding rectangle of the content [image px]; may be empty.
     QRect covered() const { return covered_; }
     /// Renders the added meshes within `part`. Uncovered pixels become transparent.
-    /// Returns  the premultiplied image; unchanged outside `part`
+    /// Returns  premultiplied image, unchanged outside `part`
     const QImage& render(const QRect& part);
     /// True if, in the last rendered image, a solid body is closer to the eye than this position.
     /// pixel  position [camera px]
@@ -47,11 +47,11 @@ private:
         float red, green, blue;
     };
     struct Face {
-        std::array<double, 3> c;  ///< for each edge; a x + b y + c >= 0 inside the face
+        std::array<double, 3> c;  ///< for each edge: a x + b y + c >= 0 inside the face
         std::array<float, 3> a, b;
-        /// 1 / depth = [0] x + [1] y + [2], where [2] is the value at the first vertex.
+        /// 1 / depth = [0] x + [1] y + [2], with x and y relative to the first vertex.
         std::array<float, 3> nearPlane;
-        std::array<std::array<float, 3>, 3> color;  ///< as nearPlane, but for red, green and blue
+        std::array<std::array<float, 3>, 3> color;  ///< like nearPlane, for red, green and blue
         float x0, y0;                               ///< position of the first vertex
         std::array<float, 3> least, most;  ///< minimum and maximum of red, green and blue over the vertices
         std::int16_t left, right, top, bottom;  ///< [px], inclusive
@@ -80,7 +80,7 @@ private:
         float red, green, blue;
     };
     std::vector<ScratchVertex> scratch_;
-    std::vector<std::int8_t> shaded_;  ///< material for which a vertex colour has been computed; -1: none
+    std::vector<std::int8_t> shaded_;  ///< material of the colour computed for a vertex; -1: none
 
     static constexpr int kTile = 64;
     alignas(16) std::array<float, kTile * kTile * 4> solidNear_;

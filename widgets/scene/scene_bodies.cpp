@@ -101,7 +101,7 @@ void SceneBodies::setReplay(const std::optional<JointPositions>& q) {
 
 void SceneBodies::setTool(const collision::ToolBody& tool) {
     constexpr double kThinRod = 0.005;   // [m]
-    constexpr double kMinValue = 0.002;  // a TCP closer to the flange is inside it [m]
+    constexpr double kMinValue = 0.002;  // [m]; a closer TCP is inside the flange
     tool_ = {};
     const double length = tool.tcpOffset.position.norm();
     if (length > kMinValue) {

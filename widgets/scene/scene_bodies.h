@@ -21,7 +21,7 @@ class QPainter;
 
 namespace tiller {
 
-/// Colours of an arm and its cell.
+/// Colours of the arm, of its ghosts and of the cell.
 struct ArmColors {
     static BodyColors live(const Theme& theme);
     static BodyColors stale(const Theme& theme);
@@ -41,12 +41,12 @@ public:
     /// Sets the joint positions of the arm. Empty: no arm is shown.
     void setArm(const std::optional<JointPositions>& q, bool stale);
     void setGhost(const std::optional<JointPositions>& q);
-    /// Sets a second ghost, which has a different colour from the first one.
+    /// Sets a second ghost, in a different colour.
     void setSecondGhost(const std::optional<JointPositions>& q);
     void setReplay(const std::optional<JointPositions>& q);
     /// If the tool has no radius, a thin rod connects flange and TCP.
     void setTool(const collision::ToolBody& tool);
-    /// Sets the boxes and planes. A floor (which has no name) is not drawn here.
+    /// Sets the boxes and planes. The floor, which has no name, is not drawn.
     void setSurroundings(const collision::Surroundings& surroundings);
 
     /// Updates the image.
@@ -55,7 +55,7 @@ public:
     /// Returns  the changed part [px of the view]
     QRect update(const Camera& camera, const QSize& size, double scale, const Theme& theme);
     void paint(QPainter& painter) const;
-    /// True if a body hides this position in the last updated image.
+    /// True if a body hides this position in the image of the last update().
     bool hides(const Camera::Projected& place) const;
 
 private:
@@ -64,7 +64,7 @@ private:
     const RobotModel* model_ = nullptr;
     ArmMesh arm_;
     Mesh tool_;   ///< in the flange frame
-    Mesh boxes_;  ///< in the base frame, like the next member
+    Mesh boxes_;  ///< in the base frame, like borders_
     Mesh borders_;
     std::optional<JointPositions> q_;
     std::optional<JointPositions> ghost_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The panel "View". It shows the scene with data from the session, and values of the ghost in the title bar.
+// The panel "View". Shows the scene with data from the session, and values of the ghost in the title bar.
 
 #include "robot/station/history/replay_moment.h"
 #include "widgets/common/panel.h"

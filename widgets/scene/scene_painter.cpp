@@ -143,7 +143,7 @@ void ScenePainter::axes(const Eigen::Isometry3d& T_base_frame, double length, bo
     if (!origin.visible()) {
         return;
     }
-    // The axis that points away from the eye is drawn first.
+    // Draw the axes from back to front.
     std::array<int, 3> order = {0, 1, 2};
     std::array<Camera::Projected, 3> tips;
     for (int i = 0; i < 3; ++i) {
@@ -244,7 +244,7 @@ QRectF ScenePainter::arrow(const Eigen::Vector3d& tcp, const Eigen::Vector3d& di
                              to.point - along * 18 - across * 10};
     painter_.drawPolyline(wings, 3);
     const QPointF middle = (from.point + to.point) / 2;
-    // The label is above a horizontal arrow and next to a steep arrow.
+    // Place the label above a horizontal arrow, or next to a steep arrow.
     const bool steep = std::abs(along.y()) > 0.6;
     const QRectF box = steep ? QRectF(middle.x() + 18, middle.y() - 12, 200, 24)
                              : QRectF(middle.x() - 100, middle.y() - 34, 200, 24);

@@ -26,7 +26,7 @@ public:
 
     /// Draws a grid around the base.
     /// reach, height  reach and height of the arm [m]
-    /// solid  true: a floor of the cell, drawn as a plane that the arm must stay above; false: only lines
+    /// solid  true: floor of the cell, drawn as a plane that the arm must stay above; false: only lines
     void ground(double reach, double height, bool solid);
     /// Style of a line in space.
     struct Stroke {
@@ -36,7 +36,7 @@ public:
     };
     /// Draws a line through points in the base frame. Hidden parts are drawn faintly.
     void path(std::span<const Eigen::Vector3d> points, const Stroke& stroke, const Hides& hides);
-    /// Draws the symbol for a limit on a path. It differs from the mark of a waypoint.
+    /// Draws the symbol for a limit on a path, which differs from the mark of a waypoint.
     void limit(const QPointF& at);
     /// Draws three axes with their letters.
     void axes(const Eigen::Isometry3d& T_base_frame, double length, bool greyed);
@@ -46,7 +46,7 @@ public:
     void headline(const QRectF& box, const QString& text);
     /// Draws a line of small text; nothing if the text is empty.
     void note(const QRectF& box, const QString& text);
-    /// Returns the size of a label, and elides the text as it will be drawn.
+    /// Returns the size of a label, and elides `text` to the text that is drawn.
     static QSizeF nameSize(QString& text);
     /// Draws an arrow next to the tool. An arrow seen end-on is drawn as a ring with a dot (towards the eye)
     /// or a cross (away from the eye).

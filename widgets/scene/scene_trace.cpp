@@ -28,7 +28,7 @@ bool SceneTrace::fits(const Eigen::Vector3d& end) const {
     return std::all_of(passed_.begin(), passed_.end(), [&](const Eigen::Vector3d& place) {
         const Eigen::Vector3d to = place - from;
         const double at = to.dot(along);
-        // A position beyond the end was passed before the arm reversed its direction.
+        // A position beyond `end` means that the arm has reversed its direction.
         return at <= length + kTolerance && at >= -kTolerance && (to - at * along).norm() <= kTolerance;
     });
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The trace of the TCP during the last minutes. It has only as many points as its curvature requires.
+// The trace of the TCP during the last minutes. The number of points depends on the curvature.
 
 #include <Eigen/Core>
 #include <deque>
@@ -17,7 +17,7 @@ public:
     };
 
     static constexpr double kSeconds = 180;       ///< duration of the trace
-    static constexpr double kTolerance = 0.0005;  ///< maximum distance of the line from the real path [m]
+    static constexpr double kTolerance = 0.0005;  ///< maximum deviation of the line from the real path [m]
 
     /// Adds the current TCP position. If `time` is before the last time, the controller was restarted and a
     /// new trace starts.

@@ -79,7 +79,7 @@ void SceneView::changed() {
     }
     const std::int64_t since = (SteadyClock::shared().nowNs() - lastPaintNs_) / kNsPerMs;
     const auto wait = static_cast<int>(std::clamp<std::int64_t>(kFrameMs - since, 0, kFrameMs));
-    // Repaint in a separate event, so that input events are processed in between.
+    // Repaint in a separate event, so that pending input events are processed first.
     frameTimer_.start(wait <= kSoonMs ? 0 : wait);
 }
 
@@ -94,8 +94,8 @@ bool SceneView::armHasMoved() const {
         const QPointF by = camera_.project(to).point - camera_.project(from).point;
         return std::hypot(by.x(), by.y()) >= limit;
     };
-    // The axes of each frame extend beyond the housing, so that a rotation about the axis of the housing is
-    // also visible.
+    // Compare the tips of the axes of each frame. They extend beyond the housing, so a rotation about the
+    // axis of the housing is also detected.
     const double beside = kToolAxes * model_.reach / 0.85;
     const auto hasMoved = [&](const Eigen::Isometry3d& from, const Eigen::Isometry3d& to) {
         if (isSeen(from.translation(), to.translation())) {
@@ -356,7 +356,7 @@ std::vector<Camera::Ball> SceneView::inSight() const {
     if (replay_ && replay_->q.allFinite()) {
         add(replay_->q);
     }
-    // Positions taught for another robot may be far away. They must not make the arm tiny in the view.
+    // Ignore positions far away, e.g. taught for another robot. They would make the arm tiny in the view.
     const auto addPlace = [&](const Eigen::Vector3d& place, double radius) {
         if (place.norm() < 2 * reach) {
             balls.push_back({place, radius});
@@ -375,7 +375,7 @@ QMarginsF SceneView::margins(const QSizeF& size, double share) const {
     const double side = share * size.width();
     const double edge = share * size.height();
     const double keys = keys_->isHidden() ? 0 : kKeysAt + keys_->sizeHint().height();
-    // In a small image the arm has priority.
+    // In a small image, the overlay may cover a part of the scene, so that the arm does not become tiny.
     const double below = std::min(coveredBelow_, size.height() / 4);
     return {side, keys + edge, side, below + edge};
 }
@@ -403,7 +403,7 @@ void SceneView::frame(const QSizeF& size) {
 
 void SceneView::placeKeys() {
     keys_->move(static_cast<int>(kKeysAt), static_cast<int>(kKeysAt));
-    // In a very small image, the buttons are hidden and only the commands are available.
+    // In a very small image, hide the buttons. The commands remain available.
     keys_->setVisible(keys_->sizeHint().width() + 2 * kKeysAt <= width());
 }
 
@@ -464,7 +464,7 @@ void SceneView::drawNames(ScenePainter& scene, const QSizeF& size, const QRectF&
             addLimit(path.limit->place, path.limit->text);
         }
     }
-    // Reserve the line for the number of hidden labels.
+    // Reserve the line that shows the number of hidden labels.
     const QRectF line(12, size.height() - 28, size.width() / 2, 22);
     placer.block(line);
     std::stable_partition(names.begin(), names.end(), [](const Name& name) { return name.selected; });
@@ -546,7 +546,7 @@ QRectF SceneView::drawJog(ScenePainter& scene) {
     if (jog_->joint >= 0) {
         const auto frames = kinematics::linkFrames(model_.dh, q_);
         const auto joint = static_cast<std::size_t>(jog_->joint);
-        // At the centre of the joint housing.
+        // The arrow is around the centre of the joint housing.
         Eigen::Vector3d centre = frames[joint].translation();
         for (const collision::LinkCapsule& part : collision::armCapsules(model_)) {
             if (part.link == jog_->joint + 1) {
@@ -571,7 +571,7 @@ void SceneView::paintScene(QPainter& painter, const QSizeF& size) {
     drawGround(painter, size.toSize());
     const bool showsGhost = ghost_ && ghost_->reachable && haveJoints_;
     bodies_->setArm(haveJoints_ ? std::optional(q_) : std::nullopt, stale_);
-    // A ghost at the same position as the arm would only cover the arm.
+    // Do not draw a ghost at the position of the arm, because it would cover the arm.
     const auto isApart = [this](const JointPositions& q) {
         return (q.values - q_.values).cwiseAbs().maxCoeff() > kGhostApart;
     };
@@ -738,7 +738,7 @@ void SceneView::orbitBy(const QPointF& pixels) {
     Q_EMIT viewChanged();
 }
 
-// A manually changed view is kept until the view is fitted again.
+// Panning and zooming end the automatic fit until the view is fitted again.
 
 void SceneView::panBy(const QPointF& pixels) {
     beforeGhost_.reset();

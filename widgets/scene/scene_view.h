@@ -31,7 +31,7 @@ class SceneBodies;
 class SceneKeys;
 class ScenePainter;
 
-/// The current jog, for the arrow at the tool.
+/// The current jog, shown as an arrow at the tool.
 struct SceneJog {
     Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< in the base frame, any length
     QString label;                                        ///< e.g. "X+ Base"
@@ -52,8 +52,8 @@ public:
     void setJoints(const JointPositions& q);
     void setTcpOffset(const Pose& offset);
     void setGhost(const std::optional<Ghost>& ghost);
-    /// Sets a second ghost in another colour, which is displayed as the replacement of the first ghost. Texts
-    /// also distinguish the two ghosts.
+    /// Sets a second ghost in another colour, shown as the replacement of the first ghost. Texts also
+    /// distinguish the two ghosts.
     void setSecondGhost(const std::optional<Ghost>& ghost);
     const std::optional<Ghost>& secondGhost() const { return secondGhost_; }
     /// Also shows the arm at a past time, with a text above the arm. Empty if there is none.
@@ -65,7 +65,7 @@ public:
     /// Sets the paths shown in addition to the path of the ghost.
     void setPaths(const std::vector<PathMark>& paths);
     const std::vector<PathMark>& paths() const { return paths_; }
-    /// Sets the surroundings of the arm, which are displayed and used to check moves.
+    /// Sets the surroundings of the arm. They are displayed, and moves are checked against them.
     void setSurroundings(const collision::CellSurroundings& cell);
     /// Result of the check of the move to the ghost; empty without a reachable ghost.
     const std::optional<collision::MoveReport>& moveReport() const { return report_; }
@@ -76,9 +76,8 @@ public:
     /// Shows the scene in grey, with an optional text in the centre.
     void setStale(bool stale, const QString& word = {});
     void setSpeedFraction(double fraction);
-    /// Sets the height of an overlay at the bottom. Arm, ghost and waypoints are kept visible above the
+    /// Sets the height of an overlay at the bottom [px]. Arm, ghost and waypoints are kept visible above the
     /// overlay.
-    /// height  [px]
     void setCoveredBelow(double height);
 
     const std::optional<Ghost>& ghost() const { return ghost_; }
@@ -92,7 +91,7 @@ public:
     /// position.
     const std::vector<PlacedLabel>& labels() const { return labels_; }
     int hiddenLabels() const { return hiddenLabels_; }
-    /// Text about hidden labels; empty if there are none.
+    /// Text with the number of hidden labels; empty if all labels are visible.
     QString hiddenText() const;
 
     /// Draws one frame. Called by paintEvent(), benchmarks and the image export.
@@ -103,7 +102,7 @@ public:
 
 public Q_SLOTS:
     void setState(const tiller::SessionState& state);
-    /// Shows all objects from this viewing direction.
+    /// Fits all objects in the view from this direction.
     void lookFrom(tiller::StandardView from);
     void resetView() { lookFrom(StandardView::Home); }
     /// Fits the arm, ghost, waypoints and frames in the view, and keeps them visible from then on.
@@ -132,7 +131,7 @@ private:
     void changed();
     /// True if the arm has visibly moved since the last image.
     bool armHasMoved() const;
-    /// Checks the move to the ghost again.
+    /// Repeats the check of the move to the ghost.
     void updateGhost();
     QString ghostValues() const;
     void rebuildCheck();
@@ -145,7 +144,7 @@ private:
     /// Positions the camera for an image of this size.
     void frame(const QSizeF& size);
     std::vector<Camera::Ball> inSight() const;
-    /// share  fraction of the image that is kept free around the visible objects
+    /// share  fraction of the image to keep free around the visible objects
     QMarginsF margins(const QSizeF& size, double share) const;
     void placeKeys();
     void drawNames(ScenePainter& scene, const QSizeF& size, const QRectF& arrowName);
@@ -154,13 +153,13 @@ private:
 
     RobotModel model_;
     JointPositions q_;
-    JointPositions drawnAt_;  ///< joint positions in the last image
+    JointPositions drawnAt_;  ///< joint positions of the arm in the last image
     Pose tcpOffset_;
     std::optional<Ghost> ghost_;
     std::optional<Ghost> secondGhost_;
     std::optional<ReplayMark> replay_;
     collision::CellSurroundings cell_;
-    std::optional<collision::CollisionCheck> check_;  ///< empty if it must be created again
+    std::optional<collision::CollisionCheck> check_;  ///< empty: create again before the next check
     std::optional<collision::MoveReport> report_;
     QString limitText_;
     QTimer examineTimer_;  ///< limits the rate of checks while the arm moves
@@ -190,7 +189,7 @@ private:
     enum class Drag { None, Orbit, Pan };
     Drag drag_ = Drag::None;
     Qt::MouseButton dragButton_ = Qt::NoButton;
-    bool focusByKey_ = false;  // true if the focus was set by the keyboard; the focus ring is drawn only then
+    bool focusByKey_ = false;  // true if a key set the focus; only then, the focus ring is drawn
     QTimer frameTimer_;
     std::int64_t lastPaintNs_ = 0;
 };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Operations on four numbers at a time (SIMD), for the four samples of a pixel. Compilers generate one
-// instruction per operation.
+// SIMD operations on four numbers, for the four samples of a pixel. Compilers generate one instruction per
+// operation.
 
 #include <array>
 #include <cstdint>

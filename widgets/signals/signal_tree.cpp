@@ -25,7 +25,7 @@ namespace {
 constexpr int kKeys = Qt::UserRole + 1;   // QStringList: keys of the signals
 constexpr int kWords = Qt::UserRole + 2;  // text searched by the filter
 constexpr int kGroup = Qt::UserRole + 3;  // bool: a group, which can only be expanded and collapsed
-constexpr int kMinList = 24;              // minimum height: one row, so that the panel does not grow [px]
+constexpr int kMinList = 24;  // minimum height of one row, so that the panel does not grow [px]
 
 class Model : public QStandardItemModel {
 public:
@@ -40,7 +40,7 @@ public:
         keys.removeDuplicates();
         auto* data = new QMimeData;
         data->setData(QLatin1String(SignalTree::kMime), keys.join(QLatin1Char('\n')).toUtf8());
-        // Derived signals are excluded, because an expression may use only signals of the robot or of a file.
+        // Exclude derived signals, because an expression may use only signals of the robot or of a file.
         keys.removeIf([](const QString& key) { return key.contains(QLatin1Char('=')); });
         std::transform(keys.begin(), keys.end(), keys.begin(), &DerivedSignal::written);
         data->setText(keys.join(QStringLiteral(", ")));
@@ -100,7 +100,7 @@ SignalTree::SignalTree(const SignalStore& store, QWidget* parent)
     view_->setHeaderHidden(true);
     view_->setMinimumHeight(kMinList);
     view_->setUniformRowHeights(true);
-    view_->setTextElideMode(Qt::ElideMiddle);  // the ends of the names differ, e.g. numbers of registers
+    view_->setTextElideMode(Qt::ElideMiddle);  // names often differ at the end, e.g. register numbers
     view_->setDragEnabled(true);
     view_->setDragDropMode(QAbstractItemView::DragOnly);
     view_->setSelectionMode(QAbstractItemView::ExtendedSelection);

@@ -29,13 +29,13 @@ class SignalTree : public QWidget {
 public:
     explicit SignalTree(const SignalStore& store, QWidget* parent = nullptr);
 
-    /// Sets the signals that this robot does not send. They are disabled, and their tooltip shows the reason.
+    /// Sets the signals that this robot does not send. They are disabled, and their tooltips show the reason.
     void setAbsent(const QSet<QString>& fields);
     void focusFilter();
     /// Shows the result of entering a derived signal: an error text, or empty if the signal was created.
     void showDerivationResult(const QString& problem);
 
-    /// Returns the signals contained in the data of a drag.
+    /// Returns the signal keys in the MIME data of a drag.
     static QStringList keysIn(const QMimeData* data);
     static constexpr const char* kMime = "application/x-tiller-signals";
 

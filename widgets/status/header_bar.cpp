@@ -26,7 +26,7 @@ namespace tiller {
 namespace {
 
 constexpr int kLinkPeriodMs = 500;      // update interval of values that change with every packet
-constexpr double kOrdinaryCap = 0.250;  // a higher speed limit is displayed in the header [m/s]
+constexpr double kOrdinaryCap = 0.250;  // [m/s]; the header shows a higher speed limit
 constexpr int kBannerHeight = 28;
 constexpr int kNarrowBelow = 1900;
 constexpr int kTightBelow = 1600;
@@ -66,7 +66,7 @@ QString stepWords(const QPushButton& key, const QString& text, int width) {
     return best;
 }
 
-/// Width of the button for the next step, which is the same for all steps [px].
+/// Returns the width of the button that fits every next step [px].
 int stepRoom(QPushButton& key, int least) {
     key.ensurePolished();  // applies the font of the style sheet
     int room = least;
@@ -77,7 +77,7 @@ int stepRoom(QPushButton& key, int least) {
     return room;
 }
 
-/// Minimum width of the connection chip for all its captions [px].
+/// Returns the minimum width of the connection chip that fits every caption [px].
 int linkRoom(const StateChip& chip) {
     SessionState good;
     good.sequence = 1;
@@ -122,7 +122,7 @@ HeaderBar::HeaderBar(HeaderPort port, QWidget* parent)
     }
     link_->setNumberFont(true);
     lastStop_->setNumberFont(true);
-    // The layout depends on the width of the bar; see arrange().
+    // arrange() sets the layout from the width of the bar.
     layout_->setSizeConstraint(QLayout::SetNoConstraint);
     stepButton_->setObjectName(QStringLiteral("nextStepButton"));
     stepButton_->setAccessibleName(tr("Next step"));
@@ -276,12 +276,12 @@ void HeaderBar::showLastStop() {
 void HeaderBar::showLink() {
     ModeLook look = linkLook(state_);
     if (width() < kTightBelow && look.emphasis == StateChip::Emphasis::Normal) {
-        // If there is little space, only the packet rate is shown in the normal state.
+        // If there is little space, the normal state shows only the packet rate.
         look.advice.prepend(look.text + QLatin1Char('\n'));
         look.text = look.text.section(QStringLiteral(" · "), 0, 0);
     }
     showOn(*link_, look);
-    // The caption shows the consequence for jogging first, and then the name of the state.
+    // The caption shows the consequence for jogging before the name of the state.
     link_->setCaption(linkCaption(state_), StateChip::ElidedPart::Before);
     if (state_.link != LinkState::Disconnected) {
         linkPace_.start();
@@ -310,7 +310,7 @@ void HeaderBar::showCap(double speedCap) {
 
 void HeaderBar::showStep() {
     if (places_.isActive()) {
-        return;  // the next step is shown after a delay
+        return;  // elements keep their positions after a click; the step is shown later
     }
     const bool isAnother = nextStep(state_) != step_;
     step_ = nextStep(state_);
@@ -386,7 +386,7 @@ bool HeaderBar::eventFilter(QObject* watched, QEvent* event) {
     if (watched == window()) {
         switch (event->type()) {
             case QEvent::WindowBlocked:
-                // Call it later, because the dialog is not visible yet.
+                // Queued, because the dialog is not visible yet.
                 QMetaObject::invokeMethod(this, &HeaderBar::offerStopAbove, Qt::QueuedConnection);
                 break;
             case QEvent::WindowUnblocked:
@@ -424,7 +424,7 @@ bool HeaderBar::eventFilter(QObject* watched, QEvent* event) {
 
 void HeaderBar::takeStep() {
     if (step_ != NextStep::Connect && step_ != NextStep::Recover) {
-        // Ignore a second click while the step is in progress.
+        // Disable the button, so that a second click has no effect while the step is in progress.
         keepPlaces();
         offerStep(true, false);
     }
@@ -498,7 +498,7 @@ void HeaderBar::arrange() {
     stepButton_->setText(stepWords(*stepButton_, nextStepText(step_), stepButton_->width()));
 }
 
-/// Width required for all texts, including the simulation label.
+/// Returns the width that fits all texts, including the simulation label [px].
 int HeaderBar::requiredWidth() const {
     const int required = layout_->minimumSize().width() +
                          std::max(0, linkRoom(*link_) - link_->minimumSizeHint().width()) +
@@ -520,8 +520,8 @@ void HeaderBar::arrange(Size size, int below) {
     }
     name_->setVisible(!tight);
     stop_->setFixedWidth(wide(128, 160, 230));
-    // The positions of buttons do not depend on the texts, so that a second click does not hit another
-    // button. The values to the right of the buttons share the remaining width.
+    // The positions of the buttons do not depend on the texts, so that a second click does not hit a
+    // different button. The values to the right of the buttons share the remaining width.
     robot_->setRoom(wide(86, 150, 170));
     simulation_->setFixedWidth(wide(112, 130, 145));
     const auto& [mode, safety, control] = contentWidths(tight);

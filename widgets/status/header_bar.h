@@ -26,7 +26,7 @@ class SpeedChip;
 class StateChip;
 class StopButton;
 
-/// Functions of the session that the header uses.
+/// Session functions that the header uses.
 struct HeaderPort {
     std::function<void(RobotCommand)> perform;
     std::function<void()> takeControl;
@@ -41,10 +41,10 @@ class HeaderBar : public QWidget {
 
 public:
     explicit HeaderBar(HeaderPort port, QWidget* parent = nullptr);
-    /// Shows the state of this session and sends requests to it.
+    /// Connects the header to this session.
     explicit HeaderBar(RobotSession& session, QWidget* parent = nullptr);
 
-    /// The chip below which the menu opens.
+    /// The chip that opens the menu.
     enum class Menu { Robot, Power, Control };
     QWidget* menuChip(Menu menu) const;
     NextStep shownStep() const { return step_; }
@@ -87,7 +87,7 @@ private:
     void arrange();
     void arrange(Size size, int below);
     int requiredWidth() const;
-    /// Widths of the chips for robot mode, safety and control that fit every value without eliding [px].
+    /// Widths that fit every value of robot mode, safety and control without eliding [px].
     const std::array<int, 3>& contentWidths(bool tight);
     void showCap(double speedCap);
     void showLastStop();
@@ -114,8 +114,7 @@ private:
     StateChip* link_;
     StateChip* lastStop_;
     StopButton* stop_;
-    /// While a modal dialog blocks this window, this STOP button is shown above the dialog at the same
-    /// position.
+    /// STOP button above a modal dialog that blocks this window, at the same position as the blocked button.
     QPointer<StopButton> stopAbove_;
     QLabel* cap_;  ///< the banner below the bar; hidden unless the speed limit was raised
 };

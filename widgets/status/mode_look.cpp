@@ -44,8 +44,8 @@ constexpr auto kRobotModes = std::to_array<Row<RobotMode>>({
     {RobotMode::UpdatingFirmware, Shape::DownArrow, Emphasis::Warning},
 });
 
-// Stops have the shape of an octagon. Common stops show the letter of their name, and those of newer
-// controller software show their number.
+// Stops have the shape of an octagon. Common stops are marked with a letter, and stops of newer controller
+// software with a number.
 constexpr auto kSafety = std::to_array<Row<SafetyStatus>>({
     {SafetyMode::Normal, Shape::Circle, Emphasis::Normal},
     {SafetyMode::Reduced, Shape::DownArrow, Emphasis::Normal},
@@ -133,7 +133,7 @@ ModeLook controlLook(const SessionState& state) {
     }
     const QString place = told.join(dot);
     if (state.link == LinkState::Lost) {
-        // Control and program states are outdated.
+        // The control and program states in the session are outdated.
         return {ModeLookText::tr("NO DATA"), Shape::None, Emphasis::Muted, state.linkReason};
     }
     if (state.hasData() && !state.isFresh() && state.control != ControlState::Taking) {
@@ -159,7 +159,7 @@ ModeLook controlLook(const SessionState& state) {
         return {QStringLiteral("–"), Shape::None, Emphasis::Muted, {}};
     }
     if (state.hasData() && state.runtimeState != RuntimeState::Stopped && !state.programAbandoned) {
-        // A program other than Tiller's may be moving the arm.
+        // A program of another client may be moving the arm.
         const ModeLook program = runtimeLook(state.runtimeState);
         const QString name =
             state.loadedProgram.isEmpty() ? QString() : QStringLiteral(": ") + state.loadedProgram;
@@ -229,8 +229,8 @@ namespace {
 enum class Worth { Good, Gaps, Slow };
 
 Worth worthOf(const LinkQuality& q) {
-    // Single delays of a millisecond are normal on any PC and do not stop a jog. Only frequent delays or
-    // repeated losses count.
+    // Occasional delays of a millisecond are normal on any PC and do not stop a jog. Only frequent delays or
+    // repeated losses are reported.
     constexpr std::uint64_t kLostOf = 1000;
     constexpr std::uint64_t kLateOf = 5;
     const PacketCounts& now = q.recent;
@@ -289,7 +289,7 @@ ModeLook linkLook(const SessionState& state) {
     }
     QString text = ModeLookText::tr("%1 Hz").arg(q.rateHz, 0, 'f', 0);
     if (worthOf(q) == Worth::Gaps) {
-        // Shown only if the value is relevant for jogging.
+        // Show the losses only if they affect jogging.
         text += ModeLookText::tr(" · %1 late").arg(q.recent.late);
         if (q.recent.lost > 0) {
             text += ModeLookText::tr(" · %1 lost").arg(q.recent.lost);

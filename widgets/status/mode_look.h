@@ -2,7 +2,7 @@
 #pragma once
 
 // Appearance of the controller modes in the header: text, shape, a colour if attention or action is required,
-// and a suggested action. Also determines the next step the operator must take before the robot can move.
+// and a suggested action. Also determines the operator's next step before the robot can move.
 
 #include <QString>
 #include <vector>
@@ -26,24 +26,24 @@ ModeLook robotModeLook(RobotMode mode, bool moving, bool freedrive = false);
 ModeLook safetyModeLook(SafetyStatus status);
 ModeLook runtimeLook(RuntimeState state);
 ModeLook controlLook(const SessionState& state);
-/// All appearances that robotModeLook() and the following functions return for known modes.
+/// The functions below return every appearance for known modes.
 std::vector<ModeLook> robotModeLooks();
 std::vector<ModeLook> safetyModeLooks();
 std::vector<ModeLook> controlLooks();
-/// The packet rate, the numbers of late and lost packets and the round-trip time of the connection, or the
-/// problem with the connection.
+/// Shows the packet rate, the numbers of late and lost packets, and the round-trip time, or the problem with
+/// the connection.
 ModeLook linkLook(const SessionState& state);
-/// The consequence of the connection quality for jogging, in two or three words.
+/// Returns the consequence of the connection quality for jogging, in two or three words.
 QString linkCaption(const SessionState& state);
 
-/// The next step the operator must take before the robot can move.
+/// The operator's next step before the robot can move.
 enum class NextStep { None, Connect, PowerOn, ReleaseBrakes, Recover, TakeControl };
 
 NextStep nextStep(const SessionState& state);
 /// E.g. "Power on"; empty for None.
 QString nextStepText(NextStep step);
 QString nextStepAdvice(NextStep step);
-/// The reason why the step is not possible, with a suggested action; empty if the step is possible.
+/// The reason why the operator cannot take the step, with a suggested action; empty if the step is possible.
 QString nextStepObstacle(const SessionState& state);
 
 }  // namespace tiller

@@ -214,8 +214,8 @@ void PreflightPage::examine() {
     worker_.post(this, [this, run, patient = patient_](const CancelToken& token) {
         const doctor::Report report = doctor::examine(patient, Deadline::after(kAtMost, token),
                                                       [this, run](const doctor::Finding& finding) {
-                                                          // The page outlives its worker, because the
-                                                          // destructor of the worker waits for this job.
+                                                          // Capturing `this` is safe, because the destructor
+                                                          // of worker_ waits for this job.
                                                           QMetaObject::invokeMethod(
                                                               this,
                                                               [this, run, finding] {
@@ -276,7 +276,7 @@ void PreflightPage::sortRows() {
         }
         return 2;
     };
-    // Sorts a copy, because rows_ must remain in the order of the conditions.
+    // Sort a copy. rows_ must remain in the order of the conditions.
     QVector<FindingRow*> sorted = rows_;
     std::stable_sort(sorted.begin(), sorted.end(),
                      [&](const FindingRow* a, const FindingRow* b) { return rank(a) < rank(b); });

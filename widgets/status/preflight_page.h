@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Connection check before the first connection to a robot. Each condition has one line with green, amber or
-// red, a shape, a text, and a suggested action. The report is the same as that of `tiller-cli doctor`.
+// Checks the connection before the first connection to a robot. Each condition has a line with a shape in
+// green, amber or red, a text, and a suggested action. `tiller-cli doctor` shows the same report.
 
 #include <QDialog>
 #include <QVector>
@@ -30,7 +30,7 @@ public:
 private:
     class Sign;
 
-    /// Width of the longest title in this language, for a common column [px].
+    /// Width of the longest title in the current language, for a common column width [px].
     int widestTitle() const;
 
     doctor::Finding finding_;
@@ -44,8 +44,7 @@ class PreflightPage : public QDialog {
     Q_OBJECT
 
 public:
-    /// Starts the examination immediately. It runs in a worker thread and is cancelled when the page is
-    /// destroyed.
+    /// Starts the examination immediately in a worker thread. Destroying the page cancels it.
     explicit PreflightPage(const doctor::Patient& patient, QWidget* parent = nullptr);
 
     bool isFinished() const { return finished_; }
@@ -64,9 +63,10 @@ private:
     void examine();
     void showFinding(const doctor::Finding& finding);
     void conclude(const doctor::Report& report);
-    /// Makes the suggested button the default button. The other button is not emphasized.
+    /// Makes "Connect" or "Check again" the emphasized default button.
     void offer(bool connecting);
-    /// Sorts Bad findings first, then those with Attention, each group in its original order.
+    /// Sorts the findings by severity: Bad, then Attention, then the others. Each group keeps its original
+    /// order.
     void sortRows();
 
     doctor::Patient patient_;
@@ -81,7 +81,7 @@ private:
     QVBoxLayout* list_;
     QPushButton* again_;
     QPushButton* connect_;
-    SerialExecutor worker_;  // last member, because its job posts to this page
+    SerialExecutor worker_;  // last member, so that it is destroyed before the members used by its job
 };
 
 }  // namespace tiller

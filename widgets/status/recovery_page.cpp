@@ -22,7 +22,7 @@
 namespace tiller {
 namespace {
 
-// Minimum ranges of the scales in the small plots.
+// Minimum ranges of the scales in the small plots, so that noise remains small.
 constexpr double kMinForceRange = 20.0;   // [N]
 constexpr double kMinCurrentRange = 2.0;  // [A]
 constexpr double kMinSpeedRange = 0.020;  // [m/s]
@@ -42,7 +42,7 @@ StopPlot::StopPlot(const QString& title, QWidget* parent) : QWidget(parent), tit
 }
 
 QSize StopPlot::sizeHint() const {
-    // With Touch density, the checks below are taller, and the page must still fit on a small screen.
+    // With Touch density, the check boxes below are taller, and the page must still fit on a small screen.
     return {420, currentDensity() == Density::Touch ? 56 : 74};
 }
 
@@ -90,7 +90,7 @@ void StopPlot::paintEvent(QPaintEvent*) {
             area.left() + (point.x() + StopRecorder::kSeconds) / StopRecorder::kSeconds * area.width(),
             area.bottom() - 3 - (point.y() - low) / (high - low) * (area.height() - 6));
     };
-    // Draw at most two points per column: minimum and maximum.
+    // Limit the number of points: draw the minimum and the maximum of each pixel column.
     QPolygonF line;
     for (qsizetype i = 0; i < curve_.size();) {
         const int column = static_cast<int>(at(curve_[i]).x());
@@ -119,7 +119,7 @@ RecoveryPage::RecoveryPage(RobotSession& session, const StopRecorder& stops, QWi
     build();
     connect(&session_, &RobotSession::stateChanged, this, &RecoveryPage::applyState);
     connect(&session_, &RobotSession::message, this, [this](Severity severity) {
-        // The command was rejected, so the user may try again.
+        // The robot rejected the command, so the user may try again.
         if (severity == Severity::Error && sent_) {
             sent_ = false;
             showKey();
@@ -149,7 +149,7 @@ void RecoveryPage::build() {
     title_ = label("recoveryTitle", "strong");
     title_->setFont(textFont(20, QFont::Bold));
     what_ = label("recoveryWhat", "");
-    // Constant height, so that the check boxes do not move when the text changes.
+    // Constant height, so that a changed text does not move the check boxes.
     constexpr int kLines = 3;
     what_->setMinimumHeight(kLines * what_->fontMetrics().lineSpacing());
     what_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
@@ -177,8 +177,8 @@ void RecoveryPage::build() {
     keepsItsPlace.setRetainSizeWhenHidden(true);
     key_->setSizePolicy(keepsItsPlace);
     key_->setProperty("primary", true);
-    // An accidental Return must not unlock the robot. The button requires a click, or Space while it has the
-    // focus.
+    // An accidental Return must not unlock the robot. The user must click the button, or press Space while
+    // the button has the focus.
     key_->setAutoDefault(false);
     connect(key_, &QPushButton::clicked, this, &RecoveryPage::takeStep);
     row->addWidget(waiting_, 1);
@@ -189,7 +189,7 @@ void RecoveryPage::build() {
 
 void RecoveryPage::applyState(const SessionState& state) {
     if (state.link == LinkState::Stale && !guide_.title.isEmpty()) {
-        // During a gap of less than a second there are no new data, but the confirmations remain valid.
+        // Data may be missing for less than a second. The confirmations remain valid.
         guide_.waiting = tr("Waiting for data from the robot…");
         showKey();
         return;
@@ -202,8 +202,8 @@ void RecoveryPage::applyState(const SessionState& state) {
         setAccessibleName(guide_.title);
     }
     what_->setText(guide_.what);
-    // A new stop requires new confirmations. A lost connection requires them only if the arm has moved in the
-    // meantime.
+    // A new stop requires new confirmations. A lost connection requires new confirmations only if the arm has
+    // moved in the meantime.
     const double stoppedAt = stops_.last() ? stops_.last()->stoppedAt : -1;
     if (state.link == LinkState::Live && (guide_.checks != asked_ || stoppedAt != askedFor_)) {
         asked_ = guide_.checks;

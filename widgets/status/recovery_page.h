@@ -29,7 +29,7 @@ public:
 
     using Value = std::function<double(const StopRecord::Point&)>;
     /// text   formats a value with its unit
-    /// least  minimum range of the scale, in the unit of the value, so that noise remains small
+    /// least  minimum range of the scale in the unit of the value, so that noise remains small
     void show(const StopRecord& record, const Value& value, const std::function<QString(double)>& text,
               double least);
     const QVector<QPointF>& curve() const { return curve_; }
@@ -75,7 +75,7 @@ private:
     bool sent_ = false;  ///< true after the command was sent, until the robot responds
     double recordShown_ = -1;
     QStringList asked_;     ///< confirmations that are required
-    double askedFor_ = -1;  ///< the stop that the confirmations refer to, as controller time [s]
+    double askedFor_ = -1;  ///< stop that was confirmed, as controller time [s]
 
     QLabel* title_;
     QLabel* what_;

@@ -109,8 +109,8 @@ void RobotPopup::hear(const script::ControllerMessage& message) {
     showSoon();
 }
 
-// Limits the update rate. If many popups arrive in a short time, displaying each of them would overload the
-// layout and the screen reader.
+// Limits the update rate. Displaying every popup of a rapid series would overload the layout and the screen
+// reader.
 void RobotPopup::showSoon() {
     if (nextUpdate_.isActive()) {
         showKey();  // the displayed popup cannot be closed
@@ -150,8 +150,8 @@ void RobotPopup::followCommand(RobotCommand command, bool done) {
         return;
     }
     const qsizetype newest = popups_.size() - 1;
-    // Another popup may have arrived since the request. If another client closed a popup, it was the topmost
-    // one.
+    // Another popup may have arrived since the request. If another client has closed a popup, that was the
+    // newest popup.
     const qsizetype which = std::exchange(asked_, std::nullopt).value_or(newest);
     if (done) {
         remove(which);
@@ -163,7 +163,7 @@ void RobotPopup::followCommand(RobotCommand command, bool done) {
 }
 
 void RobotPopup::remove(qsizetype which) {
-    // The rejection refers to the displayed popup.
+    // A rejection refers only to the newest popup.
     refused_ = refused_ && which != popups_.size() - 1;
     popups_.removeAt(which);
     obstacle_ = obstacleNow(session_.state());
@@ -188,7 +188,8 @@ void RobotPopup::closeNewest() {
         return;
     }
     if (popups_.isEmpty() || refused_) {
-        // Popups from before the connection are not known; after a refusal, this is another attempt.
+        // Try again after a rejection. Also close popups that were opened before the connection, because
+        // their texts are unknown.
         session_.services().perform(RobotCommand::ClosePopups);
     } else if (closeObstacle().isEmpty()) {
         closeOnRobot();

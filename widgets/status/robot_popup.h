@@ -2,10 +2,10 @@
 #pragma once
 
 // Shows a popup of the teach pendant in the window: heading, text, and a button that closes the popup on the
-// robot. The widget covers the view, does not take the focus and does not move other widgets. It cannot be
-// closed by a click intended for the covered widget, or by Space, which stops the arm. Otherwise, a program
-// that waits for the popup would continue. If many popups arrive in a short time, e.g. from a loop, their
-// number is limited and the display is updated only a few times per second.
+// robot. The widget covers the view, does not take the focus and does not move other widgets. A click
+// intended for the covered widget, or Space, which stops the arm, must not close the popup, because a program
+// that waits for the popup would continue. If a program opens many popups, e.g. in a loop, their number is
+// limited and the display is updated only a few times per second.
 
 #include <QFrame>
 #include <QList>
@@ -25,23 +25,24 @@ class RobotPopup : public QFrame {
 
 public:
     /// window  the parent
-    /// over    the widget on which the popup is centred while that widget is visible
+    /// over    the popup is centred on this widget while it is visible
     RobotPopup(RobotSession& session, QWidget& window, QWidget& over);
 
-    /// Number of reported popups on the pendant, at most kMaxPopups. The newest popup is displayed.
+    /// Number of popups that are known to be open on the pendant, at most kMaxPopups. The newest is
+    /// displayed.
     int count() const { return static_cast<int>(popups_.size()); }
     /// Closes the newest popup on the robot. Like the button, it has no effect until the popup could be read,
     /// or while the robot is closing a popup.
     void closeNewest();
     /// The reason why closeNewest() would have no effect; empty if it would close a popup.
     QString closeObstacle() const;
-    /// Number of updates of the displayed popup, for load tests.
+    /// Number of updates of the widget, for load tests.
     int updates() const { return updates_; }
 
     static constexpr int kMaxPopups = 100;    ///< if there are more popups, the oldest are dropped
     static constexpr int kShowEveryMs = 200;  ///< interval between two updates of the widget [ms]
 
-    /// A new popup cannot be closed during this time [ms].
+    /// Time during which a new popup cannot be closed, so that the user can read it [ms].
     static constexpr int kUnreadMs = 500;
 
 protected:
@@ -66,7 +67,7 @@ private:
     QWidget& over_;
     QList<script::ControllerMessage> popups_;
     QString obstacle_;  ///< the reason why the popup can be closed only on the pendant
-    /// The popup that the robot was requested to close; empty after the response.
+    /// Index of the popup that the robot is requested to close; empty after the response.
     std::optional<qsizetype> asked_;
     bool refused_ = false;  ///< true if the robot did not close the displayed popup
     QTimer unread_;

@@ -26,7 +26,7 @@ SpeedChip::SpeedChip(QWidget* parent) : QAbstractSlider(parent) {
     setRange(kMinPercent, 100);
     setSingleStep(1);
     setPageStep(10);
-    // A click does not set the focus, so keys do not change the speed afterwards.
+    // A click does not set the focus, so that later key presses do not change the speed.
     setFocusPolicy(Qt::TabFocus);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     settle_.setSingleShot(true);
@@ -136,7 +136,7 @@ void SpeedChip::keyPressEvent(QKeyEvent* event) {
         case Qt::Key_End:
         case Qt::Key_PageUp:
         case Qt::Key_PageDown:
-            event->ignore();  // a single key press must not make the arm many times faster
+            event->ignore();  // such a key would make the arm many times faster
             break;
         default:
             QAbstractSlider::keyPressEvent(event);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The speed slider of the header, 2 to 100 %. It shows the value reported by the robot; user input has
-// priority. It is changed by dragging, or by keys while it has the focus. A click alone and the mouse wheel
-// do not change it.
+// The speed slider of the header, 2 to 100 %. It shows the value reported by the robot, except while the user
+// changes it. The slider responds to dragging, and to keys while it has the focus. It ignores a single click
+// and the mouse wheel.
 
 #include <QAbstractSlider>
 #include <QTimer>
@@ -17,7 +17,7 @@ public:
     explicit SpeedChip(QWidget* parent = nullptr);
 
     /// Sets the value reported by the robot, 0 ... 1.
-    /// valid  false: the slider is grey
+    /// valid  if false, the slider is grey
     void setReported(double fraction, bool valid);
     /// reason  why the speed cannot be changed, as a sentence; empty if it can be changed
     void setLocked(const QString& reason);

@@ -20,14 +20,14 @@ namespace tiller {
 
 namespace {
 
-// Conditions that are missing for a motion, as bits. A warning is outdated when the missing condition is
-// restored.
+// Bits for the conditions of a motion that are not met. A warning becomes outdated when such a condition is
+// met again.
 constexpr unsigned kNoLink = 1;
 constexpr unsigned kUnsafe = 2;
 constexpr unsigned kNotRunning = 4;
 constexpr unsigned kNoControl = 8;
 
-/// Height for the current density. With Touch, it fits a button with its frame.
+/// Height for the current density [px]. With Touch, a framed button fits.
 int heightNow() {
     constexpr int kFrame = 6;
     return std::max(StatusLine::kHeight, touchHeight() > 0 ? touchHeight() + kFrame : 0);
@@ -149,8 +149,8 @@ void StatusLine::applyState(const SessionState& state) {
     }
 }
 
-/// Removes a warning when a condition is restored that has been missing since the warning appeared. The log
-/// keeps the warning.
+/// Removes a warning when a condition is met again that was not met when the warning appeared. The log keeps
+/// the warning.
 void StatusLine::followTrouble(const SessionState& state) {
     const unsigned missing = (state.link == LinkState::Live ? 0U : kNoLink) |
                              (allowsMotion(state.safetyMode) ? 0U : kUnsafe) |
@@ -174,7 +174,7 @@ void StatusLine::showMessage(Severity severity, const QString& text) {
 
 void StatusLine::paintWords() {
     const Theme& theme = Theme::current();
-    // Set as a property, so that the style sheet of the theme determines the colour.
+    // Set a property, so that the style sheet of the theme determines the colour.
     const auto give = [](QWidget* widget, const char* role) {
         if (widget->property("role").toByteArray() != role) {
             widget->setProperty("role", QLatin1String(role));

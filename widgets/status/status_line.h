@@ -50,8 +50,8 @@ private:
     ElidedLabel* message_;
     RecordingState state_;
     Severity severity_ = Severity::Info;
-    unsigned missing_ = 0;       ///< conditions that are currently missing
-    unsigned missingSince_ = 0;  ///< conditions that have been missing since the message appeared
+    unsigned missing_ = 0;  ///< conditions that are not met
+    unsigned missingSince_ = 0;  ///< conditions not met at some time since the message appeared
 };
 
 }  // namespace tiller

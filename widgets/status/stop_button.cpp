@@ -113,7 +113,8 @@ bool StopButton::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::Show && widget.windowType() == Qt::Popup) {
         keepUncovered(widget);
     }
-    // An open menu receives every press, and a press outside the menu would only close it.
+    // Filter the events of the application, because an open menu receives every press and a press outside the
+    // menu would only close it.
     const bool pressed =
         event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick;
     if (pressed && widget.windowType() == Qt::Popup) {

@@ -2,8 +2,8 @@
 #pragma once
 
 // The STOP button. It acts on the press of any mouse button or finger, and does not take the focus. It also
-// acts while a menu is open, and menus do not cover it. Its second line shows the keys with the same
-// function, or that a click is required.
+// acts while a menu is open, and menus do not cover it. Its second line shows the keys that also stop, or
+// that a click is required.
 
 #include <QAbstractButton>
 
