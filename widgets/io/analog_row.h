@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A row for an analog input or output: terminal, name, value in mA or V, and the value in the user's unit. An
-// output is always set together with its domain.
+// A row for an analog input or output: terminal, name, value in mA or V, and the value in the user's unit.
+// Setting an output always includes its domain.
 
 #include <QString>
 #include <QWidget>
@@ -17,7 +17,7 @@ namespace tiller {
 
 class DecimalSpinBox;
 
-/// Values in the user's unit at the ends of the electrical range. Not scaled if the unit is empty.
+/// Values in the user's unit at both ends of the electrical range. An empty unit means no scaling.
 struct AnalogScale {
     double low = 0;
     double high = 10;
@@ -45,7 +45,7 @@ public:
     void setName(const QString& name);
     const AnalogScale& scale() const { return scale_; }
     void setScale(const AnalogScale& scale);
-    /// value  as reported by the robot [mA or V]
+    /// value  reported by the robot [mA or V]
     void setValue(double value, Domain domain, bool valid, bool stale);
     /// Sets the reason why the output cannot be set; empty if it can be set.
     void setObstacle(const QString& why);

@@ -27,8 +27,8 @@ using io::RobotiqActivation;
 using io::RobotiqObject;
 
 constexpr int kGripperRefreshMs = 50;
-/// Delay [ms] during which a newly shown button is disabled, so that a double click on the gripper list
-/// cannot press it.
+/// Delay [ms] after which a newly shown button is enabled, so that a double click on the gripper list cannot
+/// press it.
 constexpr int kSettleMs = 500;
 constexpr int kMaxTcpPort = 65535;
 /// Low initial speed; not saved.
@@ -49,7 +49,7 @@ QLabel* valueLabel(const QString& name, const QString& accessible) {
     label->setObjectName(name);
     label->setAccessibleName(accessible);
     label->setFont(textFont(15));
-    // A change of the text must not move the surrounding rows.
+    // Fixed size policy, so that a changed text does not move the surrounding rows.
     label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     return label;
 }
@@ -87,7 +87,7 @@ int byteOf(double percent) {
     return static_cast<int>(std::lround(percent / 100.0 * io::kRobotiqMost));
 }
 
-/// The kind of the choice without its outputs, as in the list of grippers.
+/// Text of the choice without its outputs, as in the list of grippers.
 QString kindOf(const GripperChoice& choice) {
     using Kind = GripperChoice::Kind;
     return choice.kind == Kind::None         ? QStringLiteral("none")
@@ -152,7 +152,7 @@ GripperPanel::GripperPanel(RobotSession& session, QWidget* parent)
     });
     connect(&robotiq_, &RobotiqLink::changed, this, &GripperPanel::refresh);
     connect(&session_, &RobotSession::stateChanged, this, &GripperPanel::follow);
-    // The timer also updates the display, because the state becomes outdated when no data arrive.
+    // Update the display periodically, because the state becomes outdated if no data arrive.
     refreshTimer_.setInterval(kGripperRefreshMs);
     connect(&refreshTimer_, &QTimer::timeout, this, &GripperPanel::refresh);
     refreshTimer_.start();
@@ -247,7 +247,7 @@ void GripperPanel::build() {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(scroll);
-    // Constant height, so that nothing moves when a suggestion appears.
+    // Constant height, so that a suggestion does not move other elements.
     remedy_->setMinimumHeight(kRemedyLines * QFontMetrics(textFont(15)).lineSpacing() + 10);
     listOutputs();
     fitValues();
@@ -335,7 +335,7 @@ void GripperPanel::readAgain() {
     if (robot_.isEmpty() || !memory_.load) {
         return;
     }
-    // Do not select the same gripper again, because this would close its connection.
+    // Do not select the same gripper again, because that would close its connection.
     if (const GripperChoice choice = GripperChoice::fromText(memory_.load(robot_)); choice != choice_) {
         choose(choice);
         chosen_.start();
@@ -386,7 +386,7 @@ void GripperPanel::chosenByUser() {
     }
     choose(choice);
     chosen_.start();
-    // Opening and closing need different outputs, so an incomplete selection is not saved.
+    // Do not save an incomplete selection: opening and closing need different outputs.
     const bool complete =
         choice.kind != GripperChoice::Kind::TwoOutputs || choice.closeOutput != choice.openOutput;
     if (!robot_.isEmpty() && memory_.keep && complete) {
@@ -454,7 +454,7 @@ QString GripperPanel::robotiqObstacle() const {
     if (now->activation != io::RobotiqActivation::Active) {
         return tr("Activate the gripper first.");
     }
-    // With invalid input in the box, the previous value would be sent.
+    // If a box contains invalid input, the previous value would be sent.
     return speed_->isRefused() || force_->isRefused()
                ? tr("Speed or force is out of range. Enter 0 to 100 %.")
                : QString();
@@ -506,7 +506,7 @@ QString GripperPanel::obstacleOfLink() const {
     if (state_.monitorOnly) {
         return texts::monitorOnlyObstacle();
     }
-    // The same text for all buttons, because they are enabled together.
+    // All buttons have the same text, because they are enabled together.
     return chosen_.isValid() && chosen_.elapsed() < kSettleMs ? tr("Please wait…") : QString();
 }
 

@@ -2,9 +2,8 @@
 #pragma once
 
 // The gripper panel. Supports Robotiq grippers (activate, open, close, position, speed, force, object
-// detection) and grippers controlled by outputs. Each click sends one command, as for an output. The display
-// shows the state reported by the gripper, or by the robot for its outputs. The selected gripper is saved per
-// robot.
+// detection) and grippers controlled by outputs. Each click sends one command. The display shows the state
+// reported by the gripper or, for outputs, by the robot. The selected gripper is saved for each robot.
 
 #include <QElapsedTimer>
 #include <QMap>
@@ -30,7 +29,7 @@ namespace tiller {
 
 class DecimalSpinBox;
 
-/// Stores the gripper of each robot. The key is the address of the robot, or "simulator". The value has the
+/// Stores the gripper of each robot. `robot` is the address of the robot, or "simulator". The value has the
 /// format of GripperChoice::toText().
 struct GripperMemory {
     std::function<QString(const QString& robot)> load;
@@ -44,7 +43,7 @@ public:
     explicit GripperPanel(RobotSession& session, QWidget* parent = nullptr);
 
     void setMemory(GripperMemory memory);
-    /// Loads the stored gripper of this robot again, because it may have changed.
+    /// Loads the gripper of the current robot again. Call this after the stored value may have changed.
     void readAgain();
     /// Sets the user's names of outputs, by terminal.
     void setNames(const QMap<QString, QString>& names);
@@ -54,7 +53,7 @@ public:
     /// Interface for other panels, valid for the lifetime of the panel.
     GripperPort port();
 
-    /// For tests: replace the receiver of output commands, the clock, and the address of the gripper.
+    /// For tests: replaces the receiver of output commands, the clock, and the address of the gripper.
     using OutputSetter = std::function<void(std::uint32_t mask, std::uint32_t values, const QString& what)>;
     void setOutputSetter(OutputSetter setter) { setOutputs_ = std::move(setter); }
     void setClock(const Clock& clock) { clock_ = &clock; }
@@ -118,7 +117,7 @@ private:
     QVector<QWidget*> ofOutputs_;
     QVector<QWidget*> ofTwoOutputs_;
 
-    RobotiqLink robotiq_;  // last member, so that its destruction does not use destroyed members
+    RobotiqLink robotiq_;  // last member, so that it is destroyed before the members it uses
 };
 
 }  // namespace tiller

@@ -26,7 +26,7 @@ int rowHeightNow() {
 IoChannel::IoChannel(const QString& terminal, bool output, QWidget* parent)
     : QAbstractButton(parent), terminal_(terminal), output_(output) {
     setText(terminal);
-    setFocusPolicy(Qt::StrongFocus);  // P pulses and F2 renames the row with the focus
+    setFocusPolicy(Qt::StrongFocus);  // P and F2 pulse and rename the row with the focus
     setAttribute(Qt::WA_Hover);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     describe();
@@ -106,7 +106,8 @@ void IoChannel::changeEvent(QEvent* event) {
 }
 
 bool IoChannel::hitButton(const QPoint& position) const {
-    // Not disabled while data are outdated, because the row can still be renamed.
+    // Ignore clicks instead of disabling the row, because the user can still rename it while data are
+    // outdated.
     return output_ && !stale_ && obstacle_.isEmpty() && QAbstractButton::hitButton(position);
 }
 
@@ -151,7 +152,7 @@ void IoChannel::paintEvent(QPaintEvent*) {
     painter.drawText(nameBox, Qt::AlignVCenter | Qt::AlignLeft,
                      painter.fontMetrics().elidedText(shown, Qt::ElideRight, nameBox.width()));
 
-    // A filled circle, a ring, or a half-filled circle while unconfirmed, so that the states are
+    // Draw a filled circle, a ring, or a half-filled circle for an unconfirmed output, so that the states are
     // distinguishable without colour.
     const QRectF lamp(width() - kStateWidth, (height() - kLamp) / 2.0, kLamp, kLamp);
     const QColor ink = live ? theme.text : theme.disabledText;

@@ -25,11 +25,11 @@ public:
     void setName(const QString& name);
     State state() const { return state_; }
     void setState(State state);
-    /// Marks the data as outdated; the last state is then shown in grey.
+    /// Marks the data as outdated. The last state is then shown in grey.
     void setStale(bool stale);
     bool isStale() const { return stale_; }
     /// why   the reason why the output cannot be switched, as a sentence; empty if it can be switched
-    /// word  text shown after the name
+    /// word  short text after the name
     void setObstacle(const QString& why, const QString& word = {});
     QString obstacle() const { return obstacle_; }
     /// The displayed state: "on", "off", "pending…", "no data".
@@ -39,12 +39,12 @@ public:
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
-    /// Row height for a mouse [px]; for touch, rows are as high as buttons.
+    /// Row height without Touch density [px]. With Touch density, rows are as high as buttons.
     static constexpr int kHeight = 30;
 
 Q_SIGNALS:
     void nameChanged();
-    /// The user requested to switch the output on for a moment and then off again.
+    /// The user requested a pulse: on, and off again after a moment.
     void pulseRequested();
 
 protected:

@@ -21,9 +21,9 @@
 namespace tiller {
 namespace {
 
-/// Notice cause of an unconfirmed output.
+/// Cause of the notice about an unconfirmed output.
 constexpr char kUnconfirmed[] = "output";
-/// Timeout for the confirmation by the robot; afterwards the state "pending" ends [ns].
+/// Timeout for the confirmation by the robot [ns]. Afterwards, the output is no longer shown as pending.
 constexpr std::int64_t kConfirmNs = 2 * kNsPerSecond;
 constexpr int kRefreshMs = 50;
 
@@ -94,7 +94,7 @@ IoTab::IoTab(RobotSession& session, QWidget* parent)
     connect(replayBand_, &ReplayBand::liveWanted, this, &IoTab::liveWanted);
     layout->addLayout(top);
     layout->addWidget(scroll, 1);
-    // The band is at the bottom, so that hiding it does not move a button under the pointer.
+    // Place the band at the bottom, so that hiding it does not move a button under the pointer.
     layout->addWidget(replayBand_);
     notice_->setObjectName(QStringLiteral("io.notice"));
     new BottomOverlay(*notice_, *this, {scroll});
@@ -204,8 +204,8 @@ int IoTab::chosenOutput() {
     }
     for (int channel = 0; channel < kChannels; ++channel) {
         const IoChannel* row = outputs_[channel];
-        // Use the focus widget of the window instead of the application, because the command list may
-        // still be open.
+        // Use the focus widget of this window. QApplication::focusWidget() may be in the command list, which
+        // can still be open.
         if (row != window()->focusWidget()) {
             continue;
         }
@@ -308,7 +308,7 @@ void IoTab::refresh() {
                            .cause = QLatin1String(kUnconfirmed)});
             unconfirmed_ = {channel, wanted};
         } else if (unconfirmed_.first == channel && (stale || unconfirmed_.second == on)) {
-            // The output was confirmed late, or its state is unknown.
+            // The robot has confirmed the output late, or the state of the output is unknown.
             unconfirmed_ = {-1, false};
             notice_->resolve(QLatin1String(kUnconfirmed));
         }

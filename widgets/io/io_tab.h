@@ -3,7 +3,7 @@
 
 // The tab "I/O" shows all digital and analog inputs and outputs of controller and tool by number and name,
 // and the general purpose registers. A click switches an output, which shows "pending" until the robot
-// reports the new state. Setting an output is independent of running programs.
+// reports the new state. Outputs can also be set while a program is running.
 
 #include <QMap>
 #include <QTimer>
@@ -37,7 +37,7 @@ public:
 
     explicit IoTab(RobotSession& session, QWidget* parent = nullptr);
 
-    /// For tests: replaces the session as the receiver of output commands, and the clock.
+    /// For tests: replace the receiver of output commands, and the clock.
     void setOutputSetter(std::function<void(int output, bool on)> setter) { setOutput_ = std::move(setter); }
     void setClock(const Clock& clock) { clock_ = &clock; }
 
@@ -47,14 +47,15 @@ public:
     AnalogRow* analogInput(int channel) const { return analogInputs_[channel]; }
     AnalogRow* analogOutput(int channel) const { return analogOutputs_[channel]; }
     RegisterPanel* registers() const { return registers_; }
-    /// Shows past inputs and outputs with their time; outputs cannot be switched. Empty: live data.
+    /// Shows past inputs and outputs with their time. Outputs cannot be switched in the meantime. Empty: live
+    /// data.
     void setReplay(const Replay& moment);
-    /// Shows only rows that contain this text in terminal or name.
+    /// Shows only rows with this text in the terminal or the name.
     void search(const QString& text);
     void focusSearch();
     static constexpr int kPulseMs = 500;
 
-    /// Actions for the row with the focus. They show a hint if no row has the focus.
+    /// Rename, switch or pulse the row with the focus. If no row has the focus, they show a hint.
     void renameChosen();
     void switchChosen();
     void pulseChosen();
@@ -76,7 +77,7 @@ private:
     void toggle(int output);
     void pulse(int output);
     void ask(int output, bool on);
-    /// Returns the output with the focus if it can be switched; otherwise shows a hint and returns -1.
+    /// Returns the output with the focus if it can be switched. Otherwise, shows a hint and returns -1.
     int chosenOutput();
     void showNoSelection();
     void buildAnalog(QVBoxLayout* layout);
@@ -86,7 +87,7 @@ private:
     std::function<void(int, bool)> setOutput_;
     const Clock* clock_ = &SteadyClock::shared();
     SessionState state_;
-    receive::Sample sample_;  ///< the sample that state_ is based on
+    receive::Sample sample_;  ///< sample from which state_ was created
     Replay replay_;
     ReplayBand* replayBand_ = nullptr;
     QTimer refreshTimer_;
@@ -107,7 +108,7 @@ private:
         std::int64_t sinceNs = 0;
     };
     QMap<int, Pending> pending_;
-    /// The output shown in the notice, and the requested state.
+    /// Output in the notice, and its requested state.
     std::pair<int, bool> unconfirmed_{-1, false};
 };
 

@@ -18,7 +18,7 @@ namespace tiller {
 
 namespace {
 
-/// Received registers: kFirst to kLast in the lower range, and the same numbers plus kUpper in the upper
+/// Received registers: kFirst to kLast in the lower range, and kFirst + kUpper to kLast + kUpper in the upper
 /// range.
 constexpr int kFirst = 12;
 constexpr int kLast = 19;

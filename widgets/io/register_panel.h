@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// General purpose registers: shows the output registers reported by the robot and contains one line for
-// writing an input register that a program on the robot can read.
+// General purpose registers. Shows the output registers reported by the robot. One line writes an input
+// register, which a program on the robot can read.
 
 #include <QMap>
 #include <QWidget>

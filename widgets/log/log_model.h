@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Table model of the log, oldest entry first. A message equal to the previous one increases the count of that
-// row instead of adding a row. The row shows the first and last time. Only consecutive messages are merged,
-// so that the order remains chronological. If the log exceeds kCapacity, the oldest rows are removed.
+// Table model of the log, oldest entry first. A message equal to the previous message increases the count of
+// its row, which shows the first and last time. Only consecutive messages are merged, so that the order
+// remains chronological. Beyond kCapacity rows, the oldest rows are removed.
 
 #include <QAbstractTableModel>
 #include <QDateTime>
@@ -35,14 +35,14 @@ public:
     int rowAt(const QDateTime& time) const;
     /// All details of a row: time, count, origin, meaning and suggested action.
     QString details(int row) const;
-    /// A row as text with fields separated by tabs: date and time of the first occurrence, severity, and text
-    /// with count and last time.
+    /// A row as tab-separated text: date and time of the first occurrence, severity, and text with count and
+    /// last time.
     QString rowText(int row) const;
 
     static QString severityWord(Severity severity);
     static QFont columnFont(int column);
     static QString openWord();  ///< text of the column Open for rows with a recording
-    /// Name of an origin: "the robot", "the operator", "Tiller".
+    /// Text for an origin: "the robot", "the operator", "Tiller".
     static QString originWord(Origin origin);
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -67,7 +67,7 @@ private:
     std::deque<Entry> entries_;
 };
 
-/// Sets the minimum severity and the words that must all occur in a row.
+/// Filters by minimum severity and by words. Every word must occur in a row.
 class LogFilter : public QSortFilterProxyModel {
     Q_OBJECT
 

@@ -125,7 +125,7 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
     ofLine->addWidget(details_, 1);
     ofLine->addWidget(open_, 0, Qt::AlignVCenter);
     layout->addLayout(ofLine);
-    // The band is at the bottom, so that hiding it does not move a button under the pointer.
+    // Place the band at the bottom, so that hiding it does not move a button under the pointer.
     layout->addWidget(band_);
     connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &LogTab::showDetails);
     connect(filter_, &QAbstractItemModel::dataChanged, this, &LogTab::showDetails);
@@ -157,7 +157,7 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
 
 LogTab::~LogTab() = default;
 
-/// Makes the text column fill the remaining width.
+/// Fits a column to its contents. The text column fills the remaining width.
 void LogTab::fitColumn(int column, const QStringList& words) {
     const QFontMetrics metrics(LogModel::columnFont(column));
     int width = table_->horizontalHeader()->sectionSizeHint(column);
@@ -252,7 +252,7 @@ void LogTab::setReplay(const Replay& moment) {
 
 void LogTab::add(Severity severity, const QString& text, Origin origin, const QString& detail,
                  const QString& recording, std::optional<double> moment) {
-    // Scrolls to the newest row unless the user has scrolled back.
+    // Follow the newest row unless the user has scrolled back.
     const QScrollBar* bar = table_->verticalScrollBar();
     const bool follow = bar->value() == bar->maximum();
     model_->append(now_(), severity, text, origin, detail, recording, moment);
@@ -267,7 +267,7 @@ void LogTab::add(Severity severity, const QString& text, Origin origin, const QS
 void LogTab::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
     if (follows_) {
-        // Scroll after the tab has its final size.
+        // Queued, because the tab does not have its final size yet.
         QMetaObject::invokeMethod(table_, &QTableView::scrollToBottom, Qt::QueuedConnection);
     }
 }

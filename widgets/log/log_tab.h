@@ -35,13 +35,14 @@ public:
     ~LogTab() override;
 
     LogModel& model() { return *model_; }
-    /// Shows the log of a recording, or of a past time, and selects the row of that time. Empty: live.
+    /// Shows the log of a recording, or the live log at a past time, and selects the row of that time. Empty:
+    /// live.
     void setReplay(const Replay& moment);
-    /// For tests.
+    /// For tests: replaces the system clock.
     void setTimeSource(std::function<QDateTime()> now) { now_ = std::move(now); }
-    /// The displayed rows, one per line, fields separated by tabs.
+    /// The displayed rows as tab-separated text, one per line.
     QString shownText() const;
-    /// All rows, one per line, including the rows hidden by the filter.
+    /// All rows as tab-separated text, including the rows hidden by the filter.
     QString allText() const;
     /// Writes all displayed rows.
     /// Errors  FileNotWritable, DiskFull
@@ -50,25 +51,25 @@ public:
 public Q_SLOTS:
     void append(tiller::Severity severity, const QString& text,
                 tiller::Origin origin = tiller::Origin::Tiller, const QString& detail = {});
-    /// Like append(), with the recording of an incident. The recording can be opened from the row.
+    /// Like append(), with the recording of an incident. The user can open the recording from the row.
     void appendRecording(tiller::Severity severity, const QString& text, const QString& detail,
                          const QString& path);
-    /// Like append(), with the position in the recording [s] at which it is opened.
+    /// Like append(), with a recording and the position at which it opens [s].
     void appendMoment(tiller::Severity severity, const QString& text, const QString& detail,
                       const QString& path, double seconds);
-    /// Requests to open the recording of the current row, if any.
+    /// Emits recordingWanted() if the current row has a recording.
     void openRecording();
     /// Copies the selected rows, or all displayed rows if none is selected.
     void copy();
     /// Asks for a file and writes the displayed rows.
     void exportToFile();
     void focusSearch();
-    /// Sets the minimum severity of the displayed rows.
+    /// Sets the minimum severity of the filter.
     void showFrom(tiller::Severity severity);
 
 Q_SIGNALS:
     /// The user requested to open the recording of a row.
-    /// moment  position in the recording [s]; empty: the time of the incident
+    /// moment  position in the recording [s]; if empty, the time of the incident
     void recordingWanted(const QString& path, std::optional<double> moment);
     /// The user wants to return to live data.
     void liveWanted();
@@ -91,9 +92,9 @@ private:
 
     std::function<QDateTime()> now_;
     LogModel* model_;
-    LogModel* replayModel_;  ///< the log of the replayed recording
-    std::shared_ptr<const std::vector<recording::RecordedEvent>> replayed_;  ///< the events of that log
-    bool replay_ = false;  ///< true while the replayed log is shown
+    LogModel* replayModel_;  ///< log of the replayed recording
+    std::shared_ptr<const std::vector<recording::RecordedEvent>> replayed_;  ///< events in replayModel_
+    bool replay_ = false;  ///< true while replayModel_ is displayed
     LogFilter* filter_;
     ReplayBand* band_;
     SegmentedControl* severity_;

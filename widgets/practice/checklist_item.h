@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A text with a check mark that shows whether the item is completed. Position and size do not depend on the
-// state.
+// A text with a check mark for a completed item. Position and size do not depend on the state.
 
 #include <QWidget>
 

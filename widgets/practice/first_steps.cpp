@@ -10,7 +10,7 @@
 namespace tiller {
 namespace {
 
-constexpr double kThere = 0.001;       // tolerance of the flange position [m]
+constexpr double kThere = 0.001;  // tolerance of the TCP position [m]
 constexpr double kTurnedThere = 0.01;  // tolerance of the orientation [rad]
 constexpr double kSameJoints = 0.005;  // tolerance for a waypoint at the current position [rad]
 constexpr double kRealMove = 0.01;     // minimum joint motion that counts [rad]
@@ -144,7 +144,7 @@ void FirstSteps::followMove(const SessionState& state) {
     }
 }
 
-// A pasted or restored waypoint does not count as taught unless the arm is at its position.
+// A pasted or restored waypoint counts as taught only if the arm is at its position.
 void FirstSteps::onWaypoint(int row) {
     if (following_ && state_.link == LinkState::Live &&
         furthest(document_.waypoints().at(row).joints, state_.q) < kSameJoints) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Progress of the first steps. Each step is detected from the state of the robot, the project or the
-// recorder. User input is not evaluated.
+// Progress of the first steps. Steps are detected from the state of the robot, the project and the recorder
+// instead of user input.
 
 #include <QObject>
 #include <QStringList>
@@ -27,7 +27,7 @@ public:
     /// session, document  must outlive the object
     FirstSteps(RobotSession& session, ProjectDocument& document, QObject* parent = nullptr);
 
-    /// Events count only while this is true; initially false.
+    /// Events count only if `following` is true. Initially false.
     void setFollowing(bool following);
     bool isDone(FirstStep step) const { return done_[static_cast<std::size_t>(step)]; }
     bool allDone() const;
@@ -35,7 +35,7 @@ public:
     QStringList done() const;
     void setDone(const QStringList& names);
 
-    /// The instruction as one line of text.
+    /// Returns the instruction as one line of text.
     static QString text(FirstStep step);
 
 Q_SIGNALS:

@@ -21,7 +21,7 @@ public:
 
 Q_SIGNALS:
     void practiceRequested();
-    /// The user dismissed the card.
+    /// The user closed the card.
     void dismissed();
 
 private:

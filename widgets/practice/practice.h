@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// State of the practice tasks: the displayed task, whether it can be started, and the check of the current
-// attempt. The owner provides the functions that change the simulated controller. A real robot is never
+// State of the practice tasks: the displayed task, whether the user can start it, and the check of the
+// current attempt. The functions in PracticeHooks change only the simulated controller. A real robot is never
 // affected.
 
 #include <QObject>
@@ -20,8 +20,8 @@ class ProjectDocument;
 class RobotSession;
 
 struct PracticeHooks {
-    /// Returns the reason why the robot is not the simulated robot of this application, as a sentence; empty
-    /// if it is.
+    /// Returns a sentence explaining why the connected robot is not the simulated robot of this application;
+    /// empty if it is.
     std::function<QString(const SessionState&)> obstacle;
     /// Prepares the simulated controller for the task.
     std::function<void(PracticeTask)> setUp;
@@ -40,12 +40,12 @@ public:
     ~Practice() override;
 
     PracticeTask task() const { return task_; }
-    /// Selects a task and ends the current attempt.
+    /// Selects a task. Ends the current attempt.
     void choose(PracticeTask task);
     /// by  1: next task, -1: previous task
     void turn(int by);
 
-    /// The reason why the task cannot be started; empty if it can be started.
+    /// The reason why the user cannot start the task; empty if the task can be started.
     QString obstacle() const;
     void start();
     bool isRunning() const { return check_ != nullptr; }
@@ -53,8 +53,7 @@ public:
     /// Text of the check, or the reason why there is no check.
     QString text() const;
     void setAnswer(std::optional<double> figure);
-    /// Called when the user finishes the task. The task counts as completed if the check has passed. Selects
-    /// the next open task.
+    /// Completes the task if the check has passed, ends the attempt, and selects the next open task.
     void finish();
     void abandon();
 

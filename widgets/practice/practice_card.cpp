@@ -87,7 +87,7 @@ void PracticeCard::readAnswer() {
     typed.replace(QLatin1Char(','), QLatin1Char('.')).replace(QChar(0x2212), QLatin1Char('-'));
     bool ok = false;
     const double figure = typed.toDouble(&ok);
-    // toDouble() also accepts "nan" and "inf".
+    // toDouble() also accepts "nan" and "inf", so require a finite value.
     practice_.setAnswer(ok && std::isfinite(figure) ? std::optional(figure) : std::nullopt);
 }
 
@@ -101,7 +101,7 @@ void PracticeCard::showTask() {
         answerRow_->setVisible(task == PracticeTask::Measure);
         setTitle(tr("Practice · %1 of %2").arg(task_ + 1).arg(kPracticeTasks.size()));
     }
-    // The texts contain values in the user's units, which may change.
+    // Update the texts every time, because the units in them may have changed.
     text_->setText(practiceText(task));
     check_->setText(practice_.text());
     check_->setDone(practice_.passed() || (!practice_.isRunning() && practice_.isDone(task)));

@@ -21,7 +21,7 @@ struct PracticeText {
     Q_DECLARE_TR_FUNCTIONS(Practice)
 };
 
-/// True if the robot is in normal mode and ready, as before the stop.
+/// True if the robot is ready and the safety system permits motion.
 bool isReady(const SessionState& state) {
     return state.robotMode == RobotMode::Running && allowsMotion(state.safety());
 }
@@ -87,8 +87,8 @@ private:
     static constexpr double kStep = 0.001;      // [m] minimum distance of stored positions
     static constexpr std::size_t kPlaces = 20'000;
 
-    // The origin of a frame taught with the arm must be a former TCP position. The origin of a frame entered
-    // as numbers may be anywhere.
+    // Stores the TCP positions. Taught frame origins are former TCP positions, whereas entered origins can be
+    // anywhere.
     void remember(const Eigen::Vector3d& place) {
         if (places_.size() < kPlaces && (places_.empty() || (places_.back() - place).norm() > kStep)) {
             places_.push_back(place);

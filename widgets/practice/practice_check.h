@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The practice tasks and the checks of their completion. The checks are based on the state of the robot and
-// the project. They do not use user input. Each attempt has its own check.
+// The practice tasks and their completion checks. The checks evaluate the state of the robot and the project
+// instead of user input. Each attempt uses a new check.
 
 #include <QString>
 #include <QUuid>
@@ -23,7 +23,7 @@ inline constexpr std::array kPracticeTasks = {PracticeTask::Recover, PracticeTas
 /// Name of the task in the settings, e.g. "recover".
 QString practiceName(PracticeTask task);
 QString practiceTitle(PracticeTask task);
-/// Instruction in two or three sentences.
+/// Instruction of two or three sentences.
 QString practiceText(PracticeTask task);
 
 class PracticeCheck {
@@ -35,12 +35,12 @@ public:
 
     /// Call this with every state and after every edit of the project.
     virtual void follow(const SessionState& state, const project::Project& project) = 0;
-    /// Sets the number measured by the user, for tasks that require it; empty if not entered.
+    /// Sets the number that the user has measured; empty if not entered. Only some tasks require it.
     virtual void setAnswer(std::optional<double> /*figure*/) {}
 
     /// True once the check has passed. Never reset to false.
     bool passed() const { return passed_; }
-    /// Describes what was achieved and what is missing.
+    /// Describes the progress and the missing steps.
     QString text() const { return text_; }
 
 protected:
@@ -55,14 +55,14 @@ private:
     QString text_;
 };
 
-/// Displacement of the part in the task "touch up", along X of the base frame [m].
+/// Displacement of the workpiece in the task "touch up", along X of the base frame [m].
 inline constexpr double kPartMoved = 0.020;
 
-/// Returns a waypoint for the task "touch up" at the current position of the arm, which is the former
-/// position of the part.
+/// Returns a waypoint for the task "touch up" at the current position of the arm. In the task, the workpiece
+/// has moved away from this position.
 project::Waypoint practiceWaypoint(const SessionState& state, const project::Project& project);
 
-/// project   state of the project at the start of the attempt
+/// project   project at the start of the attempt
 /// waypoint  created for "touch up"; null for other tasks
 std::unique_ptr<PracticeCheck> practiceCheck(PracticeTask task, const project::Project& project,
                                              const QUuid& waypoint = {});

@@ -20,7 +20,7 @@ namespace {
 constexpr int kGap = 8;          // distance from the edges of the view [px]
 constexpr int kMargin = 10;      // margin around the content [px]
 constexpr int kHeadMargin = 6;   // margin above and below the title [px]
-constexpr int kMinContent = 44;  // the card is folded if less height is available [px]
+constexpr int kMinContent = 44;  // [px]; with less height, the card is folded
 
 QToolButton* quietKey(const QString& name, const QString& text, QWidget* parent) {
     auto* key = new QToolButton(parent);
@@ -49,7 +49,7 @@ ViewCard::ViewCard(const QString& name, const QString& title, int height, QWidge
     hide();
     title_->setFont(textFont(15, QFont::Bold));
     title_->setTextFormat(Qt::PlainText);
-    // Symbols are drawn, so that they have the same width in all languages.
+    // Use symbols, so that the buttons have the same width in all languages.
     close_->setText(QStringLiteral("×"));
     fold_->setCheckable(true);
 
@@ -81,7 +81,7 @@ ViewCard::ViewCard(const QString& name, const QString& title, int height, QWidge
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(kMargin, kMargin, kMargin, kHeadMargin);
     layout->setSpacing(6);
-    // The card is anchored at the lower edge of the view, so that its buttons do not move when it is folded
+    // Place the title with its buttons at the bottom, so that the buttons do not move when the card is folded
     // or unfolded.
     layout->addWidget(scroll_, 1);
     layout->addWidget(foot_);
@@ -125,8 +125,8 @@ void ViewCard::openQuietly() {
 }
 
 void ViewCard::putAway() {
-    // If a widget with the focus is hidden, Qt moves the focus to the next control, e.g. a button or the
-    // speed slider.
+    // Move the focus to the view. Otherwise, hiding the focused widget would move the focus to the next
+    // control, e.g. the speed slider.
     if (isAncestorOf(window()->focusWidget())) {
         view_.setFocus(Qt::OtherFocusReason);
     }
@@ -200,7 +200,7 @@ void ViewCard::hideEvent(QHideEvent* event) {
 
 bool ViewCard::event(QEvent* event) {
     switch (event->type()) {
-        // Events on the card must not reach the view below it.
+        // Accept events on the card, so that they do not reach the view.
         case QEvent::MouseButtonPress:
         case QEvent::MouseButtonRelease:
         case QEvent::MouseButtonDblClick:

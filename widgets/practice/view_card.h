@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A card in the lower left corner of a view. It is an overlay that does not move other elements, and its size
-// depends only on the view. The card can be folded to its title. It is folded automatically if the view is
-// too small.
+// A card in the lower left corner of a view. It is an overlay that does not move other elements. Its size
+// depends only on the view. Folding reduces the card to its title. The card folds automatically if the view
+// is too small.
 
 #include <QFrame>
 
@@ -19,7 +19,7 @@ class ViewCard : public QFrame {
     Q_OBJECT
 
 public:
-    /// name    object name, and prefix of the names of the card's buttons: "name.fold", "name.close"
+    /// name    object name, and prefix of the object names of the buttons: "name.fold", "name.close"
     /// height  preferred height [px]; 0: height of the content
     ViewCard(const QString& name, const QString& title, int height, QWidget& view);
 
@@ -29,31 +29,31 @@ public:
     void setFolded(bool folded);
     /// Shows the card without taking the focus.
     void open();
-    /// Like open(), but folds the card if it would cover a large part of the view. For a card that opens
-    /// automatically.
+    /// Like open(), but folds the card if it would cover a large part of the view. Use this for a card that
+    /// opens automatically.
     void openQuietly();
     /// Hides the card. If the card has the focus, the focus moves to the view.
     void putAway();
 
-    /// Height that the folded card covers at the lower edge of the view [px]; 0 while hidden or unfolded.
+    /// Height at the lower edge of the view that the folded card covers [px]; 0 while hidden or unfolded.
     int covered() const;
 
     static constexpr int kWidth = 306;  ///< [px]
 
 Q_SIGNALS:
-    /// The user pressed the close button. The owner decides whether to close the card.
+    /// The user pressed the close button. The owner may call putAway().
     void closeRequested();
     void coveredChanged();
 
 protected:
-    /// Layout of the content. The content scrolls if it is too long.
+    /// Layout of the content, which scrolls if it is too high.
     QVBoxLayout& content() { return *contentLayout_; }
     /// Buttons below the content, always visible.
     QHBoxLayout& keys() { return *keyLayout_; }
     /// Adds a widget above the buttons, always visible.
     void addAboveKeys(QWidget* widget);
-    /// Enables or disables a control of the card. If a disabled control has the focus, the focus moves to the
-    /// view instead of the next control of the window.
+    /// Enables or disables a control of the card. If the control is disabled while it has the focus, the
+    /// focus moves to the view instead of to the next control of the window.
     void setUsable(QWidget& control, bool usable);
 
     bool event(QEvent* event) override;

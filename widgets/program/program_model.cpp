@@ -20,12 +20,12 @@ constexpr int kColumns = 3;
 }  // namespace
 
 struct ProgramModel::Node {
-    const ProgramStep* step = nullptr;  ///< a step in the program of the model
+    const ProgramStep* step = nullptr;  ///< points into the program of the model
     Node* parent = nullptr;
     int row = 0;
     int number = 0;
     std::vector<std::unique_ptr<Node>> children;
-    QString problem;                 ///< the reason why the program cannot run
+    QString problem;  ///< reason why the program cannot run
     QString result;                  ///< result of the preview
     bool hasFinding = false;         ///< true if the preview has a finding for this step
     program::StepRecovery recovery;  ///< marks of the recoverability check
@@ -232,7 +232,7 @@ QVariant ProgramModel::data(const QModelIndex& index, int role) const {
         return {};
     }
     const Node& node = *nodeAt(index);
-    // Computed only for the visible rows, because a program can have thousands of steps.
+    // Compute the text on demand for the visible rows, because a program can have thousands of steps.
     const auto text = [&] {
         switch (index.column()) {
             case Step:
@@ -309,7 +309,8 @@ QMimeData* ProgramModel::mimeData(const QModelIndexList& indexes) const {
     }
     auto* data = new QMimeData;
     data->setData(QLatin1String(kStepsMime), program::textOf(program::selectedSteps(program_, ids)));
-    // Ids are valid only in this program. Other programs copy the steps.
+    // Store the program ID, because step IDs are valid only in this program. Dropping on a different program
+    // copies the steps.
     texts.prepend(program_.id.toString());
     data->setData(QLatin1String(kIdsMime), texts.join(QLatin1Char(' ')).toLatin1());
     return data;
@@ -341,8 +342,8 @@ bool ProgramModel::dropMimeData(const QMimeData* data, Qt::DropAction action, in
     } else if (const auto steps = program::stepsFromText(data->data(QLatin1String(kStepsMime)))) {
         Q_EMIT stepsDropped(at, *steps);
     }
-    // Not accepted, so that the view does not remove the dragged rows. The project is edited, and the model
-    // follows the project.
+    // Return false, so that the view does not remove the dragged rows. The edit of the project updates the
+    // model.
     return false;
 }
 

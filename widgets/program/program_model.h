@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The steps of one program as a tree, with number and kind, values, and the problem or the simulated time.
-// Dropped steps are only reported. The project is then edited, and the model follows the project.
+// The steps of one program as a tree: number and kind, values, and the problem or the simulated time. The
+// model only reports dropped steps. The edit of the project then updates the model.
 
 #include <QAbstractItemModel>
 #include <QSet>
@@ -26,9 +26,8 @@ public:
     ~ProgramModel() override;
 
     /// project  must outlive the model, or remain valid until the next call
-    /// program  null: the tree is empty
+    /// program  if null, the tree is empty
     void setProgram(const project::Project& project, const project::Program* program);
-    /// Sets the problems of the displayed program.
     void setProblems(const std::vector<program::ProgramProblem>& problems);
     /// script  script of the preview; null: no preview
     void setPreview(const program::ProgramScript* script, const program::Preview* preview);
@@ -46,7 +45,7 @@ public:
 
     QUuid idAt(const QModelIndex& index) const;  ///< null for an invalid index
     QModelIndex indexOf(const QUuid& id) const;
-    /// A problem with a step, or the preview's finding for the step; empty if there is no problem.
+    /// A problem with the step, or the preview's finding for the step; empty if there is neither.
     QString noteAt(const QUuid& id) const;
 
     QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
@@ -65,7 +64,7 @@ public:
                       const QModelIndex& parent) override;
 
 Q_SIGNALS:
-    /// The tree was reset. Views must restore the selection and the expanded sections by id.
+    /// The tree was reset. Views must restore the selection and the expanded sections by step ID.
     void treeChanged();
     void stepsDropped(const tiller::program::StepPosition& at,
                       const std::vector<tiller::project::ProgramStep>& steps);
@@ -82,7 +81,7 @@ private:
     project::Program program_;
     std::unique_ptr<Node> root_;
     QHash<QUuid, Node*> nodes_;
-    QUuid running_;  ///< the running step; null: none
+    QUuid running_;  ///< null if no step is running
     QSet<QUuid> breakpoints_;
 };
 

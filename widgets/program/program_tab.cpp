@@ -33,7 +33,7 @@ using program::Steps;
 namespace {
 
 constexpr int kWide = 820;  ///< minimum width for palette, tree and fields next to each other [px]
-constexpr double kPathSpacing = 0.003;  ///< distance between points of the path in the 3D view [m]
+constexpr double kPathSpacing = 0.003;  ///< distance between path points in the 3D view [m]
 
 QPushButton* keyFor(const char* name, const QString& text) {
     auto* key = new EnterKey(text);
@@ -87,7 +87,7 @@ ProgramTab::ProgramTab(ProjectDocument& document, QWidget* parent)
                     edit(program::withField(*program, step, key, value), tr("Change “%1”").arg(label));
                 }
             });
-    // Many changes arrive in a short time when a project is opened.
+    // Combine the changes that arrive in rapid succession when a project is opened.
     checkTimer_.setSingleShot(true);
     connect(&checkTimer_, &QTimer::timeout, this, &ProgramTab::check);
     for (const auto change : {&ProjectDocument::documentChanged, &ProjectDocument::projectReplaced}) {
@@ -326,7 +326,7 @@ program::ScriptOptions ProgramTab::scriptOptions() const {
     return options;
 }
 
-// Compares everything that affects the simulation in addition to the script.
+// True if everything that affects the simulation in addition to the script is unchanged.
 bool ProgramTab::isSameCell(const project::Project& before) const {
     const project::Project now = document_.project();
     return before.cell == now.cell && before.frames == now.frames && before.tooling == now.tooling &&
@@ -368,7 +368,7 @@ void ProgramTab::check() {
     previewKey_->setEnabled(script_.ok());
     recoverAction_->setEnabled(script_.ok());
     if (runBar_ != nullptr && runBar_->runner().isActive()) {
-        // Changes take effect at the next start. The state of the run is more important.
+        // Keep showing the state of the run. Changes take effect at the next start.
     } else if (program == nullptr || program->steps.empty()) {
         showStatus(tr("Drag steps into the program, or double-click them."));
     } else if (!script_.problems.empty()) {

@@ -2,8 +2,7 @@
 #pragma once
 
 // The tab "Program". It shows the programs of the project, the steps of one program, the fields of the
-// selected step, and a preview in the simulated controller. With a robot, the tab also runs the program: see
-// RunBar.
+// selected step, and a preview in the simulated controller. For a robot, RunBar runs the program.
 
 #include <Eigen/Core>
 #include <QTimer>
@@ -45,21 +44,20 @@ public:
     /// document  must outlive the tab
     explicit ProgramTab(ProjectDocument& document, QWidget* parent = nullptr);
 
-    /// Adds the buttons that run the program. Call once. The arguments are those of RunBar.
+    /// Adds the buttons that run the program. Call this once. The arguments are those of RunBar.
     void setRobot(RobotSession& session, HoldPolicy& policy, std::function<HeldSpeed()> heldSpeed);
-    /// Updates the displayed speed.
     void followSpeed();
 
     /// All actions, for the menus, the command list and the help page.
     QList<QAction*> commandActions() const { return actions_; }
     StepTree& tree() { return *tree_; }
-    /// True while a program runs without a held button.
+    /// True while a program runs without hold-to-run.
     bool runsFreely() const;
     /// Path of the TCP in the preview, in the base frame [m]; empty without a preview.
     const std::vector<Eigen::Vector3d>& previewPath() const { return path_; }
 
 Q_SIGNALS:
-    /// A command of this tab was triggered, and the tab should be shown.
+    /// A command of this tab was triggered, so the tab should be shown.
     void frontWanted();
     void previewPathChanged();
 
@@ -67,7 +65,7 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    /// The pages of the right column when there is space for only one of them.
+    /// Panels of the right column if there is space for only one of them.
     enum Side { Palette, Form };
 
     const project::Program* current() const;
@@ -79,15 +77,15 @@ private:
     void check();
     bool isSameCell(const project::Project& before) const;
     program::ScriptOptions scriptOptions() const;
-    /// The script of the program from its beginning, for the connected robot.
+    /// Script that runs the program from the beginning on the connected robot.
     program::ProgramScript completeScript() const;
     void showSelection();
     void showSides();
     void showStatus(const QString& text);
-    /// Selects the step of the next problem, or of the next finding of the preview.
+    /// Selects the step with the next problem or the next finding of the preview.
     void showNextProblem();
     void edit(const project::Program& after, const QString& text);
-    /// at  position; empty: after the selected step
+    /// at  position; if empty, after the selected step
     void insert(const program::Steps& steps, const std::optional<program::StepPosition>& at = std::nullopt);
     void changeSelected(project::Program (*change)(const project::Program&, const QSet<QUuid>&),
                         const QString& text);
@@ -114,14 +112,14 @@ private:
     void checkRecovery();
     void showRecovery(const program::RecoveryMap& map);
     void clearRecovery();
-    /// Offers the step at which a stopped program can continue.
-    /// Returns  a sentence with the mark of the stop; empty without marks
+    /// Offers the step at which the stopped program can continue.
+    /// Returns  a sentence describing the recoverability of the stop; empty if the check has not been run
     QString offerContinuation();
     void exportScript();
     void showRun();
     void showRunningStep(const program::ProgramRunner& runner);
 
-    /// A step that showNextProblem() can select.
+    /// A step selected by showNextProblem().
     struct Mark {
         QUuid program;
         QUuid step;
@@ -151,8 +149,8 @@ private:
     std::vector<Mark> marks_;  ///< steps with problems, or with findings of the preview
     std::size_t nextMark_ = 0;
     QTimer checkTimer_;
-    bool wasWaiting_ = false;  ///< the program waited before a step
-    QSet<QUuid> breakpoints_;  ///< step ids, not saved with the project
+    bool wasWaiting_ = false;  ///< true if the program waited before a step
+    QSet<QUuid> breakpoints_;  ///< step IDs, not saved with the project
     program::PreviewRunner runner_;
     QAction* recoverAction_ = nullptr;
     program::ProgramScript recovered_;  ///< script of the displayed or running recoverability check

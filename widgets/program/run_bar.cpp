@@ -34,7 +34,7 @@ QPushButton* keyNamed(const char* name, const QString& text) {
     return key;
 }
 
-/// The minimum width fits both texts, so that the button keeps its size.
+/// Sets a minimum width that fits both texts, so that the button keeps its size.
 void reserveWidth(QPushButton& key, const QString& otherText) {
     key.setMinimumWidth(
         std::max({key.minimumWidth(), key.sizeHint().width(), EnterKey(otherText).sizeHint().width()}));
@@ -319,7 +319,7 @@ void RunBar::updateAvailability() {
     using State = program::ProgramRunner::State;
     const bool isStarting =
         isHeld_ && (runner_.state() == State::Sending || runner_.state() == State::Running);
-    // A held button is not disabled: the motion ends by itself, and a disabled button would not receive the
+    // Do not disable a held button. The motion ends by itself, and a disabled button would not receive the
     // release.
     for (HoldToRunButton* key : {hold_, start_}) {
         if (!key->isHolding() && !(key == hold_ && isStarting)) {

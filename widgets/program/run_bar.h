@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The buttons that run the program of the Program tab: "Run (hold)", "Move to start (hold)", and "Run", which
-// also stops a program that runs without a held button. "Pause", "Step" and "Finish cycle" control the running
-// program, and "Start from here" makes the selected step the first one. The rules for held buttons are those of
-// HoldRules.
+// The buttons that run the program of the Program tab: "Run (hold)", "Move to start (hold)", and "Run", which also
+// stops a program that runs without hold-to-run. "Pause", "Step" and "Finish cycle" control the running
+// program. "Start from here" makes the selected step the first step. HoldRules determines when a held motion
+// ends.
 
 #include <QWidget>
 #include <functional>
@@ -26,21 +26,22 @@ class RunBar : public QWidget {
     Q_OBJECT
 
 public:
-    /// policy     the policy of the window
+    /// policy     hold policy of the window
     /// heldSpeed  returns the maximum speed of held motions
     /// All references must outlive the bar.
     RunBar(RobotSession& session, HoldPolicy& policy, const ProjectDocument& document,
            std::function<HeldSpeed()> heldSpeed, QWidget* parent = nullptr);
     ~RunBar() override;
 
-    /// Sets the program, with its newest script for the connected robot. A different program ends a held run.
+    /// Sets the program and its latest script for the connected robot. Selecting a different program ends a
+    /// held run.
     void setProgram(const QUuid& program, const program::ProgramScript& script);
     /// Sets the preview of this script; empty if there is none.
     void setPreview(const program::ProgramScript& script, const std::optional<program::Preview>& preview);
-    /// Sets the step at which the stopped program can continue; without a start step: none. While that step is
-    /// selected, "Start from here" continues there.
+    /// Sets the step at which the stopped program can continue. While that step is selected, "Start from
+    /// here" continues the program. Without a start step, the program cannot continue.
     void setContinuation(const program::Continuation& continuation);
-    /// The step in which the last run was stopped, with the kind of the stop; step 0: unknown.
+    /// The step at which the last run was stopped, and the kind of the stop. Step 0 means unknown.
     struct StoppedAt {
         int step = 0;
         program::StopKind kind = program::StopKind::Operator;
@@ -48,25 +49,24 @@ public:
     StoppedAt stoppedAt() const;
     /// Sets the selected step; null if there is none, or more than one.
     void setSelectedStep(const QUuid& step);
-    /// The step at which the program starts; empty: at its beginning.
+    /// The step at which the program starts; empty for the beginning of the program.
     const std::optional<program::StartStep>& startStep() const { return startStep_; }
     void clearStartStep();
     void showSpeed();
     const program::ProgramRunner& runner() const { return runner_; }
     void setBreakpoints(const QSet<QUuid>& steps) { runner_.setBreakpoints(steps); }
-    /// True while a program runs without a held button.
+    /// True while a program runs without hold-to-run.
     bool runsFreely() const { return runner_.isActive() && !isHeld_; }
-    /// Ends a held motion, if any.
     void stop(control::StopCause cause);
 
 Q_SIGNALS:
-    /// A press had no effect. The argument is the reason.
+    /// A press had no effect for this reason.
     void refused(const QString& reason);
     /// The user has changed startStep(), so script and preview are out of date.
     void startStepChanged();
-    /// State or running step of the program have changed.
+    /// The state or the running step of the program has changed.
     void runChanged();
-    /// stoppedAt() has changed without a run.
+    /// The robot has lost power since the last run, so stoppedAt() has changed.
     void powerLost();
 
 protected:
@@ -97,7 +97,7 @@ private:
     const ProjectDocument& document_;
     std::function<HeldSpeed()> heldSpeed_;
     program::ProgramRunner runner_;
-    bool isHeld_ = false;  ///< the current run needs a held button
+    bool isHeld_ = false;  ///< true if releasing the button ends the current run
     QUuid program_;
     program::ProgramScript script_;
     program::ProgramScript previewed_;
@@ -106,7 +106,7 @@ private:
     program::Continuation continuation_;
     bool hasLostPower_ = false;  ///< true if power was lost since the end of the last run
     std::optional<program::StartStep> startStep_;
-    MoveRequest startMove_;  ///< request of the current motion to the start position
+    MoveRequest startMove_;  ///< current motion to the start position
     HoldToRunButton* hold_;
     HoldToRunButton* start_;
     QPushButton* run_;

@@ -20,7 +20,7 @@ using program::StepField;
 
 namespace {
 
-/// Editor for several lines. Editing is finished when it loses the focus.
+/// Multi-line editor. Losing the focus finishes editing.
 class LinesEditor : public QPlainTextEdit {
 public:
     LinesEditor(const QString& text, std::function<void(const QString&)> done)
@@ -42,7 +42,7 @@ private:
     std::function<void(const QString&)> done_;
 };
 
-/// Editor for one line. Esc restores the last accepted text.
+/// Single-line editor. Esc restores the last accepted text.
 class LineEditor : public QLineEdit {
 public:
     explicit LineEditor(const QString& text) : QLineEdit(text), accepted_(text) {}
@@ -102,7 +102,7 @@ void StepForm::setStep(const project::Project& project, const project::ProgramSt
     const QString focused = isTyping ? focus->objectName() : QString();
     shown_ = step != nullptr ? *step : project::ProgramStep();
     showText(*refusal_, {});
-    // Delete later, because one of these editors may have reported the edit.
+    // Delete the editors later, because one of them may have emitted the edit that is being processed.
     if (fields_ != nullptr) {
         for (QWidget* editor : fields_->findChildren<QWidget*>()) {
             editor->disconnect(this);
@@ -171,7 +171,7 @@ QWidget* StepForm::lineEditor(const StepField& field, const QJsonValue& value) {
     const QString shown = program::editText(field, value);
     auto* edit = new LineEditor(shown);
     connect(edit, &QLineEdit::textChanged, edit, [edit] { markRefused(*edit, false); });
-    // Capture the selected step, because the selection may have changed when editing is finished.
+    // Capture the step, because the selection may change before editing is finished.
     connect(edit, &QLineEdit::editingFinished, this, [this, step = shown_.id, edit, field, shown] {
         if (edit->text() == shown) {
             showText(*refusal_, {});
@@ -227,7 +227,7 @@ QWidget* StepForm::editorFor(const project::Project& project, const StepField& f
                 box->addItem(QStringLiteral("?"), value);
                 box->setCurrentIndex(box->count() - 1);
             }
-            // As wide as the current text, because longer choices would widen the whole panel.
+            // Use the width of the current text, because longer choices would widen the whole panel.
             box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
             box->setMinimumContentsLength(std::max(8, static_cast<int>(box->currentText().size())));
             connect(box, &QComboBox::activated, this, [this, step, box, field] {

@@ -2,8 +2,8 @@
 #pragma once
 
 // The fields of one step, each with its unit. A problem with the step is shown above the fields. An editor
-// reports its value when editing is finished. A value outside the range is rejected, and the permitted range
-// is shown. The text remains as typed.
+// reports its value when editing is finished. If the value is outside its range, the form rejects it and
+// shows the permitted range, and the typed text is kept.
 
 #include <QJsonValue>
 #include <QWidget>
@@ -21,15 +21,15 @@ class StepForm : public QWidget {
 public:
     explicit StepForm(QWidget* parent = nullptr);
 
-    /// step  null: no step to edit
+    /// step  if null, the form is empty
     void setStep(const project::Project& project, const project::ProgramStep* step);
-    /// Shows a problem with the step. `text` is a sentence, or empty if there is no problem.
+    /// Shows a problem with the step as a sentence. An empty text removes it.
     void setProblem(const QString& text);
-    /// Sets the focus to the editor of a field, or to the first editor if there is no such field.
+    /// Sets the focus to the editor of a field, or to the first editor if the field does not exist.
     void focusField(const QString& key);
 
 Q_SIGNALS:
-    /// value  undefined: the field has no value
+    /// value  undefined if the field has no value
     void edited(const QUuid& step, const QString& key, const QString& label, const QJsonValue& value);
 
 private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// All step kinds in their groups, to be dragged into a program.
+// All step kinds by group. The user drags them into a program.
 
 #include <QTreeWidget>
 

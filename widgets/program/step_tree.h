@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The tree of the steps of a program. The selection and the expanded sections are kept by step id while the
-// program changes.
+// The step tree of a program. The selection and the expanded sections are restored by step ID after the
+// program has changed.
 
 #include <QSet>
 #include <QTreeView>
