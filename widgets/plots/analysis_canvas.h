@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A line plot without a time axis: a spectrum, or one signal over another. Draws every point.
+// A line plot without a time axis: a spectrum, or one signal plotted over another. Draws every point.
 
 #include <QPointF>
 #include <QVector>
@@ -21,7 +21,7 @@ public:
 
     explicit AnalysisCanvas(QWidget* parent = nullptr);
 
-    /// Scales both axes to the points.
+    /// Scales both axes to fit the points.
     /// message  shown if there are no points
     void show(const QVector<QPointF>& points, const QString& xTitle, const QString& yTitle,
               const QString& message);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The axis labels of a plot. The axes of a chart would update the layout of the whole chart for every change
-// of a label, i.e. in each frame of a zoom. These labels are plain text items at fixed positions.
+// The axis labels of a plot, as plain text items at fixed positions. With the axes of QChart, every change of
+// a label, e.g. in each frame of a zoom, would update the layout of the whole chart.
 
 #include <QColor>
 #include <QFont>

@@ -37,7 +37,7 @@ AxisRange::Scale AxisRange::best(double low, double high) const {
         // The outermost grid lines [steps]. A curve may exceed them slightly.
         double bottom = std::floor(low / step + kReach);
         double top = std::ceil(high / step - kReach);
-        // Include zero if it is near.
+        // Include zero if it is at most two steps away.
         if (bottom > 0 && bottom <= 2) {
             bottom = 0;
         }
@@ -96,7 +96,7 @@ bool AxisRange::fit(double low, double high, double seconds) {
         return false;
     }
     if (low < min_ || high > max_) {
-        // Extend one side of the scale without reducing the other side.
+        // Extend one side without reducing the other side.
         return set(best(std::min(low, min_ + kEdge * step_), std::max(high, max_ - kEdge * step_)));
     }
     const Scale narrower = best(low, high);

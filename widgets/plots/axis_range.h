@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A vertical scale that changes rarely. Steps are round numbers. The scale grows immediately when a curve
-// would exceed it. It is reduced only after the curves have needed less space for some time.
+// A vertical scale that changes rarely. Steps are round numbers. The scale grows immediately if a curve would
+// exceed it. It shrinks only after the curves have needed less space for some time.
 
 namespace tiller {
 
 class AxisRange {
 public:
-    /// smallestStep  minimum distance between grid lines, so that noise is not enlarged further
+    /// smallestStep  minimum distance between grid lines, which limits how far noise is enlarged
     explicit AxisRange(double smallestStep);
 
     double min() const { return min_; }
@@ -17,22 +17,22 @@ public:
 
     /// Adapts the scale to curves in the range low ... high. If low > high, there is no curve and the scale
     /// does not change.
-    /// seconds  time since the last call; the scale is reduced after it was too large for kPatience seconds
+    /// seconds  time since the last call; the scale shrinks only after it was too large for kPatience seconds
     /// Returns  true if the scale changed
     bool fit(double low, double high, double seconds);
     /// Sets the best scale for low ... high immediately.
     bool reset(double low, double high);
 
-    /// Zooms in (factor < 1) around the value `about`. The scale does not follow the curves until release().
+    /// Zooms in (factor < 1) around the value `about`. Until release(), the scale does not follow the curves.
     void zoom(double factor, double about);
-    /// Shows low ... high, where low < high. The scale does not follow the curves until release().
+    /// Shows low ... high, where low < high. Until release(), the scale does not follow the curves.
     void hold(double low, double high);
     /// True between zoom() or hold() and release().
     bool isHeld() const { return held_; }
-    /// The scale follows the curves again from the next fit() or reset().
+    /// Lets the scale follow the curves again from the next fit() or reset().
     void release() { held_ = false; }
 
-    /// Sets the maximum number of grid lines, at least 2. Takes effect at the next change of the scale.
+    /// Sets the maximum number of grid lines, at least 2. The next change of the scale uses it.
     void setMostLines(int lines);
 
     static constexpr double kPatience = 3.0;  ///< [s]

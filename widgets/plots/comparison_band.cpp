@@ -44,7 +44,7 @@ ComparisonBand::ComparisonBand(QWidget* parent)
         }
     });
     connect(compare_, &QToolButton::clicked, this, &ComparisonBand::comparisonWanted);
-    // The width of the button depends on its text, even before there is a result.
+    // Set the text before there is a result, because it determines the width of the button.
     tell({}, {}, Key::None, false);
     style();
     hide();

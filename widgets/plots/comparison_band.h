@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A band below the plots of a recording. It shows the progress of the comparison between arm and model, or
-// the time of the first deviation.
+// A band below the plots of a recording. Shows the progress of the comparison between arm and model, or the
+// time of the first deviation.
 
 #include <QFrame>
 
@@ -21,7 +21,7 @@ public:
 
     explicit ComparisonBand(QWidget* parent = nullptr);
 
-    /// parted  true if the plots mark the deviation with the same flag as the band
+    /// parted  true if the plots mark a deviation; the band then shows the same flag
     void tell(const QString& words, const QString& details, Key key, bool parted);
     QString words() const;
     QString details() const { return details_; }
@@ -29,7 +29,7 @@ public:
 Q_SIGNALS:
     void cancelWanted();
     void momentWanted();
-    /// The user wants to compare with other limits or another model.
+    /// The user wants to compare using different limits or a different model.
     void comparisonWanted();
 
 protected:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Dialog with the model and the limits for comparing a recording with the model of its arm.
+// Dialog for comparing a recording with the model of its arm: selects the model and the limits.
 
 #include <QDialog>
 #include <optional>
@@ -19,7 +19,7 @@ class ComparisonDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// model  initial selection; empty: the user must select a model
+    /// model  initial selection; empty if the user must select a model
     ComparisonDialog(const divergence::Limits& limits, std::optional<RobotModelId> model,
                      QWidget* parent = nullptr);
 

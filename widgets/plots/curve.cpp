@@ -65,7 +65,7 @@ void Curve::sampleEnvelope(const SeriesBuffer& history, int column, const Column
         if (last != none && !gap) {
             const double before = (envelope_[last].min + envelope_[last].max) / 2;
             if (last + 1 == i) {
-                // Use a value that is in both columns if they overlap; otherwise the middle of the step
+                // If the ranges of both columns overlap, use a value within both. Otherwise, use the middle
                 // between them.
                 const double bottom = std::max(envelope_[last].min, envelope_[i].min);
                 const double top = std::min(envelope_[last].max, envelope_[i].max);
@@ -84,7 +84,7 @@ void Curve::sampleEnvelope(const SeriesBuffer& history, int column, const Column
 
 void Curve::fetchEnvelope(const SeriesBuffer& history, int column, const ColumnGrid& grid) {
     // Columns are on a fixed time raster. While the curve moves, most columns contain the same samples as
-    // before.
+    // before, so reuse their values.
     const double shift = (grid.start - cachedStart_) / grid.width;
     const bool sameRaster = grid.width == cachedWidth_ && std::abs(shift - std::round(shift)) < 1e-3 &&
                             std::abs(shift) < static_cast<double>(cachedEdges_.size()) &&
@@ -93,9 +93,9 @@ void Curve::fetchEnvelope(const SeriesBuffer& history, int column, const ColumnG
     const auto known = sameRaster ? static_cast<std::int64_t>(envelope_.size()) : 0;
     fresh_.resize(static_cast<std::size_t>(grid.columns()));
     edges_ = grid.edges;
-    // Align the start of wide columns to summaries. The finer summaries and the samples are scattered in
-    // memory, and are then not needed. Each sample is still in exactly one column, displaced by at most
-    // 1/kCoarse of the column width.
+    // Align the edges of wide columns to summaries, to avoid reading finer summaries and samples, which are
+    // scattered in memory. Each sample is still in exactly one column. The edges move by at most 1/kCoarse of
+    // the column width.
     std::int64_t summary = 1;
     for (const std::int64_t rows : {SeriesColumn::kSummary, SeriesColumn::kCoarseSummary}) {
         const bool isFar = grid.edges.back() - grid.edges.front() > kCoarse * rows * grid.columns();
@@ -122,7 +122,7 @@ void Curve::fetchEnvelope(const SeriesBuffer& history, int column, const ColumnG
 }
 
 void Curve::samplePoints(const SeriesBuffer& history, int column, std::int64_t begin, std::int64_t end) {
-    // Positions are relative to the integer time raster, so that the position of a sample in its column
+    // Use positions relative to the integer time raster, so that the position of a sample in its column
     // remains exactly equal while the view moves.
     const auto origin = static_cast<double>(raster_);
     bool any = false;
@@ -193,7 +193,7 @@ void Curve::findDrawn(std::span<std::uint8_t> drawn, double beyond) const {
         std::fill(drawn.begin(), drawn.end(), std::uint8_t{1});
         return;
     }
-    // Relative to the origin of the time axis, so that the dashes move with the curve.
+    // The dashes start at the origin of the time axis, so that they move with the curve.
     double place = std::fmod(static_cast<double>(raster_), dashLength_);
     place = place < 0 ? place + dashLength_ : place;
     constexpr double kRounding = 1e-6;  // rounding error of the accumulated value
@@ -219,11 +219,10 @@ void Curve::findDrawn(std::span<std::uint8_t> drawn, double beyond) const {
         while (i < count && drawn[i] == 0) {
             ++i;
         }
-        // A dash that ends in a spike must not hide another spike, so the smaller dash end is used.
+        // Use the smaller dash end, so that a spike at the end of one dash does not hide a spike in the gap.
         MinMax ends;
         double half = std::numeric_limits<double>::infinity();
-        for (const std::size_t end :
-             {begin - 1, i}) {  // before the first column, begin - 1 wraps to an invalid index
+        for (const std::size_t end : {begin - 1, i}) {  // if begin is 0, begin - 1 wraps to an invalid index
             if (end < count && !columns_[end].isEmpty()) {
                 ends.add((columns_[end].low + columns_[end].high) / 2);
                 half = std::min(half, (columns_[end].high - columns_[end].low) / 2);

@@ -2,7 +2,7 @@
 #pragma once
 
 // One curve, represented by its extent in every pixel column. The extent ranges from minimum to maximum and
-// is connected to the neighbouring columns. The drawing effort does not depend on the length of the history.
+// is connected to the neighbouring columns, so the drawing time does not depend on the length of the history.
 // CurveRaster renders the columns.
 
 #include <QPainterPath>
@@ -27,7 +27,7 @@ public:
 
         bool isEmpty() const { return std::isnan(left); }
         void setLeft(double value);   ///< extends the minimum and maximum if necessary
-        void setRight(double value);  ///< like setLeft()
+        void setRight(double value);  ///< extends the minimum and maximum if necessary
         friend bool operator==(const Column& a, const Column& b) {
             return (a.isEmpty() && b.isEmpty()) ||
                    (a.left == b.left && a.right == b.right && a.low == b.low && a.high == b.high);
@@ -37,7 +37,7 @@ public:
     explicit Curve(int signal) : signal_(signal) {}
 
     int signal() const { return signal_; }
-    /// Sets colour, width and dash pattern. Dashes are along the time axis and move with the curve.
+    /// Sets colour, width and dash pattern. Dashes run along the time axis and move with the curve.
     void setPen(const QPen& pen);
     const QPen& pen() const { return pen_; }
     void setVisible(bool visible) { visible_ = visible; }
@@ -46,25 +46,25 @@ public:
     void setOffset(double offset) { offset_ = offset; }
     double offset() const { return offset_; }
 
-    /// Reads the data for the columns of this grid. `column` must always be the same column of the same
-    /// history.
+    /// Reads the data for the columns of this grid. Every call must use the same history and the same
+    /// `column`.
     void sample(const SeriesBuffer& history, int column, const ColumnGrid& grid);
     /// Minimum and maximum of the data that was read.
     const MinMax& range() const { return range_; }
     const std::vector<Column>& columns() const { return columns_; }
-    /// Number of the first column on the time raster. Columns with the same width and number cover the same
-    /// time.
+    /// Number of the first column on the time raster. Columns with the same width and the same number cover
+    /// the same time.
     std::int64_t raster() const { return raster_; }
     double columnWidth() const { return width_; }
     /// True if this column is new or has changed since the last sample().
     bool hasChanged(std::size_t column) const;
-    /// Determines which columns are drawn: those in the dashes of the pen, and those in which the curve
-    /// exceeds the adjacent dashes, so that no spike is hidden between dashes.
+    /// Determines the columns to draw: those in the dashes of the pen, and those in which the curve exceeds
+    /// the adjacent dashes, so that a gap does not hide a spike.
     /// drawn   one entry per column; 0: not drawn
     /// beyond  minimum excess, in the unit of the curve
     void findDrawn(std::span<std::uint8_t> drawn, double beyond) const;
 
-    /// Returns the curve as a path, for vector formats.
+    /// Returns the curve as a path, for vector graphics.
     QPainterPath path(const QRectF& area, double t0, double t1, double y0, double y1) const;
 
 private:
@@ -90,7 +90,7 @@ private:
     std::vector<Column> columns_;
     std::int64_t raster_ = 0;
     double width_ = 0;
-    std::vector<Column> before_;  // columns_ of the previous sample()
+    std::vector<Column> before_;  // columns_ before the last sample()
     std::int64_t rasterBefore_ = 0;
     double widthBefore_ = 0;
     MinMax range_;

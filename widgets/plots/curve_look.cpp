@@ -26,7 +26,7 @@ QList<qreal> dashesOf(std::size_t curve) {
     return curve % 2 == 0 ? QList<qreal>{length, length / 2} : QList<qreal>{length, 2.5, 1.5, 2.5};
 }
 
-/// False if an earlier solid curve has this colour.
+/// True if no solid curve has this colour.
 bool isFreeFor(const std::vector<QPen>& pens, const QColor& color) {
     return std::none_of(pens.begin(), pens.end(), [&](const QPen& pen) {
         return pen.style() == Qt::SolidLine && pen.color() == color;
@@ -47,7 +47,7 @@ std::vector<QPen> curvePens(const SignalStore& store, const std::vector<int>& sh
             axesUsed.append(theme.axis(axis).rgb());
         } else {
             const auto colorOf = [&](std::size_t curve) { return theme.curves[curve % theme.curves.size()]; };
-            // Axis colours are also curve colours. Solid curves skip the axis colours in use.
+            // The curve colours include the axis colours. For solid curves, skip the axis colours in use.
             while (dashesOf(next).isEmpty() && axesUsed.contains(colorOf(next).rgb())) {
                 ++next;
             }

@@ -18,10 +18,10 @@ namespace {
 constexpr int kOpaque = 255;
 /// A column is drawn as a bar if its extent exceeds this multiple of its slope.
 constexpr double kBand = 2;
-/// A curve that changes by more than this value in many columns is drawn as bars without slanted ends.
+/// Many columns with a larger change make a curve dense. Its columns are drawn as bars without slanted ends.
 constexpr double kSteep = 6;  // [px]
 constexpr std::size_t kDenseShare = 4;
-/// A curve that exceeds the adjacent dashes by more than this value is also drawn between the dashes.
+/// Excess over the adjacent dashes above which a curve is also drawn between the dashes.
 constexpr double kSpike = 3;  // [px]
 /// Number of columns painted together.
 constexpr std::size_t kBlock = 16;
@@ -36,9 +36,9 @@ std::array<QRgb, kOpaque + 1> shadesOf(const QColor& color) {
     return out;
 }
 
-/// Composites premultiplied `above` over `below`.
+/// Composites `above` over `below`. Both are premultiplied.
 QRgb over(QRgb above, QRgb below) {
-    // Process two channels at a time, with sixteen bits each.
+    // Process two channels at a time, with 16 bits each.
     constexpr QRgb kTwo = 0x00FF00FF;
     constexpr QRgb kHalf = 0x00800080;
     const auto rest = static_cast<QRgb>(kOpaque - qAlpha(above));
@@ -59,8 +59,7 @@ void fill(QRgb* pixel, int count, QRgb color) {
     std::fill_n(pixel, count, color);
 }
 
-/// Transposes four columns of four pixels into four rows. The pitch values are the strides between columns
-/// and between rows.
+/// Transposes four columns of four pixels into four rows. columnPitch and rowPitch are the strides.
 void transposeFour(const QRgb* columns, std::ptrdiff_t columnPitch, QRgb* rows, std::ptrdiff_t rowPitch) {
 #ifdef __SSE2__
     const auto load = [&](int i) {
@@ -117,8 +116,8 @@ void CurveRaster::setView(const QRectF& area, double t0, double t1, double y0, d
         update();
         return;
     }
-    // From here on, the unit is one column of the grid. A column is one device pixel wide, and a row has the
-    // same height.
+    // In the following code, the unit is one column of the grid, which is one device pixel wide. Rows have
+    // the same size.
     const double width = (*found)->columnWidth();
     const double pitch = width * area_.width() / (t1_ - t0_);
     Painted now{width,
@@ -131,7 +130,7 @@ void CurveRaster::setView(const QRectF& area, double t0, double t1, double y0, d
     }
     const std::int64_t raster = (*found)->raster();
     const bool keeps = painted_ == now && std::abs(raster - raster_) < static_cast<std::int64_t>(columns);
-    // The stride is an odd number of cache lines, so that the pixels of neighbouring columns do not evict
+    // Use an odd number of cache lines as the stride, so that the pixels of neighbouring columns do not evict
     // each other from the cache.
     constexpr int kCacheLine = 16;  // pixels
     const int lines = (now.size.width() + kCacheLine - 1) / kCacheLine;
@@ -181,8 +180,8 @@ void CurveRaster::paintColumns(const std::vector<std::uint8_t>& wanted, double p
     for (std::size_t c = 0; c < drawn.size(); ++c) {
         drawn[c]->findDrawn(std::span(dashes).subspan(c * wanted.size(), wanted.size()), kSpike / perUnit);
     }
-    // Paint all curves of a block of columns before the next block, each column from top to bottom, for cache
-    // locality. Then transpose the result into the rows of the image.
+    // For cache locality, paint all curves in a block of columns before the next block, each column from top
+    // to bottom. Then transpose the block into the rows of the image.
     for (std::size_t begin = 0; begin < wanted.size(); begin += kBlock) {
         const std::size_t end = std::min(begin + kBlock, wanted.size());
         if (std::none_of(&wanted[begin], &wanted[begin] + (end - begin),
@@ -204,8 +203,8 @@ void CurveRaster::paintColumns(const std::vector<std::uint8_t>& wanted, double p
 }
 
 std::ptrdiff_t CurveRaster::blockPitch() const {
-    // Whole groups of four rows. The number of groups is odd, so that columns do not evict each other from
-    // the cache.
+    // Use whole groups of four rows. An odd number of groups prevents the columns from evicting each other
+    // from the cache.
     return ((ring_.height() + 3) / 4 | 1) * std::ptrdiff_t{4};
 }
 
@@ -236,7 +235,7 @@ void CurveRaster::keepBlock(std::span<const std::uint8_t> wanted, std::size_t fi
 
 void CurveRaster::paintColumn(const Curve& curve, std::size_t at, double perUnit, double bottom, bool isDense,
                               const QRgb* shades, QRgb* pixels) const {
-    // Draws a slanted line through the column. Its thickness is that of the pen plus the extent of the curve.
+    // Draw a slanted line through the column. Its thickness is the pen width plus the extent of the curve.
     // The coverage of a pixel follows from the intersections of the two edges of the line with the column.
     const Curve::Column& column = curve.columns()[at];
     const double half = curve.pen().widthF() / 2;
@@ -244,21 +243,21 @@ void CurveRaster::paintColumn(const Curve& curve, std::size_t at, double perUnit
     const auto rowOf = [&](double value) { return zero - value * perUnit; };
     const double slant = std::abs(column.right - column.left) * perUnit;
     const double extent = (column.high - column.low) * perUnit;
-    // In columns with mostly noise, slanted ends are not visible. Horizontal ends avoid the computation of
-    // each row. The extent is unchanged.
+    // In noisy columns, slanted ends are not visible. Horizontal ends avoid computing each row, and the
+    // extent remains the same.
     const bool isBand = isDense || extent > kBand * slant;
     const double thickness =
         isBand ? half + extent / 2 : half * std::sqrt(1 + slant * slant) + std::max(0.0, extent - slant) / 2;
-    // The line is centred on the extent unless it is only slanted.
+    // Centre the line on the extent of the curve.
     const double middle = (rowOf(column.low) + rowOf(column.high)) / 2;
     const double ramp = isBand ? 1.0 : std::max(slant, 1.0);
-    // A steep line covers many rows of its column. Beyond the extent of the curve, paint at most the pen
-    // width.
+    // A steep line covers many rows of its column. Limit the painted rows to the extent of the curve plus the
+    // pen width.
     constexpr double kRounding = 1e-6;
     const double upper = rowOf(column.high) - curve.pen().widthF() + kRounding;
     const double lower = rowOf(column.low) + curve.pen().widthF() - kRounding;
     const auto rows = static_cast<double>(ring_.height());
-    // For non-negative values truncation equals floor, without a function call.
+    // For non-negative values, truncation equals floor() and avoids a function call.
     const auto floorRow = [rows](double y) { return static_cast<int>(std::min(std::max(y, 0.0), rows)); };
     const auto ceilRow = [rows](double y) {
         const double inside = std::min(std::max(y, 0.0), rows);
@@ -267,12 +266,12 @@ void CurveRaster::paintColumn(const Curve& curve, std::size_t at, double perUnit
     };
     const int from = floorRow(std::max(middle - ramp / 2 - thickness, upper));
     const int to = std::max(ceilRow(std::min(middle + ramp / 2 + thickness + 1, lower)), from);
-    // Fully covered rows, which are most rows of a noisy signal, need no arithmetic.
+    // Most rows of a noisy signal are fully covered and need no arithmetic.
     const int fullFrom = std::clamp(ceilRow(middle + ramp / 2 - thickness), from, to);
     const int fullTo = std::clamp(floorRow(middle - ramp / 2 + thickness), fullFrom, to);
-    // The coverage is a linear function of the row number. It is computed incrementally in units of 1/65536.
+    // The coverage is a linear function of the row number. Compute it incrementally in units of 1/65536.
     constexpr int kWhole = 1 << 16;
-    // Beyond any row, but small enough that the incremental value does not overflow.
+    // Larger than any row number, but small enough that the incremental value does not overflow.
     constexpr double kFar = 20000;
     const double perRow = 1 / ramp;
     const auto step = static_cast<int>(kWhole * perRow);
@@ -315,11 +314,12 @@ void CurveRaster::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWid
         }
         return;
     }
-    // Shift by whole pixels only. Resampling would blur the curve and make it flicker during motion.
+    // Shift the image by whole pixels only. Resampling would blur the curve and make it flicker during
+    // motion.
     double pitch = painted_.columnWidth * area_.width() / (t1_ - t0_);
     constexpr double kRounding = 1e-6;
     if (std::abs(pitch - 1) < kRounding) {
-        pitch = 1;  // copies the image without scaling, because the difference is a rounding error
+        pitch = 1;  // avoid scaling because of a rounding error
     }
     const double x =
         std::round(static_cast<double>(raster_) - t0_ / painted_.columnWidth) * pitch + area_.left();

@@ -2,10 +2,10 @@
 #pragma once
 
 // Renders all curves of a plot into a ring of pixel columns that is reused in every frame. While the view
-// moves in time, only new or changed columns are painted. The columns are rasterized here, because Qt's
-// stroker takes twenty times as long for a noisy polyline with two points per column, and even longer for a
-// dashed polyline. The distance of any painted pixel from the minimum and maximum of the curve in its column
-// is at most the pen width (rounded to whole pixels), even for steep curves.
+// moves in time, only new or changed columns are painted. Qt's stroker is not used, because it takes twenty
+// times as long for a noisy polyline with two points per column, and even longer for a dashed polyline. The
+// distance of any painted pixel from the minimum and maximum of the curve in its column is at most the pen
+// width (rounded to whole pixels), even for steep curves.
 
 #include <QGraphicsItem>
 #include <QImage>
@@ -19,9 +19,9 @@ namespace tiller {
 
 class CurveRaster : public QGraphicsItem {
 public:
-    /// curves  drawn in this order; all sampled with the same grid before each setView(); must outlive the
-    /// object
-    /// parent  the chart whose coordinates are used
+    /// curves  drawn in this order; must all be sampled with the same grid before each setView(), and must
+    /// outlive the object
+    /// parent  the chart that defines the coordinates
     CurveRaster(const std::vector<std::unique_ptr<Curve>>& curves, QGraphicsItem* parent);
 
     /// Paints the changes since the last call.

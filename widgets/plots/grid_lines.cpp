@@ -27,7 +27,7 @@ void GridLines::setLines(const QRectF& area, std::vector<double> heights) {
 
 void GridLines::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
     for (const double height : heights_) {
-        // A complete pixel row, so that antialiasing does not blur the line.
+        // Fill a complete pixel row, so that antialiasing does not blur the line.
         painter->fillRect(QRectF(area_.left(), std::floor(height), area_.width(), 1), color_);
     }
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The horizontal grid lines of a plot. The axes of a chart place their grid lines in a later layout, and only
-// while the chart is shown, so that the lines would not match the labels after a change of size or scale.
+// The horizontal grid lines of a plot. QChart places the grid lines of its axes in a later layout pass, and
+// only while the chart is shown. After a change of size or scale, such lines would not match the labels.
 
 #include <QColor>
 #include <QGraphicsItem>

@@ -27,7 +27,7 @@ constexpr std::int64_t kMaxAnalysisSamples = 2'000'000;
 constexpr std::int64_t kMaxPoints = 50'000;  // maximum number of points in an XY plot
 constexpr int kMinLetters = 8;               // minimum width of a signal's name [characters]
 constexpr int kSecondDigits = 3;
-/// Number of samples above which the worker computes the result.
+/// The worker computes results for more samples than this.
 constexpr std::int64_t kOnTheSpot = 65'536;
 
 }  // namespace
@@ -44,7 +44,8 @@ PlotAnalysis::PlotAnalysis(const SignalStore& store, QWidget* parent)
     setObjectName(QStringLiteral("plots.analysis"));
     setAccessibleName(tr("Spectrum and XY"));
     kind_->setNames(QStringLiteral("plots.analysis.kind"), tr("Analysis type"));
-    // Fixed size, so that showing or hiding adjacent elements does not move the box away from the pointer.
+    // Fixed size, so that the box keeps its position under the pointer when adjacent elements appear or
+    // disappear.
     kind_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     y_->setObjectName(QStringLiteral("plots.analysis.signal"));
     y_->setAccessibleName(tr("Signal"));
@@ -79,7 +80,7 @@ PlotAnalysis::PlotAnalysis(const SignalStore& store, QWidget* parent)
     connect(&soon_, &QTimer::timeout, this, &PlotAnalysis::fill);
     connect(kind_, &SegmentedControl::currentChanged, this, &PlotAnalysis::fill);
     connect(&store_, &SignalStore::signalAdded, this, [this](int signal) {
-        if (signal < 0) {  // the recording of the signal was closed
+        if (signal < 0) {  // -1: a recording was closed
             cancel();
         }
     });
@@ -154,7 +155,7 @@ void PlotAnalysis::fillChoices() {
             box->addItem(nameOf(signal), signal);
         }
         const int first = box->findData(before);
-        // Select the signal read by the cursors if the previous signal is not available.
+        // If the selected signal is not available, select the signal read by the cursors.
         const int read = box->findData(view_->readoutSignal());
         box->setCurrentIndex(first >= 0 && before.isValid() ? first : box == y_ ? std::max(read, 0) : 0);
     }
@@ -179,7 +180,7 @@ void PlotAnalysis::fill() {
     if (task) {
         run(*task);
     } else {
-        cancel();  // the displayed result already covers this range
+        cancel();  // the canvas already shows the reason
     }
 }
 
@@ -241,7 +242,7 @@ void PlotAnalysis::run(const Task& task) {
         return;
     }
     if (task_ && !outcome_ && task_->kind == task.kind && task_->wanted == task.wanted) {
-        again_ = true;  // the range changes faster than the result is computed, so run again afterwards
+        again_ = true;  // compute again afterwards, so that a result is shown while the range changes
         return;
     }
     const bool goesOn = task_ && outcome_ && !outcome_->points.isEmpty() && task_->kind == task.kind &&
@@ -356,7 +357,7 @@ PlotAnalysis::Outcome PlotAnalysis::compute(const Task& task, const Columns& col
     outcome.segment = spectrum->segment;
     outcome.segments = spectrum->segments;
     outcome.resolution = spectrum->resolution;
-    // Omit the line at 0 Hz. It is the mean and usually much larger than the other lines.
+    // Omit the line at 0 Hz, the mean, which is usually much larger than the other lines.
     for (std::size_t i = 1; i < spectrum->amplitude.size(); ++i) {
         outcome.points.append({static_cast<double>(i) * spectrum->resolution, spectrum->amplitude[i]});
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Analysis below the plots: the spectrum of a signal, or one signal over another. It uses the range between
-// the cursors or, without cursors, the displayed range.
+// Analysis below the plots: the spectrum of a signal, or one signal plotted over another. Uses the range
+// between the cursors or, without cursors, the displayed range.
 
 #include <QPointF>
 #include <QTimer>
@@ -34,7 +34,7 @@ public:
 
     explicit PlotAnalysis(const SignalStore& store, QWidget* parent = nullptr);
 
-    /// Call this when the view, its range or its cursors have changed. Null: no view.
+    /// Call this when the view, its range or its cursors have changed. Null if there is no view.
     void follow(const PlotView* view);
     void setKind(Kind kind);
     Kind kind() const;
@@ -66,7 +66,7 @@ private:
     };
     struct Outcome {
         QVector<QPointF> points;
-        QString message;  ///< the reason if there is no result
+        QString message;  ///< reason if there is no result
         int segment = 0, segments = 0;
         double resolution = 0;
     };
@@ -75,9 +75,9 @@ private:
     void fill();
     void fillChoices();
     std::optional<Task> taskFor(Kind kind, const std::vector<int>& wanted);
-    /// Displays the result or the progress of the task. Starts the task if it differs from the last one.
+    /// Displays the result or the progress of the task. Starts the task if it differs from the last task.
     void run(const Task& task);
-    /// goesOn  true if the displayed result belongs to the same task and remains until the new result is
+    /// goesOn  if true, the displayed result of the same signals remains visible until the new result is
     /// available
     void readAndCompute(const Task& task, bool goesOn);
     void finish(const Task& task, const Outcome& outcome);
@@ -103,7 +103,7 @@ private:
     std::optional<Outcome> outcome_;  ///< result of the task; empty while the task is running
     bool again_ = false;              ///< true if another task must be started after the current task
     CancelToken cancel_;              ///< cancels the current task
-    SerialExecutor worker_;  ///< last member, so that its jobs end before other members are destroyed
+    SerialExecutor worker_;  ///< last member, so that its jobs end before the other members are destroyed
 };
 
 }  // namespace tiller

@@ -91,7 +91,7 @@ void PlotComparison::run(const QString& recording, std::optional<RobotModelId> m
         divergence::Choice choice;
         choice.limits = limits_;
         choice.model = model;
-        // Open the file separately, because the plots use their own instance.
+        // Open the file again, because the plots use their own instance.
         worker_.post(this, [this, recording, choice, cancel, number = entry.run,
                             path = file->path()](const CancelToken& ending) {
             auto mine = choice;
@@ -141,7 +141,7 @@ void PlotComparison::finish(const QString& recording, std::uint64_t run,
     if (entry == entries_.end() || entry->run != run || file == nullptr) {
         return;
     }
-    // The result of a cancelled comparison is discarded.
+    // Discard the result of a cancelled comparison.
     const Error none = entry->cancel.isCancelled() ? Error{ErrorCode::Cancelled, {}, {}}
                        : result                    ? Error{}
                                                    : result.error();

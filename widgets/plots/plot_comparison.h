@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Compares the arm in an opened recording with its model in the background. Marks the first deviation in the
-// plots and reports it below the plots and in the log of the recording.
+// Compares the arm in an open recording with its model in the background. The first deviation is marked in
+// the plots, and reported below the plots and in the log of the recording.
 
 #include <QHash>
 #include <QObject>
@@ -29,7 +29,7 @@ class PlotComparison : public QObject {
     Q_OBJECT
 
 public:
-    /// Objects that provide the data and display the result. All of them must outlive the object.
+    /// Objects that provide the data and display the result. All must outlive the PlotComparison.
     struct Place {
         SignalStore& store;
         PlotPages& pages;
@@ -44,17 +44,17 @@ public:
     const divergence::Limits& limits() const { return limits_; }
     void setLimits(const divergence::Limits& limits) { limits_ = limits; }
 
-    /// Compares an opened recording with the model specified in the recording or, if there is none, with the
-    /// model of its robot while that robot is connected.
+    /// Compares an open recording with the model specified in the recording. If none is specified, uses the
+    /// model of the robot while that robot is connected.
     void begin(const QString& recording);
     /// Shows a dialog for the model and the limits, then runs the comparison.
     void ask(const QString& recording);
     void cancel(const QString& recording);
-    /// Call this when all recordings were closed.
+    /// Discards all comparisons. Call this when all recordings were closed.
     void forgetAll();
     /// Moves cursor A to the first deviation of the current page.
     void goThere();
-    /// The text for the current page; empty: no text.
+    /// The text for the current page; empty if there is none.
     QString words() const;
     /// Updates the display. Call this after the current page or its content has changed.
     void follow();
@@ -66,7 +66,7 @@ Q_SIGNALS:
     /// seconds  time on the time axis of the recording
     void parted(const QString& text, const QString& details, const QString& path, double seconds);
     void limitsChanged();
-    /// The band was shown or hidden, which changes the space available for the plots.
+    /// The band was shown or hidden, so the space for the plots has changed.
     void bandChanged();
 
 private:
@@ -91,7 +91,7 @@ private:
     QHash<QString, Entry> entries_;
     std::uint64_t runs_ = 0;
     QSet<QString> told_;     ///< files for which parted() was emitted
-    SerialExecutor worker_;  ///< last member, so that its jobs end before other members are destroyed
+    SerialExecutor worker_;  ///< last member, so that its jobs end before the other members are destroyed
 };
 
 }  // namespace tiller

@@ -107,7 +107,7 @@ bool isTime(const QString& column) {
     return kNames.contains(column, Qt::CaseInsensitive);
 }
 
-/// All signals of the current page in the order of the plots, followed by the lanes.
+/// Returns all signals of the current page in the order of the plots, followed by the lanes.
 std::vector<int> shownInOrder(const SignalStore& store, const PlotPages& pages) {
     std::vector<int> all;
     const PageLayout page = pages.view().page();
@@ -241,7 +241,7 @@ PlotDock::PlotDock(RobotSession& session, QWidget* parent)
     announceContent();
     connect(&session_, &RobotSession::linkBegan, this, [this] {
         feed_->beginLink();
-        pages_->clearZero();  // another robot or tool is connected
+        pages_->clearZero();  // another robot or tool may be connected
     });
     connect(&session_, &RobotSession::samplesReceived, this, &PlotDock::take);
     connect(&session_, &RobotSession::stateChanged, this, &PlotDock::onState);
@@ -303,7 +303,7 @@ void PlotDock::setSignalsShown(bool shown) {
 void PlotDock::setValuesShown(bool shown) {
     values_->follow(view());
     values_->setVisible(shown);
-    // The plots shrink to make space for the table. Otherwise, a panel of minimum height would grow and move
+    // Take the space for the table from the plots. Otherwise, a panel of minimum height would grow and move
     // the button away from the pointer.
     auto* beneath = static_cast<QSplitter*>(values_->parentWidget());
     const int table = values_->minimumSizeHint().height();
@@ -328,7 +328,7 @@ void PlotDock::addNote(double time, const QString& text) {
     }
     if (const QString recording = replay_->recordingInFront(); !recording.isEmpty()) {
         marks_->addOf(recording, {time, text.simplified()});
-        return;  // the time is not in the data of the connected robot
+        return;  // the note belongs to the recording instead of the connected robot
     }
     marks_->addNote(time, text);
     const QDateTime moment = replay_->clockAt(time);
@@ -493,7 +493,8 @@ void PlotDock::openRecording(const QString& path, std::optional<double> at) {
 }
 
 bool PlotDock::isOpen(const QString& path, std::optional<double> moment) {
-    // Only the files of incidents are immutable. Another file may have been overwritten by a new recording.
+    // Reuse only incident recordings, because they never change. Another file may have been overwritten by a
+    // new recording.
     for (auto known = incidents_.constBegin(); known != incidents_.constEnd(); ++known) {
         const recording::Recording* file = store_->recorded(known.key());
         if (file != nullptr && file->path() == path) {
@@ -527,7 +528,7 @@ double PlotDock::placeOf(const recording::Recording& file, double length,
 }
 
 PageLayout PlotDock::pageFor(const QString& recording) const {
-    // Use the standard plots if the recording contains them, otherwise its first columns.
+    // Show the standard plots if the recording contains their signals, otherwise its first columns.
     PageLayout page;
     page.name = recording;
     const QVector<PaneLayout> standard = PageLayout::standard().panes;
@@ -715,7 +716,7 @@ void PlotDock::buildHeader() {
     readout_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     readout_->setProperty("role", QStringLiteral("secondary"));
     readout_->setElideMode(Qt::ElideRight);
-    readout_->setMinimumWidth(kMinReadout);  // constant, so that the buttons do not move
+    readout_->setMinimumWidth(kMinReadout);  // constant, so that the buttons keep their positions
     readout_->setToolTip(
         tr("Click in the plots to place the cursors A and B; drag them, or use the A, B and arrow keys. "
            "Click a legend entry to hide its curve; Ctrl+click to show that signal at the cursors."));
@@ -929,8 +930,8 @@ QString PlotDock::recordingText(const RecordingState& recording) {
 
 void PlotDock::styleHeader() {
     const Theme& theme = Theme::current();
-    // These controls are in a title bar and therefore less prominent than buttons. The Record button is red
-    // only while recording.
+    // Controls in a title bar are less prominent than other buttons. The Record button is red only while
+    // recording.
     const QString sheet =
         QStringLiteral(
             "QToolButton { color: %1; font-size: 13px; padding: 0 2px; min-height: %7px; }"
@@ -956,7 +957,7 @@ void PlotDock::styleHeader() {
     }
     keepWidth(span_, spans);
     keepWidth(pause_, {tr("Pause"), tr("Resume")});
-    // The text is bold while recording.
+    // Reserve the width of the bold text that is shown while recording.
     constexpr int kPadding = 8;
     const QFontMetrics bold(textFont(13, QFont::Bold));
     record_->setFixedWidth(bold.horizontalAdvance(tr("● REC %1").arg(format::duration(0))) + kPadding);
@@ -995,7 +996,7 @@ Result<void> PlotDock::exportPicture(const QString& path) const {
         details << tr("controller time %1 … %2 s")
                        .arg(format::number(window.start(), 3), format::number(window.end(), 3));
     } else {
-        // Omit the robot and the time axis of the live data, which do not apply to a recording.
+        // The robot and the time axis of the live data do not apply to a recording.
         text.title = QStringLiteral("%1 · %2").arg(recording, picturesTitle());
         const double begin = store_->timesOf(recording)->firstTime();
         details << QStringLiteral("%1 … %2 s")

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The panel "Plots". It contains the list of signals at the left, pages of plots, lanes with the robot state
-// below the plots, and the controls in the title bar. Once per frame, it reads the state and all new samples
-// from the session.
+// The panel "Plots". It contains the signal list at the left, pages of plots, lanes with the robot state
+// below the plots, and controls in the title bar. In each frame, it reads the state and all new samples from
+// the session.
 
 #include <QByteArray>
 #include <QHash>
@@ -57,30 +57,30 @@ public:
     const SeriesBuffer& history() const;
     const StateLane& lane() const { return *lane_; }
 
-    /// Sets the content of recordings started by "Record". Takes effect with the next recording.
+    /// Sets the content of recordings that are started with "Record". The next recording uses it.
     void setRecordingChoice(const RecordingChoice& choice);
     const RecordingChoice& recordingChoice() const { return choice_; }
 
     enum class ExportRange { Visible, BetweenCursors };
-    /// Exports to a file and shows the result to the user. The file extension selects the format: an image of
-    /// the displayed range (.png, .svg, .pdf), or the values of the signals on the page. Live signals are
-    /// exported as .csv. The signals of a recording that has its own rows and times are exported as .csv,
-    /// .h5, .hdf5 or .mcap.
+    /// Exports to a file and shows the result to the user. The file extension selects an image of the
+    /// displayed range (.png, .svg, .pdf) or the values of the signals on the page. Live signals can be
+    /// exported as .csv. The signals of a recording with its own rows and times can be exported as .csv, .h5,
+    /// .hdf5 or .mcap.
     bool exportTo(const QString& path, ExportRange range = ExportRange::Visible);
 
-    /// Opens a recording of any format on a separate page next to the live data. The recording is aligned to
-    /// end at the end of the history, or to begin at cursor A if it is set. An incident recording is placed
-    /// at the time of the incident if the history of its robot includes that time, with cursor A at the stop.
-    /// The file is read in the background, and the result is shown to the user.
-    /// moment  position of cursor A on the time axis of the recording [s]; empty: as described above
+    /// Opens a recording of any format on a separate page next to the live data. By default, its end is
+    /// aligned to the end of the history. If cursor A is set, its start is aligned to cursor A. An incident
+    /// recording is placed at the time of the incident if the history of its robot includes that time, and
+    /// cursor A is set to the stop. The file is read in the background, and the result is shown to the user.
+    /// moment  position of cursor A on the time axis of the recording [s]; if empty, as described above
     void openRecording(const QString& path, std::optional<double> moment = {});
-    /// The time of cursor A while the cursor refers to a recording or to a paused history.
+    /// The time of cursor A while the cursor is in a recording or in a paused history.
     const Replay& replay() const;
     void closeRecordings();
-    /// Saves the arrangement to a separate file, without messages to the user.
+    /// Saves the arrangement to a separate file. Shows no messages to the user.
     Result<void> saveArrangement(const QString& path) const;
     Result<void> openArrangement(const QString& path);
-    // The arrangement of the plots as text, for the settings. Invalid data have no effect.
+    // The arrangement of the plots as text, for the settings. arrange() ignores invalid data.
     QByteArray arrangement() const;
     void arrange(const QByteArray& json);
     /// Memory limit of the history [bytes].
@@ -98,7 +98,7 @@ public Q_SLOTS:
     /// Sets the text in the lane for the held jog button, e.g. "X+" or "Wrist 2−". Empty if there is none.
     void setJogLabel(const QString& label);
     void setPaused(bool paused);
-    /// Displays the force relative to its current value. Recorded and exported values are not changed.
+    /// Displays the force relative to its current value. Recorded and exported values remain unchanged.
     void setForceZeroed(bool zeroed);
     void setSignalsShown(bool shown);
     /// Shows the list of signals and sets the focus to its search field.
@@ -106,7 +106,7 @@ public Q_SLOTS:
     void addPage();
     /// Shows or hides the table of values at and between the cursors.
     void setValuesShown(bool shown);
-    /// Shows or hides the spectrum of a signal, or the plot of one signal over another.
+    /// Shows or hides the analysis panel (spectrum or XY).
     void setAnalysisShown(bool shown);
     void setTimeAxis(tiller::TimeAxis axis);
     void askForNote(double time);
@@ -114,10 +114,10 @@ public Q_SLOTS:
     /// Copies an image of the displayed plots to the clipboard.
     void copyPicture();
     void toggleRecording();
-    /// Prompts for the file to which the displayed range is exported.
+    /// Prompts for the file, then exports the displayed range.
     void askExport();
-    /// Prompts for the parameters of the comparison between the current recording and the model of its arm,
-    /// and starts the comparison.
+    /// Prompts for the parameters and starts the comparison of the current recording with the model of its
+    /// arm.
     void compareWithModel();
     /// Ends a replay: removes cursor A and shows the newest samples.
     void endReplay();
@@ -125,9 +125,9 @@ public Q_SLOTS:
 Q_SIGNALS:
     /// The user selected a recording content in the menu of the Record button.
     void recordingChosen(const tiller::RecordingChoice& choice);
-    /// The user wants to change the settings that are not in the menu (signals, folder, file name).
+    /// The user wants to change the settings that are not in the menu: signals, folder and file name.
     void recordingOptionsWanted();
-    /// The replayed time has changed. Empty: all data are live.
+    /// The replayed time has changed. Empty if all data are live.
     void replayChanged(const tiller::Replay& moment);
     /// Arm and model of a recording deviate. The time is on the time axis of the recording.
     void deviatedFromModel(const QString& text, const QString& details, const QString& path, double seconds);
@@ -178,7 +178,7 @@ private:
     std::unique_ptr<PlotReplay> replay_;
     ComparisonBand* comparisonBand_ = nullptr;
     std::unique_ptr<PlotComparison> comparison_;
-    /// opened incidents with the time of the stop on the time axis of the plots [s]
+    /// stop time of the opened incidents on the time axis of the plots [s]
     QHash<QString, double> incidents_;
     PlotPages* pages_ = nullptr;
     SignalTree* tree_ = nullptr;
@@ -197,13 +197,13 @@ private:
     QToolButton* record_ = nullptr;
     QToolButton* recordMenu_ = nullptr;
     QString jogLabel_;
-    std::optional<double> backAt_;  ///< time when data resumed, not yet added to the lane [s]
+    std::optional<double> backAt_;  ///< time at which data arrived again, not yet added to the lane [s]
     RecordingChoice choice_;
     bool recording_ = false;
     double recordingSeconds_ = 0;
     int framesToHistoryText_ = 0;
     int framesToAnalysis_ = 0;
-    SerialExecutor files_;  // last member, so that its jobs end before other members are destroyed
+    SerialExecutor files_;  // last member, so that its jobs end before the other members are destroyed
 };
 
 }  // namespace tiller

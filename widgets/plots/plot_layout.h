@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Arrangement of signals: pages with plots in columns, and state lanes below the plots. The arrangement is
-// saved for the user. Signals have the names used in recordings.
+// Arrangement of signals: pages with plots in columns, and state lanes below the plots. It is saved for the
+// user. Signal names are those used in recordings.
 
 #include <QByteArray>
 #include <QString>
@@ -47,10 +47,10 @@ struct PlotLayout {
     double span = 30;  ///< [s]
     TimeAxis time = TimeAxis::Relative;
     QVector<Threshold> thresholds{};
-    divergence::Limits modelLimits{};  ///< limits for the comparison of arm and model
+    divergence::Limits modelLimits{};  ///< limits for the comparison with the arm model
 
     QByteArray toJson() const;
-    /// Values outside their range are clamped.
+    /// Clamps values outside their range.
     /// Errors  FileCorrupt
     static Result<PlotLayout> fromJson(const QByteArray& json);
     friend bool operator==(const PlotLayout&, const PlotLayout&) = default;
@@ -58,7 +58,7 @@ struct PlotLayout {
     static constexpr int kMaxPages = 12;
     static constexpr int kMaxPanes = 24;
     static constexpr int kMaxColumns = 4;
-    static constexpr int kMaxSignals = 48;  ///< maximum for one plot
+    static constexpr int kMaxSignals = 48;  ///< per plot
     static constexpr int kMaxLanes = 24;
 };
 

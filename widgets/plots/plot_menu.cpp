@@ -23,8 +23,8 @@ QAction* addAction(QMenu& menu, const char* name, const QString& text, Todo todo
     return action;
 }
 
-/// Returns the text in the syntax of DerivedSignal. Characters of the name or unit that have a meaning in
-/// this syntax are omitted.
+/// Returns the text in the syntax of DerivedSignal, without the characters in the name or unit that have a
+/// meaning in this syntax.
 QString derivationText(QString name, QString unit, const QString& expression) {
     constexpr qsizetype kName = 40;
     constexpr qsizetype kUnit = 12;
@@ -60,7 +60,7 @@ void PlotMenu::fill(QMenu& menu, const QPointF& place) {
     if (signal >= 0) {
         addCurve(menu, pane, signal);
         menu.addSeparator();
-        // A recorded signal receives no new data that could cross a threshold.
+        // Thresholds apply only to new data, which a recorded signal does not receive.
         if (!store_.isRecorded(signal)) {
             addThresholds(menu, pane, signal, pane.valueAt(place.y()));
             menu.addSeparator();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Elements above and below the curves: the two time cursors and the state lane.
+// Elements drawn over and next to the curves: the two time cursors and the state lane.
 
 #include <QGraphicsItem>
 #include <QString>
@@ -31,10 +31,10 @@ private:
     bool active_ = false;
 };
 
-/// A lane that shows the states over time. Motion is blue. A segment that is wide enough contains a text.
+/// A lane that shows states over time. Motion is blue. Wide segments contain a text.
 class LaneItem : public QGraphicsItem {
 public:
-    /// name  shown on the left; empty: no name
+    /// name  shown on the left; may be empty
     explicit LaneItem(const QString& name = {});
 
     static constexpr int kNameWidth = 54;  ///< [px]

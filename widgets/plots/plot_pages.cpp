@@ -266,7 +266,7 @@ PlotLayout PlotPages::arrangement() const {
     for (int i = 0; i < count(); ++i) {
         const PlotView& view = *views_[static_cast<std::size_t>(i)];
         PageLayout page = view.page();
-        // Signals of files are not saved, because the file may not exist at the next start.
+        // Do not save signals of files, because a file may not exist at the next start.
         const bool had = takeRecordingsFrom(page);
         const bool any = !page.lanes.isEmpty() ||
                          std::any_of(page.panes.begin(), page.panes.end(),

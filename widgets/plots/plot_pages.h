@@ -32,12 +32,12 @@ public:
     void setCurrent(int page);
     /// Adds an empty page and shows it.
     void addPage();
-    /// Returns  false, without adding a page, if the limit is reached
+    /// Returns  false, without adding a page, if there are already kMaxPages pages
     bool addPage(const PageLayout& page);
     /// Removes all signals of recordings, and the pages that showed nothing else,
     /// except pages with another name.
     void dropRecordings();
-    /// Removes a page. The last remaining page is reset to the standard plots instead.
+    /// Removes a page. The last remaining page is instead reset to the standard plots.
     void removePage(int page);
     void rename(int page, const QString& name);
     QString nameOf(int page) const;
@@ -46,7 +46,7 @@ public:
     /// Index of the current page if it shows no recordings, otherwise of the first page without recordings;
     /// -1 if there is none.
     int livePage() const;
-    /// Shows the newest samples on a live page, with the time span from before a recording was shown.
+    /// Shows the newest samples on a live page, with the time span used before the recording was shown.
     void returnToLive();
 
     TimeAxis timeAxis() const { return timeAxis_; }
@@ -75,7 +75,7 @@ protected:
 
 private:
     PlotView& addView();
-    /// Returns  true if the page contained signals of a recording
+    /// Returns  true if signals of a recording were removed from the page
     bool takeRecordingsFrom(PageLayout& page) const;
     void turnedTo(int page);
     void nameTabs();

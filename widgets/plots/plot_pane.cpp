@@ -28,7 +28,7 @@ namespace {
 constexpr int kLabelPixels = 13;
 constexpr int kLegendPixels = 12;
 constexpr double kPixelsPerLine = 28;
-// Boxes of the labels [px]. A longer text extends beyond its box and is not cut off.
+// Boxes of the labels [px]. A longer text extends beyond its box without being cut off.
 constexpr double kLabelWidth = 80;
 constexpr double kLabelHeight = 18;
 constexpr double kMinPitch = 14;
@@ -73,7 +73,7 @@ PlotPane::PlotPane(QGraphicsScene& scene, const SignalStore& store, std::vector<
     chart_->legend()->setMarkerShape(QLegend::MarkerShapeFromSeries);
     chart_->legend()->detachFromChart();
     chart_->legend()->setBackgroundVisible(false);
-    // The legend extends into the plot and must not receive clicks. legendAt() finds the names.
+    // The legend extends into the plot and must not receive clicks, so legendAt() finds the entry of a click.
     chart_->legend()->setAcceptedMouseButtons(Qt::NoButton);
     scene.addItem(chart_.get());
     applyTheme();
@@ -86,7 +86,7 @@ void PlotPane::applyTheme() {
     const Theme& theme = Theme::current();
     values_->setLook(textFont(kLabelPixels), theme.secondary);
     times_->setLook(textFont(kLegendPixels), theme.secondary);
-    // The grid colour is halfway between surface and border, so that the lines are not prominent.
+    // Use a grid colour halfway between surface and border, so that the lines are not prominent.
     grid_->setColor(QColor((theme.panel.red() + theme.border.red()) / 2,
                            (theme.panel.green() + theme.border.green()) / 2,
                            (theme.panel.blue() + theme.border.blue()) / 2));
@@ -98,8 +98,8 @@ void PlotPane::applyTheme() {
         QPen pen = pens[i];
         const bool hidden = !curves_[i]->isVisible();
         legend_[i]->setPen(hidden ? QPen(theme.border, pen.widthF()) : pen);
-        // The legend passes its font to the entries only when the font changes, so set the font of each
-        // entry.
+        // Set the font of each entry, because the legend passes its font to the entries only when the font
+        // changes.
         if (const auto at = static_cast<qsizetype>(i); at < markers.size()) {
             QFont font = textFont(kLegendPixels);
             font.setStrikeOut(hidden);
@@ -149,8 +149,8 @@ double PlotPane::offset(int signal) const {
     return i < curves_.size() ? curves_[i]->offset() : 0;
 }
 
-// The chart does not expose the positions of its legend entries. Each entry is an item with a text, and the
-// items are in the same order.
+// QChart does not expose the positions of its legend entries. An entry is an item with a text child. Sorted
+// by position, the entries have the order of the signals.
 std::vector<QGraphicsItem*> PlotPane::legendEntries() const {
     std::vector<QGraphicsItem*> entries;
     std::vector<QGraphicsItem*> open{chart_->legend()};
@@ -176,8 +176,8 @@ std::vector<QGraphicsItem*> PlotPane::legendEntries() const {
 }
 
 std::optional<int> PlotPane::legendAt(const QPointF& place) const {
-    // With the chart's margins, the names are at the upper edge of the plot area. Other positions are not
-    // hit-tested.
+    // The margins of the chart place the legend at the upper edge of the plot area. Skip the search for other
+    // positions.
     if (std::abs(place.y() - area_.top()) > kLegendHeight) {
         return std::nullopt;
     }
@@ -242,7 +242,7 @@ void PlotPane::setArea(const QRectF& area) {
         return;
     }
     area_ = area;
-    // The chart covers the whole scene, because labels are drawn outside the plot area.
+    // The chart covers the space around the plot area, because the labels are drawn there.
     chart_->setGeometry(QRectF(QPointF(0, 0), QSizeF(area.right() + 12, area.bottom() + 40)));
     range_.setMostLines(std::clamp(static_cast<int>(area.height() / kPixelsPerLine), 3, 4));
     placeLegend();
@@ -272,7 +272,7 @@ void PlotPane::updateValueAxis() {
     const int digits = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
     const auto first = std::llround(std::ceil(range_.min() / step));
     const auto last = std::llround(std::floor(range_.max() / step));
-    // A plot with little height has space only for the uppermost label, or for every second label.
+    // If the height is too small for all labels, omit some. The uppermost label is always shown.
     const double pitch = step / (range_.max() - range_.min()) * area_.height();
     const auto every = std::max(1LL, static_cast<long long>(std::ceil(kMinPitch / std::max(pitch, 0.1))));
     for (auto i = first; i <= last; ++i) {
@@ -298,7 +298,7 @@ void PlotPane::updateValueAxis() {
 void PlotPane::show(const GridOf& grids, double t0, double t1, double seconds) {
     MinMax all;
     for (const auto& curve : curves_) {
-        // Hidden signals are also sampled, because all curves must have the same raster.
+        // Also sample hidden signals, because all curves must have the same raster.
         if (const SeriesBuffer* history = store_.buffer(curve->signal())) {
             curve->sample(*history, store_.column(curve->signal()), grids(*history));
         }

@@ -35,12 +35,12 @@ struct AxisTick {
     QString label;
 };
 
-/// Maps the samples of a history to the pixel columns of the view.
+/// Returns the pixel columns of the view for the samples of a history.
 using GridOf = std::function<const ColumnGrid&(const SeriesBuffer&)>;
 
 class PlotPane {
 public:
-    /// shown  the signals; empty for a plot without signals
+    /// shown  the signals; may be empty
     PlotPane(QGraphicsScene& scene, const SignalStore& store, std::vector<int> shown);
     ~PlotPane();
     PlotPane(const PlotPane&) = delete;
@@ -54,13 +54,14 @@ public:
     // Column index in the view.
     int column() const { return column_; }
     void setColumn(int column) { column_ = column; }
-    double share() const { return share_; }  ///< Height relative to the other plots of its column.
+    double share() const { return share_; }  ///< height relative to the other plots of its column
     void setShare(double share) { share_ = share; }
 
-    /// Sets the labels below the plot. They are empty except for the lowest plot of a stack.
+    /// Sets the labels below the plot. Only the lowest plot of a column has labels.
     void setTimeTicks(double from, double to, const std::vector<AxisTick>& ticks);
-    /// Shows t0 ... t1, divided into columns by the grids.
-    /// seconds  time since the last call, for adapting the scale; negative: set the best scale immediately
+    /// Shows t0 ... t1. The grids divide this range into columns.
+    /// seconds  time since the last call, for adapting the scale; if negative, sets the best scale
+    /// immediately
     void show(const GridOf& grids, double t0, double t1, double seconds);
 
     const AxisRange& range() const { return range_; }
@@ -70,33 +71,34 @@ public:
     bool shows(int signal) const { return indexOf(signal) < shown_.size(); }
     /// The common unit of all signals; empty if the units differ.
     QString unit() const;
-    /// Emphasizes the signal that is read by the cursors.
+    /// Emphasizes the signal whose value is shown at the cursors.
     void setEmphasis(int signal);
 
-    /// The name of a hidden curve is struck out, and the curve does not affect the scale.
+    /// Shows or hides a curve. The name of a hidden curve is struck out, and the curve does not affect the
+    /// scale.
     void setHidden(int signal, bool hidden);
     bool isHidden(int signal) const;
-    /// The legend entry at this position of the scene.
+    /// The signal whose legend entry is at this position in the scene.
     std::optional<int> legendAt(const QPointF& place) const;
     /// Rectangle of a legend entry in the scene; empty before the first layout.
     QRectF legendEntry(int signal) const;
 
-    /// Sets the offset that is subtracted from a signal before drawing; initially 0.
+    /// Sets the offset that is subtracted from a signal before drawing. Initially 0.
     void setOffset(int signal, double offset);
     double offset(int signal) const;
 
-    /// Zooms in (factor < 1) around the value at the vertical scene position y. The scale is fixed until it
-    /// is released.
+    /// Zooms in (factor < 1) around the value at the vertical scene position `y`. The scale is fixed until
+    /// releaseValues().
     void zoomValues(double factor, double y);
-    /// Shows this range of values until the scale is released.
+    /// Shows this range of values until releaseValues().
     void holdValues(double low, double high);
     double valueAt(double y) const;
     double yAt(double value) const;
-    /// The scale follows the curves again from the next show().
+    /// Lets the scale follow the curves again from the next show().
     void releaseValues() { range_.release(); }
     bool isZoomed() const { return range_.isHeld(); }
 
-    /// Copies hidden signals, offsets and zoom from another pane that has the same signals.
+    /// Copies hidden signals, offsets and zoom from a pane with the same signals.
     void showLike(const PlotPane& other);
 
     static constexpr int kLegendHeight = 20;  ///< height above the area [px]

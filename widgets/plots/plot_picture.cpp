@@ -25,18 +25,18 @@ constexpr double kFineness = 2;  // pixels of the .png file per pixel of the pag
 constexpr double kPointsPerPixel = 0.75;
 constexpr QSize kPage(kPlots.width() + 2 * kMargin, kPlots.height() + kTitleHeight + kMargin);
 
-/// The content of the page, in pixels.
+/// The content of the page, laid out in pixels.
 class Page {
 public:
     Page(const PlotView& view, SignalStore& store, const StateLane& lane, PictureText text)
         : plots_(store, lane, view.marks()), text_(std::move(text)) {
-        // The widget needs a layout, but must not be shown on a screen.
+        // The widget must be laid out, but must not appear on a screen.
         plots_.setAttribute(Qt::WA_DontShowOnScreen);
         plots_.resize(kPlots);
         plots_.setVisible(true);
         plots_.showLike(view, true);
         plots_.showSharp();
-        // The charts place their labels during layout, which the event loop normally performs.
+        // QChart places its labels in a layout request, so deliver it without the event loop.
         QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
     }
 
@@ -57,7 +57,7 @@ public:
     }
 
 private:
-    const PaperColors paper_;  // first member, because the plots read the colours when they are constructed
+    const PaperColors paper_;  // first member, because the plots read the colours during their construction
     PlotView plots_;
     PictureText text_;
 };

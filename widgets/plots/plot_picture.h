@@ -18,12 +18,12 @@ struct PictureText {
     QString detail;  ///< date, and values at the cursors
 };
 
-/// Draws a white page that does not depend on the theme. It contains title, date, legend, axes, curves,
-/// cursors and lane, without controls. The file extension selects the format: .png (twice the resolution of
-/// the screen), .svg and .pdf (vector graphics).
+/// Draws a white page that does not depend on the theme. The page contains title, date, legend, axes, curves,
+/// cursors and lane, without controls. The file extension selects the format: .png (twice the screen
+/// resolution), or .svg and .pdf (vector graphics).
 /// view, store, lane  the displayed range and its data
-/// Errors             InvalidArgument (another extension), FileNotWritable, DiskFull; an existing file is
-/// unchanged in case of an error
+/// Errors             InvalidArgument (another extension), FileNotWritable, DiskFull; an error leaves an
+/// existing file unchanged
 /// Threads            GUI
 Result<void> exportPicture(const PlotView& view, SignalStore& store, const StateLane& lane,
                            const PictureText& text, const QString& path);

@@ -32,7 +32,8 @@ QDateTime PlotReplay::wallTimeOf(double time) const {
     if (frame == frames_.end()) {
         return {};
     }
-    // Messages before the next frame belong to this frame.
+    // Log entries up to the next frame belong to this frame, so return the last millisecond before the next
+    // frame.
     const auto next = frame + 1;
     const std::int64_t last =
         next == frames_.end() ? frame->wallMs : std::max(frame->wallMs, next->wallMs - 1);
@@ -50,7 +51,7 @@ QDateTime PlotReplay::clockAt(double time) const {
     if (frames_.empty()) {
         return {};
     }
-    // Interpolate within the frame, or extrapolate from the first or last frame.
+    // Use the first frame that contains the time, or extrapolate from the last frame.
     auto frame = std::lower_bound(frames_.begin(), frames_.end(), time,
                                   [](const Frame& each, double at) { return each.newest < at; });
     frame = frame == frames_.end() ? frame - 1 : frame;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Replay: while the current page shows a recording, or the plots are paused, the other parts of the window
-// show the data at the time of cursor A. Recording and history continue in the background.
+// Replay: while the current page shows a recording or the plots are paused, the rest of the window shows the
+// data at the time of cursor A. Recording and history continue in the background.
 
 #include <QHash>
 #include <QObject>
@@ -25,19 +25,19 @@ public:
     /// Both arguments must outlive the object.
     PlotReplay(const SignalStore& store, const PlotPages& pages, QObject* parent = nullptr);
 
-    /// Notes that data up to the time `newest` on the time axis were first displayed at the time of day
-    /// `now`. Used to find the log entry for a time.
+    /// Stores that data up to the time `newest` on the time axis were first displayed at the time of day
+    /// `now`, for finding the log entry of a time.
     void noteFrame(double newest, const QDateTime& now);
     void forgetBefore(double time);
-    /// Returns the time of day for a time on the time axis, either of the recording on the current page or of
+    /// Returns the time of day for a time on the time axis of the current page, i.e. of its recording or of
     /// the history. Invalid if unknown.
     QDateTime clockAt(double time) const;
-    /// The recording of the current page; empty: live signals.
+    /// The recording of the current page; empty for live signals.
     QString recordingInFront() const;
-    /// Evaluates page, cursor and pause again. Emits a signal if the replayed time has changed.
+    /// Updates moment() from page, cursor and pause state. Emits changed() if the replayed time has changed.
     void follow();
     const Replay& moment() const { return moment_; }
-    /// Sets log entries of a recording in addition to the entries in its file.
+    /// Adds log entries to those in the file of a recording. Replaces earlier additions.
     void setFurtherEvents(const QString& recording, std::vector<recording::RecordedEvent> events);
 
 Q_SIGNALS:

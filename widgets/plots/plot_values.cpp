@@ -24,7 +24,7 @@ namespace tiller {
 namespace {
 
 constexpr int kPatience = 80;  // delay after the last change [ms]
-constexpr int kGoesOn = 20;    // interval between two checks of the statistics computation [ms]
+constexpr int kGoesOn = 20;    // interval for checking whether the statistics are complete [ms]
 constexpr int kMinTable = 66;  // minimum height: the titles and one row [px]
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 
@@ -55,7 +55,7 @@ PlotValues::PlotValues(const SignalStore& store, QWidget* parent)
     layout->setSpacing(2);
     layout->addWidget(between_);
     layout->addWidget(table_, 1);
-    // A separate shortcut, because Ctrl+C in the table would copy only one cell.
+    // Without this shortcut, Ctrl+C in the table would copy only one cell.
     auto* copying = new QShortcut(QKeySequence::Copy, this);
     copying->setContext(Qt::WidgetWithChildrenShortcut);
     connect(copying, &QShortcut::activated, this, &PlotValues::copy);

@@ -23,10 +23,9 @@ class PlotValues : public QWidget {
 public:
     explicit PlotValues(const SignalStore& store, QWidget* parent = nullptr);
 
-    /// Updates the table for this view after a short delay. Several calls during the delay cause only one
-    /// update.
+    /// Updates the table for this view after a short delay. Calls during the delay cause only one update.
     void follow(const PlotView& view);
-    /// Returns tab-separated text for spreadsheets.
+    /// Returns the table as tab-separated text for spreadsheets.
     QString toText() const;
     void copy() const;
 

@@ -33,7 +33,7 @@ namespace {
 constexpr double kLeft = 56;  // space for the labels of the vertical axes [px]
 constexpr double kRight = 10;
 constexpr double kTop = 22;         // space for the letters of the cursors and the legend [px]
-constexpr double kBetween = 24;     // space between two plots, for the legend of the lower one [px]
+constexpr double kBetween = 24;     // space between two plots, for the legend of the lower plot [px]
 constexpr double kTimeLabels = 20;  // space below the lowest plot [px]
 constexpr double kLaneHeight = 14;
 constexpr double kLaneGap = 2;
@@ -52,7 +52,7 @@ double niceTickStep(double span, double width) {
     return 28800;
 }
 
-// A curve that moves by fewer pixels than this is repainted at most 30 times per second.
+// A curve that moves by fewer columns is repainted only every kCalmFrame seconds.
 constexpr double kQuickColumns = 3;
 constexpr double kCalmFrame = 0.03;  // [s]
 constexpr double kGrab = 6;          // distance within which a cursor is grabbed [px]
@@ -105,7 +105,7 @@ PlotView::PlotView(SignalStore& store, const StateLane& lane, PlotMarks& marks, 
 
 PlotView::~PlotView() {
     store_.want(this, {});
-    // The charts are items of the scene, but owned by the panes. Destroy them before the scene.
+    // The scene also contains the charts, which belong to the panes. Destroy the panes before the scene.
     panes_.clear();
     setScene(nullptr);
 }
@@ -271,7 +271,7 @@ bool PlotView::addSignals(const QStringList& keys, int pane, Place place) {
             std::stable_sort(page.panes.begin(), page.panes.end(),
                              [](const PaneLayout& a, const PaneLayout& b) { return a.column < b.column; });
         } else {
-            // The new plot gets the average height. The other plots keep their proportions.
+            // The new plot has the average height. The other plots keep their proportions.
             double shares = 0;
             int count = 0;
             for (const PaneLayout& other : std::as_const(page.panes)) {
@@ -375,7 +375,7 @@ void PlotView::layOut() {
     for (int column = 0; column < columns_; ++column) {
         most = std::max(most, static_cast<int>(std::ranges::count(panes_, column, &PlotPane::column)));
     }
-    // Lanes are hidden if there is not enough space; otherwise they would cover the curves.
+    // Hide the lanes if there is not enough space. Otherwise, they would cover the curves.
     const double least = kTop + most * kMinHeight + (most - 1) * kBetween;
     const double below = size.height() - kBottom - kTimeLabels;
     const bool roomy = below - lanes >= least;
@@ -433,7 +433,7 @@ double PlotView::xAt(double time) const {
 // ---- time
 
 void PlotView::measure() {
-    // Without data, only the lane continues, because the outage lasts until new data arrive.
+    // During an outage, the lane extends beyond the last sample.
     const SeriesBuffer& history = store_.live();
     double oldest = history.firstTime();
     double newest = std::max(history.lastTime(), lane_.endTime());
@@ -451,7 +451,7 @@ void PlotView::measure() {
 void PlotView::refresh(double seconds) {
     measure();
     sinceShown_ += seconds;
-    // A paused view does not change unless its oldest samples are dropped from the history.
+    // A paused view changes only when its oldest samples are dropped from the history.
     if (window_.follows() && (shownEnd_ != store_.live().end() || shownNewest_ != window_.newest()) &&
         isDue()) {
         show(sinceShown_);
@@ -465,7 +465,7 @@ bool PlotView::isDue() const {
     const double columns =
         std::abs(window_.newest() - shownNewest_) / window_.span() * panes_.front()->area().width();
     return sinceShown_ >= kCalmFrame || columns >= kQuickColumns || shownEnd_ <= 0 ||
-           shownEnd_ == store_.live().end();  // during an outage nothing else needs to be drawn
+           shownEnd_ == store_.live().end();  // no new samples: only the lane and the time axis change
 }
 
 void PlotView::showEvent(QShowEvent* event) {
@@ -519,7 +519,7 @@ void PlotView::show(double seconds, HistoryFile::Effort effort) {
     }
     const double t0 = window_.start();
     const double t1 = window_.end();
-    // Columns are on a fixed time raster, so that a moving curve does not flicker.
+    // Use columns on a fixed time raster, so that a moving curve does not flicker.
     const QRectF& area = panes_.front()->area();
     const int columns = std::max(1, static_cast<int>(std::ceil(area.width() * devicePixelRatioF())));
     const double width = window_.span() / columns;
@@ -538,7 +538,7 @@ void PlotView::show(double seconds, HistoryFile::Effort effort) {
                                           effort) &&
                           isSharp;
                 if (history.revision() != known) {
-                    cutNow();  // from here on, the times of the received rows are used
+                    cutNow();  // cut again with the times of the loaded rows
                 }
             }
         }
@@ -619,7 +619,7 @@ void PlotView::placeTicks() {
     timeLabels_.clear();
     for (auto i = std::llround(std::ceil(start / step)); i <= std::llround(std::floor(end / step)); ++i) {
         const double value = static_cast<double>(i) * step;
-        // Labels that would be cut off at the edge are omitted.
+        // Omit labels that would be cut off at the edge.
         const double room = (value - start) / tickSpan_ * width;
         const bool isNow = i == 0 && timeAxis_ == TimeAxis::Relative;
         if (isNow || room < 24 || (end - value) / tickSpan_ * width < 24) {
@@ -797,7 +797,7 @@ void PlotView::changeEvent(QEvent* event) {
             pane->applyTheme();
         }
         if (isVisible()) {
-            show(0);  // also repaints the curves, because a paused view is not repainted otherwise
+            show(0);  // repaint the curves, because a paused view would otherwise keep its colours
         }
         viewport()->update();
     }
@@ -857,7 +857,7 @@ void PlotView::drawMarks(QPainter& painter) const {
                                         [](const PlotMark& mark, double time) { return mark.time < time; });
     for (int column = 0; column < columns_; ++column) {
         double free = 0;  // end of the previous text
-        // Only the areas of the curves are repainted when the view moves. Anything outside would remain.
+        // Clip to the areas of the curves, because only these are repainted when the view moves.
         QRectF curves;
         for (const auto& pane : panes_) {
             curves |= pane->column() == column ? pane->area() : QRectF();
@@ -876,7 +876,7 @@ void PlotView::drawMarks(QPainter& painter) const {
                     painter.drawLine(QPointF(x, pane->area().top()), QPointF(x, pane->area().bottom() - 1));
                 }
             }
-            // A flag, with a text if there is enough space.
+            // Draw a flag, and its text if there is enough space.
             const std::array<QPointF, 3> flag = {QPointF(x, kTop), QPointF(x + 7, kTop + 4),
                                                  QPointF(x, kTop + 8)};
             painter.setBrush(color);
@@ -1211,7 +1211,7 @@ void PlotView::mouseReleaseEvent(QMouseEvent* event) {
 void PlotView::mouseDoubleClickEvent(QMouseEvent* event) {
     const QPointF at = event->position();
     if (event->button() != Qt::LeftButton || legendAt(at)) {
-        // The second press of a double click is handled as a separate press.
+        // Treat the second press of the double click as a single press.
         mousePressEvent(event);
         return;
     }
@@ -1236,7 +1236,8 @@ void PlotView::click(const QPointF& point) {
         setReadoutSignal(pane.shown().back());
     }
     const double time = timeAt(point.x());
-    // The first click places A and the second one B. Further clicks move the nearer cursor.
+    // The first click places cursor A, and the second click places cursor B. Further clicks move the nearest
+    // cursor.
     Cursor which = Cursor::A;
     if (cursors_[0] && !cursors_[1]) {
         which = Cursor::B;

@@ -2,8 +2,8 @@
 #pragma once
 
 // One page of plots: charts stacked in columns, state lanes below them, and two cursors on a common time
-// axis. Dragging and the mouse wheel scroll in time. Signals are added by drag and drop. The robot is not
-// affected.
+// axis. Dragging and the mouse wheel scroll in time. Signals can be dropped onto the plots. The view does not
+// affect the robot.
 
 #include <QDateTime>
 #include <QGraphicsView>
@@ -36,27 +36,28 @@ class PlotView : public QGraphicsView {
 
 public:
     enum class Cursor { A, B };
-    /// Target position of a signal that is dropped onto a plot.
+    /// Position at which a signal is dropped relative to a plot.
     enum class Place { Into, Above, Below, Beside };
 
     /// store, lane, marks  must outlive the view
     PlotView(SignalStore& store, const StateLane& lane, PlotMarks& marks, QWidget* parent = nullptr);
     ~PlotView() override;
 
-    /// Shows the newest data. Call this after data arrived or time has passed. The call is cheap if nothing
-    /// has changed or the view is hidden.
+    /// Shows the newest data. Call this after data have arrived or time has passed. The call takes little
+    /// time if nothing has changed or the view is hidden.
     /// seconds  time since the last call, for adapting the scales
     void refresh(double seconds);
 
     /// Copies range, cursors and readout signal from another view of the same history.
-    /// page  true: also copies the page
+    /// page  if true, also copies the page
     void showLike(const PlotView& other, bool page);
 
     // The current content of the page.
     PageLayout page() const;
-    /// Returns  false, without changes, if the robot cannot send this number of signals
+    /// Returns  false, without any change, if the robot cannot send this number of signals
     bool setPage(const PageLayout& page);
-    /// Adds signals. States are added as lanes for any place. Existing and unknown signals are ignored.
+    /// Adds signals, ignoring existing and unknown ones. State signals are added as lanes, regardless of
+    /// `place`.
     /// Returns  false if the robot cannot send this number of signals
     bool addSignals(const QStringList& keys, int pane, Place place = Place::Into);
     /// Adds signals to the plot that contains the signal read by the cursors.
@@ -67,10 +68,10 @@ public:
     PlotMarks& marks() const { return marks_; }
     /// All displayed signals, including lanes.
     QSet<int> signalsShown() const;
-    /// Recordings with displayed signals.
+    /// Recordings that contain displayed signals.
     QStringList recordingsShown() const;
-    /// The recording of the signal read by the cursors, otherwise of any signal on the page. Empty: the page
-    /// is live. Determines the lane of the robot state, the replayed time and the place of a note.
+    /// The recording of the readout signal, otherwise of any signal on the page. Empty if the page is live.
+    /// Determines the lane of the robot state, the replayed time, and the recording to which notes are added.
     QString recordingInFront() const;
 
     const TimeWindow& window() const { return window_; }
@@ -93,7 +94,8 @@ public:
     void setCursor(Cursor which, std::optional<double> time);
     /// Moves cursor A to this time and makes it visible.
     void goTo(double time);
-    /// Time for a new note: that of the selected cursor if it is visible, otherwise the end of the visible range.
+    /// Time for a new note: the time of the selected cursor if it is visible, otherwise the end of the
+    /// visible range.
     double noteTime() const;
     int readoutSignal() const { return readoutSignal_; }
     void setReadoutSignal(int signal);
@@ -101,8 +103,8 @@ public:
     QString readout() const;
     bool isHidden(int signal) const;
     void setHidden(int signal, bool hidden);
-    /// Displays the TCP force relative to its value at the end of the displayed range. Returns false if there
-    /// is no force data.
+    /// Displays the TCP force relative to its value at the end of the displayed range. Returns false without
+    /// force data.
     bool zeroForce();
     /// Displays the force as measured.
     void clearZero();
@@ -111,20 +113,20 @@ public:
     QString zeroText() const;
     const std::vector<std::unique_ptr<PlotPane>>& panes() const { return panes_; }
     const LaneItem& laneItem() const { return *laneItem_; }
-    /// Loads and shows all details of a long recording at once. Otherwise they are loaded over several
-    /// frames.
+    /// Loads and shows all details of a long recording immediately. Without this call, they are loaded over
+    /// several frames.
     void showSharp();
     /// Returns null if this signal has no lane.
     const LaneItem* signalLane(int signal) const;
-    /// The pixel columns of the displayed range for the samples of a history.
+    /// Returns the pixel columns of the displayed range for the samples of a history.
     const ColumnGrid& gridOf(const SeriesBuffer& history) const;
-    /// The plot at a position of the view, including its labels.
+    /// The plot at this position in the view, including the area of its labels.
     PlotPane& paneAt(const QPointF& place) const;
     int paneIndex(const PlotPane& pane) const;
     /// The signal whose legend entry or lane is at this position.
     std::optional<int> legendAt(const QPointF& place) const;
     std::optional<int> laneAt(const QPointF& place) const;
-    /// Makes the scale of the pane follow the curves again.
+    /// Lets the scale of the pane follow the curves again.
     void releaseValues(PlotPane& pane);
     double timeAt(double x) const;
     double xAt(double time) const;
@@ -179,7 +181,7 @@ private:
     void build(const PageLayout& page);
     /// Updates the time limits of the window from the history and the lane.
     void measure();
-    /// Called after the user has changed the time window. Updates immediately with the best scales.
+    /// Updates immediately with the best scales. Call this after the user has changed the time window.
     void rewind();
     void show(double seconds, HistoryFile::Effort effort = HistoryFile::Effort::Draft);
     /// Requests the signals of the page and of the state lanes of its recordings.
@@ -193,7 +195,7 @@ private:
     std::optional<Cursor> cursorNear(double x) const;
     bool moveActiveCursor(int pixels);
     void cycleReadout(int by);
-    /// The plot area at this horizontal position.
+    /// The plot area of the column at this horizontal position.
     const QRectF& areaAt(double x) const;
     PlotPane* paneOf(int signal) const;
     bool isOverValues(const QPointF& place) const;
@@ -234,7 +236,7 @@ private:
     QStringList timeLabels_;
     double tickSpan_ = -1;
     double tickEnd_ = 0;
-    QTimer sharpen_;              // active while more details are available than displayed
+    QTimer sharpen_;              // active while more details of a recording can be loaded
     QHash<int, double> offsets_;  // offsets by signal; empty if not zeroed
     QString name_;                // name of the page
     Drag drag_ = Drag::None;

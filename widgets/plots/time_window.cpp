@@ -54,8 +54,8 @@ void TimeWindow::zoom(double factor, double anchor) {
 }
 
 void TimeWindow::keepInside() {
-    // The range must not extend beyond the newest sample, and not so far back that no history is visible. In
-    // case of a conflict, the newest edge has priority.
+    // The range must not extend beyond the newest sample, and should not start before the oldest sample. If
+    // both are impossible, the first rule has priority.
     end_ = std::min(std::max(end_, oldest_ + span_), newest_);
 }
 

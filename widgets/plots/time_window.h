@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The displayed time range of the plots. It follows the newest sample until it is paused or moved back. Data
-// continue to arrive in the meantime.
+// The displayed time range of the plots. It follows the newest sample until it is paused or scrolled back.
+// Data are still received while it does not follow.
 
 namespace tiller {
 
@@ -20,19 +20,20 @@ public:
     /// Distance of the right edge from the newest sample [s]; 0 while following.
     double behind() const { return follows_ ? 0 : newest_ - end_; }
 
-    /// Sets the time limits of the history.
+    /// Sets the times of the oldest and the newest sample [s].
     void setHistory(double oldest, double newest);
-    /// Sets the span. Keeps the right edge while following the newest sample, otherwise the centre.
+    /// Sets the span. Keeps the right edge while following the newest sample, and the centre otherwise.
     void setSpan(double seconds);
     void pause() { follows_ = false; }
     void follow();
     /// Shows exactly this range, limited to the history.
     void showRange(double from, double to);
     double oldest() const { return oldest_; }
-    /// Scrolls by this time [s]; negative: backwards. Returning to the newest sample does not end a pause.
+    /// Scrolls by this time [s]; negative values scroll back. Returning to the newest sample does not end a
+    /// pause.
     void scrollBy(double seconds);
-    /// Zooms in (factor < 1). The time `anchor` keeps its position on the screen unless the range follows the
-    /// newest sample.
+    /// Zooms in (factor < 1). The time `anchor` keeps its position on the screen, unless the range follows
+    /// the newest sample.
     void zoom(double factor, double anchor);
 
 private:

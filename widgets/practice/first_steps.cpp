@@ -10,7 +10,7 @@
 namespace tiller {
 namespace {
 
-constexpr double kThere = 0.001;  // tolerance of the TCP position [m]
+constexpr double kThere = 0.001;       // tolerance of the TCP position [m]
 constexpr double kTurnedThere = 0.01;  // tolerance of the orientation [rad]
 constexpr double kSameJoints = 0.005;  // tolerance for a waypoint at the current position [rad]
 constexpr double kRealMove = 0.01;     // minimum joint motion that counts [rad]

@@ -25,7 +25,7 @@ struct ProgramModel::Node {
     int row = 0;
     int number = 0;
     std::vector<std::unique_ptr<Node>> children;
-    QString problem;  ///< reason why the program cannot run
+    QString problem;                 ///< reason why the program cannot run
     QString result;                  ///< result of the preview
     bool hasFinding = false;         ///< true if the preview has a finding for this step
     program::StepRecovery recovery;  ///< marks of the recoverability check

@@ -50,7 +50,7 @@ private:
     ElidedLabel* message_;
     RecordingState state_;
     Severity severity_ = Severity::Info;
-    unsigned missing_ = 0;  ///< conditions that are not met
+    unsigned missing_ = 0;       ///< conditions that are not met
     unsigned missingSince_ = 0;  ///< conditions not met at some time since the message appeared
 };
 

@@ -57,7 +57,7 @@ private:
     TcpTeacher* teacher_;
     QUuid teachingInto_;
     std::optional<project::Tool> asked_;  ///< tool in the last question to the user
-    Pose askedAbout_;  ///< TCP of the robot in the last question
+    Pose askedAbout_;                     ///< TCP of the robot in the last question
 };
 
 }  // namespace tiller

@@ -66,7 +66,7 @@ private:
     ProjectDocument& document_;
     QUuid coming_;
     QHash<QUuid, QString> pathLimits_;  ///< contains only non-empty texts
-    QVector<QUuid> orderBefore_;  ///< waypoint of each persistent index before a reordering
+    QVector<QUuid> orderBefore_;        ///< waypoint of each persistent index before a reordering
 };
 
 }  // namespace tiller

@@ -478,8 +478,7 @@ void WaypointsTab::setGripper(GripperPort gripper) {
 }
 
 void WaypointsTab::followSpeed() {
-    goThrough_->stop(
-        control::StopCause::SelectionChanged);  // otherwise, the motion would change its speed
+    goThrough_->stop(control::StopCause::SelectionChanged);  // otherwise, the motion would change its speed
     showSpeed();
     goThrough_->showSpeed();
     Q_EMIT ghostChanged();
