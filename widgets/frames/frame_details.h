@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Details of the selected frame below the table, displayed and editable as numbers. Editing changes only the
-// frame.
+// Details of the selected frame below the table, as editable numbers. Editing changes only the frame.
 
 #include <QWidget>
 #include <optional>
@@ -31,7 +30,7 @@ public:
     QString headline() const;
 
 Q_SIGNALS:
-    /// The user edited a value. The argument is the new pose of the frame.
+    /// The user has edited a value of the pose.
     void placeEntered(const tiller::Pose& T_base_frame);
 
 protected:

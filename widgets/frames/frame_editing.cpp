@@ -75,7 +75,7 @@ QString FrameEditing::move(const QUuid& id, const Pose& T_base_frame, const QStr
 }
 
 void FrameEditing::place(const project::Frame& frame, const Pose& T_base_frame) {
-    // Show no notice while the user is editing numbers. The log shows the result.
+    // Show only a log entry, because a notice would be distracting while the user edits numbers.
     const QString moved = move(frame.id, T_base_frame, tr("Set the position of “%1”").arg(frame.name));
     Q_EMIT message(Severity::Info, tr("“%1” was set numerically. %2").arg(frame.name, moved));
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Edits frames by other means than teaching points: create, move together with their waypoints, duplicate and
-// delete. Every step is an undoable edit of the document. Moving waypoints requires a confirmation.
+// Creates, moves, duplicates and deletes frames, except for teaching points. Waypoints move with their frame.
+// Every step is an undoable edit of the document. Moving waypoints by a touch-up requires a confirmation.
 
 #include <QObject>
 
@@ -19,16 +19,17 @@ class FrameEditing : public QObject {
     Q_OBJECT
 
 public:
-    /// document, model, notice  must outlive the object; the questions are shown in `notice`
+    /// document, model, notice  must outlive the object; `notice` shows the questions
     FrameEditing(ProjectDocument& document, FrameModel& model, NoticeBar& notice, QObject* parent = nullptr);
 
     void insert(const Pose& T_base_frame);
-    /// Asks for confirmation. The question shows how the frame and its waypoints would move.
+    /// Asks for confirmation before moving the frame. The question shows how the frame and its waypoints
+    /// would move.
     void askToMove(const QUuid& id, const Pose& T_base_frame);
-    /// Moves a frame to a manually entered pose without confirmation.
+    /// Moves a frame to an entered pose, without confirmation.
     void place(const project::Frame& frame, const Pose& T_base_frame);
     void duplicate(const project::Frame& frame);
-    /// Asks for confirmation if waypoints are in this frame.
+    /// Asks for confirmation if the frame contains waypoints.
     void remove(const project::Frame& frame);
 
 Q_SIGNALS:
@@ -36,7 +37,7 @@ Q_SIGNALS:
     void message(tiller::Severity severity, const QString& text);
 
 private:
-    /// Returns  a description of the moved waypoints
+    /// Returns  a text about the moved waypoints
     QString move(const QUuid& id, const Pose& T_base_frame, const QString& step);
 
     ProjectDocument& document_;

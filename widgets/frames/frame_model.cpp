@@ -13,7 +13,7 @@ namespace tiller {
 FrameModel::FrameModel(ProjectDocument& document, QObject* parent)
     : QAbstractTableModel(parent), document_(document) {
     connect(&document_, &ProjectDocument::framesChanged, this, &FrameModel::follow);
-    // A waypoint may have been assigned to another frame.
+    // The numbers of waypoints change if a waypoint is assigned to another frame.
     connect(&document_, &ProjectDocument::documentChanged, this, [this] {
         if (rowCount() > 0) {
             Q_EMIT dataChanged(index(0, Waypoints), index(rowCount() - 1, Waypoints));

@@ -12,7 +12,7 @@ namespace tiller {
 
 class ProjectDocument;
 
-/// Effect of a move of the frame on its waypoints.
+/// Effect of moving the frame on its waypoints.
 struct FrameUse {
     int waypoints = 0;
     int outOfReach = 0;  ///< number of unreachable waypoints
@@ -28,13 +28,13 @@ public:
     explicit FrameModel(ProjectDocument& document, QObject* parent = nullptr);
 
     const project::FrameList& frames() const;
-    /// Returns -1 if there is no such frame.
+    /// Returns -1 if the frame does not exist.
     int rowOf(const QUuid& id) const;
-    /// Number of waypoints that move with the frame, and how many of them would be unreachable with the frame at
-    /// `T_base_frame`.
+    /// Returns the number of waypoints that move with the frame, and how many of them would be unreachable if
+    /// the frame were at `T_base_frame`.
     FrameUse use(const QUuid& id, const Pose& T_base_frame) const;
     FrameUse use(const project::Frame& frame) const { return use(frame.id, frame.T_base_frame); }
-    /// Sets the TCP pose for the distance column; empty without data.
+    /// Sets the TCP pose for the distance column; empty if there are no data.
     void setTcp(const std::optional<Pose>& T_base_tcp);
 
     /// Returns the reason why a frame cannot have this name, as a sentence; empty if the name is valid.
@@ -48,7 +48,7 @@ public:
     Qt::ItemFlags flags(const QModelIndex& index) const override;
 
 Q_SIGNALS:
-    /// An edit was rejected. The argument is the reason.
+    /// An edit was rejected for this reason.
     void editRefused(const QString& reason);
 
 private:
@@ -56,7 +56,7 @@ private:
     QString display(const project::Frame& frame, int column) const;
 
     ProjectDocument& document_;
-    QVector<QUuid> ids_;  ///< frames that the views currently show
+    QVector<QUuid> ids_;  ///< IDs of the rows in the views
     std::optional<Pose> tcp_;
 };
 

@@ -19,7 +19,7 @@ void FrameTable::resizeEvent(QResizeEvent* event) {
 
 void FrameTable::shareWidth() {
     const int room = viewport()->width();
-    // Each column fits a sign and four digits before the decimal point.
+    // Column widths [px] for a sign and four digits before the decimal point.
     constexpr int kName = 90;
     constexpr int kThreeDigits = 196;
     constexpr int kPoints = 58;
@@ -28,7 +28,7 @@ void FrameTable::shareWidth() {
     setColumnWidth(FrameModel::Rotation, kThreeDigits);
     setColumnWidth(FrameModel::Waypoints, kPoints);
     setColumnWidth(FrameModel::Distance, kDistance);
-    // The name needs a minimum width. Hidden columns are shown in the details below the table.
+    // Hide columns to keep a minimum width for the name. The details below the table also show their values.
     const int least = kName + 2 * kThreeDigits + kPoints;
     setColumnHidden(FrameModel::Distance, room < least + kDistance);
     setColumnHidden(FrameModel::Rotation, room < least);

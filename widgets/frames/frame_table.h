@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The frames as rows; the name is edited in place (F2 or double click).
+// The frames as rows. The name is edited in place (F2 or double click).
 
 #include "widgets/common/row_table.h"
 

@@ -195,7 +195,7 @@ void FrameTeacher::refresh() {
     const char* const role = wrong ? "warning" : "";
     if (feedback_->property("role") != QLatin1String(role)) {
         feedback_->setProperty("role", QLatin1String(role));
-        feedback_->setStyleSheet(feedback_->styleSheet());  // makes Qt evaluate the role again
+        feedback_->setStyleSheet(feedback_->styleSheet());  // makes Qt apply the changed role
     }
     make_->setEnabled(found.ok());
     make_->setToolTip(found.ok() ? QString() : words);
@@ -203,8 +203,7 @@ void FrameTeacher::refresh() {
 
 void FrameTeacher::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    // The height of the feedback does not depend on its text, so that buttons do not move when the text
-    // changes.
+    // Reserve a height that does not depend on the text, so that changed feedback does not move the buttons.
     constexpr int kLongest = 850;  // width of the longest feedback text on one line [px]
     const int lines = std::clamp(kLongest / std::max(1, feedback_->width()) + 1, 2, 5);
     feedback_->setMinimumHeight(lines * QFontMetrics(textFont(15)).lineSpacing());

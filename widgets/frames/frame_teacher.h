@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Teaches a frame from three points, which are recorded one after the other at the TCP position. Shows the
-// next point, the distance of the TCP, and why the recorded points do not define a frame.
+// Teaches a frame from three points. The points are recorded one after the other at the TCP position. Shows
+// the next point, the distance of the TCP, and why the recorded points do not define a frame.
 
 #include <QWidget>
 #include <array>
@@ -34,14 +34,13 @@ public:
     /// Emits made() if the points define a frame.
     void finish();
 
-    /// The frame of the recorded points. If only one point is missing, the TCP position is used for the
-    /// missing point.
+    /// The frame defined by the recorded points. If only one point is missing, the current TCP position is
+    /// used instead.
     std::optional<Pose> preview() const;
     QString feedback() const;
 
 Q_SIGNALS:
-    /// Emitted before a point is recorded. Connected slots must call setTip() with the newest data before
-    /// returning.
+    /// Emitted before a point is recorded. A directly connected slot must call setTip() with the newest data.
     void tipWanted();
     void made(const tiller::Pose& T_base_frame);
     void cancelled();

@@ -35,7 +35,7 @@ FramesTab::FramesTab(RobotSession& session, ProjectDocument& document, QWidget* 
     buildLayout();
     buildActions();
 
-    // Values that change sixty times per second are not legible.
+    // Limit the update rate, because values that change 60 times per second are not legible.
     liveTimer_.setSingleShot(true);
     liveTimer_.setInterval(100);
     connect(&liveTimer_, &QTimer::timeout, this, &FramesTab::showLive);
@@ -155,7 +155,7 @@ void FramesTab::onFrames() {
         endTeaching();
     }
     showPage();
-    // Select the added frame (also after undo), otherwise the previous one, otherwise its neighbour.
+    // Select the added frame (also after undo). Otherwise, keep the selected frame or select its neighbour.
     const int row = one                       ? model_->rowOf(came)
                     : ids.contains(selected_) ? model_->rowOf(selected_)
                                               : std::min(std::max(before, 0), model_->rowCount() - 1);
@@ -166,7 +166,7 @@ void FramesTab::onFrames() {
 void FramesTab::showPage() {
     const bool any = model_->rowCount() > 0;
     pages_->setCurrentIndex(any ? kTablePage : kEmptyPage);
-    // Hidden content must not take up space, because the tab has little height in a small window.
+    // Hide unused content, because the tab has little height in a small window.
     pages_->setVisible(!teaching_);
     teacher_->setVisible(teaching_);
     details_->setVisible(!teaching_ && any);
@@ -273,7 +273,7 @@ void FramesTab::buildActions() {
     auto* menu = new QMenu(this);
     menu->setObjectName(QStringLiteral("frame.menu"));
     const auto everywhere = [&](QAction* action) {
-        // The focus may be on the jog pad during teaching.
+        // Add the action to the whole tab, because the focus may be on the jog pad during teaching.
         addAction(action);
         return action;
     };

@@ -2,7 +2,7 @@
 #pragma once
 
 // The tab "Frames". Teaches frames from the TCP pose or from three points, and renames, edits and touches up
-// the frames of the open project. No function of this tab moves the robot.
+// the frames of the open project. The tab does not move the robot.
 
 #include <QTimer>
 #include <QUuid>
@@ -48,8 +48,8 @@ public Q_SLOTS:
     /// Creates a frame at the TCP pose.
     void teachFromTcp();
     void teachThreePoints();
-    /// Asks for confirmation. The question shows how the selected frame and its waypoints would move to the
-    /// TCP.
+    /// Asks for confirmation before moving the selected frame to the TCP. The question shows how the frame
+    /// and its waypoints would move.
     void touchUp();
     void touchUpThreePoints();
     void selectRow(int row);
@@ -89,9 +89,9 @@ private:
     QList<QAction*> actions_;
     QTimer liveTimer_;
     QUuid selected_;
-    QVector<QUuid> known_;  ///< the frames before the last change, to find an added frame
+    QVector<QUuid> known_;  ///< frames before the last change, for finding an added frame
     bool teaching_ = false;
-    QUuid teachingInto_;  ///< the frame to touch up; null: a new frame is created
+    QUuid teachingInto_;  ///< frame to touch up; null to create a new frame
 
     QPushButton* fromTcp_ = nullptr;
     QPushButton* threePoints_ = nullptr;

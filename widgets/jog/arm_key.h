@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The button in the title bar of the jog column that arms the keyboard. It shows whether the keyboard is
-// armed, in the same colour as the window frame. It does not move the arm.
+// The button in the title bar of the jog column that arms and disarms the keyboard. While the keyboard is
+// armed, the button has the same colour as the frame around the window. The button does not move the arm.
 
 #include <QAbstractButton>
 
@@ -23,7 +23,7 @@ public:
     QSize minimumSizeHint() const override { return sizeHint(); }
 
 protected:
-    void nextCheckState() override {}  // the state is set by KeyboardJog, not by a click
+    void nextCheckState() override {}  // KeyboardJog sets the state, not a click
     void paintEvent(QPaintEvent* event) override;
     void changeEvent(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;  ///< Space stops the arm and must not arm the keyboard

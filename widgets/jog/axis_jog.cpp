@@ -22,7 +22,7 @@ control::JogTarget deflectionTarget(const JogSelection& selection, const Deflect
         }
         return target;
     }
-    // Frame and speeds are the same as for a pad button. Only the direction is that of the device.
+    // Use the frame and the speeds of a pad button. Then replace the direction by that of the device.
     control::JogTarget target = cartesianJog(selection, {0, 1}, factor, limits);
     const auto held = [](const Eigen::Vector3d& wish, double most) -> Eigen::Vector3d {
         // Diagonal motion is not faster than motion along an axis.
@@ -68,7 +68,7 @@ control::JogTarget AxisJog::target() const {
 void AxisJog::setInput(const Deflection& deflection, double factor) {
     const bool released = deflection.isNeutral() || !deflection.deadMan;
     if (isActive() && deflection.grip.by != input_.grip.by) {
-        // This is not the active input source. It is ignored while it is neutral.
+        // Another source holds the motion. Ignore this source unless it is deflected.
         neutralOf(deflection.grip.by) = deflection.isNeutral();
         if (!released) {
             rules_.happen(HoldEvent::Kind::PressedAgain);
@@ -83,7 +83,7 @@ void AxisJog::setInput(const Deflection& deflection, double factor) {
     }
     if (released) {
         rules_.happen(HoldEvent::Kind::LetGo);
-        // Releasing the enabling button is not sufficient. The stick must also return to the centre.
+        // Releasing the enabling button is not sufficient. The stick must also be at its centre.
         neutralOf(deflection.grip.by) = deflection.isNeutral();
         return;
     }
@@ -100,7 +100,7 @@ void AxisJog::setInput(const Deflection& deflection, double factor) {
 }
 
 void AxisJog::begin() {
-    neutralOf(input_.grip.by) = false;  // the next motion always requires a neutral position first
+    neutralOf(input_.grip.by) = false;  // require a neutral position before the next motion
     QString why = rules_.obstacle(nullptr, input_.grip);
     if (why.isEmpty()) {
         why = obstacle_();
@@ -145,7 +145,7 @@ void AxisJog::stop(StopCause cause) {
     Q_EMIT ended(cause);
 }
 
-/// Handles a motion that the session or the robot has ended.
+/// Cleans up after the session or the robot has ended the motion.
 void AxisJog::finish() {
     rules_.end();
     timer_.stop();

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Jogging by inputs other than on-screen buttons: the armed keyboard, a gamepad or a SpaceMouse. Each input
-// is a deflection with an enabling signal, and the rules of HoldRules apply. After the end of a motion, the
-// input source must return to neutral before it can move the arm again.
+// Jogging by the armed keyboard, a gamepad or a SpaceMouse. Each input is a deflection with an enabling
+// signal. HoldRules determines when a motion ends. After the end of a motion, the input source must return to
+// neutral before it can move the arm again.
 
 #include <QObject>
 #include <QTimer>
@@ -17,13 +17,13 @@
 
 namespace tiller {
 
-/// The current input of a device. All values are in the range -1 ... 1, relative to the selected speed.
+/// The current input of a source. Values are in the range -1 ... 1, relative to the selected speed.
 struct Deflection {
     Vector6 axes = Vector6::Zero();    ///< X Y Z Rx Ry Rz in the selected frame
     Vector6 joints = Vector6::Zero();  ///< single joints; used only if all axes are 0
     bool deadMan = false;
-    /// By::Keys with the held keys, or By::Device. A device must be refreshed continuously; a missing refresh
-    /// means that reading the device hangs.
+    /// By::Keys with the held keys, or By::Device. Device input must be refreshed continuously, because a
+    /// missing refresh means that reading the device hangs.
     HoldSource grip = {HoldSource::By::Keys};
 
     bool isNeutral() const { return axes.isZero() && joints.isZero(); }
@@ -32,7 +32,7 @@ struct Deflection {
 control::JogTarget deflectionTarget(const JogSelection& selection, const Deflection& deflection,
                                     double factor, const control::MotionLimits& limits);
 
-/// Maximum time without input from a finger or stick at this target velocity [ns].
+/// Timeout for the input from a finger or stick at this target velocity [ns].
 std::int64_t jogTimeoutNs(const control::JogTarget& target);
 
 /// Threads  GUI
@@ -47,27 +47,28 @@ public:
     ~AxisJog() override;
 
     void setClock(const Clock& clock);
-    /// Sets the current state of the device. Has no effect if the state is unchanged.
+    /// Sets the current input. Calls with unchanged input also refresh an active motion.
+    /// factor  applied to the selected speed
     void setInput(const Deflection& deflection, double factor = 1.0);
-    /// Ends an active motion. The device must then return to neutral.
+    /// Ends the active motion, if any. The input source must then return to neutral.
     void stop(control::StopCause cause);
     /// Requires a neutral position of this source before the next motion.
     void requireNeutral(HoldSource::By by) { neutralOf(by) = false; }
     bool isActive() const { return rules_.isActive(); }
-    /// The last input of the current motion, and the factor applied to the selected speed.
+    /// The last input of the current motion.
     const Deflection& input() const { return input_; }
     double factor() const { return factor_; }
-    /// True while a stopped source has not yet returned to neutral.
+    /// True until the stopped source has returned to neutral.
     bool waitsForNeutral(HoldSource::By by) { return !neutralOf(by); }
-    /// Forwards a keyboard event to the rules of a motion that is held by keys.
+    /// Forwards a keyboard event to the rules of the active motion.
     void tell(HoldEvent::Kind kind);
     /// The reason why the arm cannot move, as a sentence; empty if it can move.
     QString obstacle() const { return obstacle_(); }
-    /// Maximum time without input from a stick at the current speed [ns].
+    /// Timeout for the input from a stick at the current speed [ns].
     std::int64_t holdTimeoutNs() const;
     /// Time left until the maximum hold duration [ns].
     std::int64_t leftNs() const { return rules_.leftNs(); }
-    /// Performs one refresh. Called by a timer every 20 ms, or by tests in virtual time.
+    /// Refreshes the motion once. Called by a timer every 20 ms, or by tests in virtual time.
     void pump();
 
 Q_SIGNALS:

@@ -88,7 +88,6 @@ void DeviceJog::use(const InputDevice* device) {
     silent_ = false;
     heardNs_ = clock_->nowNs();
     if (device != nullptr) {
-        // The first reading of a device must be neutral.
         jog_.requireNeutral(HoldSource::By::Device);  // rule: neutral before the first motion
     }
     Q_EMIT devicesChanged();
@@ -114,7 +113,7 @@ void DeviceJog::tune(const QString& kind, const DeviceTuning& tuning) {
         return;
     }
     if (used_ != nullptr && used_->shape().kind == kind) {
-        // The same deflection would result in a different speed.
+        // Stop, because the same deflection would now result in a different speed.
         jog_.stop(StopCause::SelectionChanged);
         jog_.requireNeutral(HoldSource::By::Device);
     }
@@ -193,7 +192,7 @@ void DeviceJog::follow(const DeviceReading& now) {
             Q_EMIT stoppedReporting(used_->name());
         }
     }
-    // A neutral device must not interfere with other inputs.
+    // Do not forward a neutral device, because it would interfere with other inputs.
     const bool neutral = wanted.isNeutral();
     if (!neutral || !wasNeutral_ || (jog_.waitsForNeutral(HoldSource::By::Device) && !jog_.isActive())) {
         jog_.setInput(wanted);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Jogging with a gamepad or a SpaceMouse. A device moves the arm only if it has been enabled here and while
-// its enabling button is held. After a stop, the device must first return to neutral (see HoldRules).
+// Jogging with a gamepad or a SpaceMouse. A device moves the arm only after it has been selected with use(),
+// and only while its enabling button is held. After a stop, the device must first return to neutral (see
+// HoldRules).
 
 #include <QMap>
 #include <QObject>
@@ -25,19 +26,20 @@ public:
     explicit DeviceJog(AxisJog& jog, QObject* parent = nullptr);
     ~DeviceJog() override;
 
-    /// Adds a source of devices. May be called several times.
+    /// Adds a source of devices, e.g. all gamepads. May be called several times.
     void addSource(std::unique_ptr<DeviceSource> source);
     const std::vector<std::unique_ptr<InputDevice>>& devices() const { return devices_; }
 
-    /// The device that moves the arm, or null. Initially null, because it is not saved.
+    /// The device that is selected to move the arm. Initially null, because the selection is not saved.
     const InputDevice* used() const { return used_; }
     void use(const InputDevice* device);
     /// Properties of the device, with the settings for its type.
     DeviceShape shape(const InputDevice& device) const;
-    /// Applies settings, limited by sane(), to all devices of a type. Ends a motion commanded by one of them.
+    /// Applies settings, limited by sane(), to all devices of a type. Ends a motion that such a device
+    /// commands.
     void tune(const QString& kind, const DeviceTuning& tuning);
 
-    /// The newest reading of a device, and the resulting input.
+    /// The latest reading of a device, and the input that results from it.
     DeviceReading reading(const InputDevice* device) const;
     Deflection wish(const InputDevice* device) const;
 
@@ -47,11 +49,11 @@ public:
     void setClock(const Clock& clock);
 
 Q_SIGNALS:
-    /// Devices were added or removed, or another device is in use.
+    /// Devices were added or removed, or a different device is in use.
     void devicesChanged();
     /// The device in use was disconnected.
     void lost(const QString& name);
-    /// The device in use stopped reporting during a motion, and the motion was ended. The device is still
+    /// The device in use stopped reporting during a motion, and the motion was stopped. The device is still
     /// connected and must return to neutral.
     void stoppedReporting(const QString& name);
     void tuned(const QString& kind, const tiller::DeviceTuning& tuning);
@@ -69,11 +71,11 @@ private:
     std::vector<std::unique_ptr<InputDevice>> devices_;
     std::vector<DeviceReading> readings_;  ///< one per device
     const InputDevice* used_ = nullptr;
-    QMap<QString, DeviceTuning> tunings_;  ///< settings by device type; missing types use their defaults
+    QMap<QString, DeviceTuning> tunings_;  ///< settings by device type; if missing, the defaults apply
     bool stopHeld_ = false;
     bool wasNeutral_ = false;   ///< true if the last input was neutral
-    bool silent_ = false;       ///< true if the device is deflected but does not report
-    std::int64_t heardNs_ = 0;  ///< time of the last report of the device [ns]
+    bool silent_ = false;       ///< true if the device is deflected but no longer reports
+    std::int64_t heardNs_ = 0;  ///< time at which the device last reported [ns]
     QTimer pollTimer_;
     QTimer lookTimer_;
 };

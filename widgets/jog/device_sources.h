@@ -8,7 +8,7 @@
 
 namespace tiller {
 
-/// Sources for all device types supported by this build: gamepads with SDL, SpaceMouse with libspnav.
+/// Returns the sources for all device types of this build: gamepads with SDL, SpaceMouse with libspnav.
 std::vector<std::unique_ptr<DeviceSource>> deviceSources();
 
 }  // namespace tiller

@@ -26,7 +26,7 @@ namespace {
 constexpr int kRefreshMs = 50;
 constexpr std::array kAxes = {"X", "Y", "Z", "Rx", "Ry", "Rz"};
 
-/// Allows line breaks between the parts of the text, but not between a number and its unit.
+/// Prevents line breaks between a number and its unit. The text can still break between its parts.
 QString unbroken(QString text) {
     const QString joiner(QChar(0x2060));
     text.replace(QLatin1Char(' ') + format::speedUnit(), QChar(0xA0) + format::speedUnit());
@@ -61,7 +61,7 @@ QString motionText(const JogSelection& selection, const Deflection& deflection,
                                  .arg(parts.join(QStringLiteral(", ")), frameName(selection));
 }
 
-/// Six bars that start at the centre: a thin line for the raw value and a thick line for the resulting input.
+/// Six bars that start at the centre. A thin line shows the raw value, and a thick line the resulting input.
 class DeviceBars : public QWidget {
 public:
     explicit DeviceBars(QWidget* parent) : QWidget(parent) {

@@ -2,7 +2,7 @@
 #pragma once
 
 // The page for testing a gamepad or a SpaceMouse. It shows the current values, the resulting input, and the
-// direction of the arm. Devices are enabled and disabled for jogging here.
+// direction of the arm. The user enables and disables devices for jogging on this page.
 
 #include <QDialog>
 #include <QTimer>
@@ -26,7 +26,8 @@ class DeviceTrainer : public QDialog {
     Q_OBJECT
 
 public:
-    /// selection, limits  selection of the jog column and limits of the session, read at each refresh
+    /// selection, limits  return the selection of the jog column and the limits of the session; called at
+    /// each refresh
     DeviceTrainer(DeviceJog& devices, std::function<JogSelection()> selection,
                   std::function<control::MotionLimits()> limits, QWidget* parent = nullptr);
 

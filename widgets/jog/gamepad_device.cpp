@@ -18,8 +18,8 @@ struct GamepadSource::Private {
     std::set<SDL_JoystickID> open;
 
     Private() {
-        // The application handles signals and main() itself. Gamepads are also read without focus, because
-        // the windows of the application decide whether gamepads may move the arm.
+        // The application handles signals and main() itself. Also read gamepads without focus, because the
+        // windows of the application decide whether gamepads may move the arm.
         SDL_SetMainReady();
         SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
         SDL_SetHint(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "1");
@@ -36,7 +36,7 @@ namespace {
 
 constexpr double kFull = 32767;
 
-// Stores the SDL handle in `owner`, so that SDL remains initialized for the lifetime of the source.
+// Keeps the SDL owner, so that SDL remains initialized for the lifetime of the gamepad.
 template <class Owner>
 class Gamepad : public InputDevice {
 public:
@@ -58,8 +58,8 @@ public:
         DeviceShape shape;
         static_cast<DeviceTuning&>(shape) = kGamepadTuning;
         shape.kind = kGamepadKind;
-        // SDL reports only changes. A gamepad with a gyroscope changes continuously. The sticks of other
-        // gamepads may be constant for some time.
+        // SDL reports only changes. The values of a gyroscope change continuously, but the sticks of a
+        // gamepad without one may be constant for some time.
         shape.maxReportInterval = std::chrono::milliseconds(gyro_ ? 100 : 2000);
         shape.deadManName = QCoreApplication::translate("Gamepad", "left bumper");
         shape.directions = QCoreApplication::translate("Gamepad",
@@ -80,7 +80,7 @@ public:
         };
         DeviceReading now;
         const int first = button(SDL_CONTROLLER_BUTTON_RIGHTSHOULDER) ? 3 : 0;
-        // SDL reports a negative value for a stick that is pushed away from the operator.
+        // SDL reports a negative value if a stick is pushed away from the operator.
         now.axes[first] = axis(SDL_CONTROLLER_AXIS_LEFTX);
         now.axes[first + 1] = -axis(SDL_CONTROLLER_AXIS_LEFTY);
         now.axes[first + 2] = -axis(SDL_CONTROLLER_AXIS_RIGHTY);
@@ -94,7 +94,7 @@ public:
     }
 
 private:
-    /// All values of the gamepad. Used to detect any change.
+    /// All values of the gamepad, for detecting changes.
     struct Raw {
         std::array<std::int16_t, SDL_CONTROLLER_AXIS_MAX> axes{};
         std::array<std::uint8_t, SDL_CONTROLLER_BUTTON_MAX> buttons{};
@@ -134,7 +134,7 @@ std::vector<std::unique_ptr<InputDevice>> GamepadSource::appeared() {
     if (!d_->ready) {
         return found;
     }
-    // No other code reads SDL events, and queued events contain the same state that is read below.
+    // Discard the queued events. No other code reads SDL events, and the states are read below.
     SDL_PumpEvents();
     SDL_FlushEvents(SDL_FIRSTEVENT, SDL_LASTEVENT);
     for (int i = 0; i < SDL_NumJoysticks(); ++i) {

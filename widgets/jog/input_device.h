@@ -14,7 +14,7 @@
 
 namespace tiller {
 
-/// Conversion of raw axis values to an input. The user can adjust it.
+/// Adjustable conversion of raw axis values to an input.
 struct DeviceTuning {
     double deadZone = 0.08;     ///< dead zone as a fraction of the full deflection
     double exponent = 1.0;      ///< exponent of the response curve outside the dead zone
@@ -48,7 +48,7 @@ struct DeviceReading {
     Vector6 axes = Vector6::Zero();  ///< raw values of X Y Z Rx Ry Rz in the jog frame, -1 ... 1
     bool deadMan = false;
     bool stop = false;  ///< button that stops any motion
-    bool fresh = true;  ///< the device has reported since the last reading
+    bool fresh = true;  ///< true if the device has reported since the last reading
 };
 
 /// Threads  GUI
@@ -57,7 +57,7 @@ public:
     virtual ~InputDevice() = default;
     virtual QString name() const = 0;
     virtual DeviceShape shape() const = 0;
-    /// The current state of the device; empty after the device was disconnected.
+    /// The current state of the device; empty if the device was disconnected.
     virtual std::optional<DeviceReading> read() = 0;
 };
 

@@ -46,11 +46,11 @@ constexpr int kSideMargin = 12;
 constexpr int kSmallMargin = 6;
 constexpr int kRefusalShownMs = 6000;
 constexpr int kDetailTab = 30;  // height of the selector for pose or joints [px]
-/// Below this column height (a screen of 1280 x 720 with a title bar), the buttons of the pad and of the rows
-/// above the pad are slightly smaller.
+/// Below this column height (a screen of 1280 x 720 with a title bar), the pad buttons and the rows above the
+/// pad are slightly smaller.
 constexpr int kTightBelow = 570;
 
-/// Button sizes of the pad [px]: normal, minimum with all joints visible, and folded.
+/// Button sizes of the pad [px]: normal, minimum with all joints visible, and minimum if folded.
 constexpr int kKey = 72;
 constexpr int kSnugKey = 60;
 constexpr int kFoldedKey = 56;
@@ -75,7 +75,7 @@ double heldFactor() {
     return modifierFactor(QGuiApplication::keyboardModifiers());
 }
 
-/// Uses as many digits as slow joint speeds need: "0.36 °/s", "3.6 °/s", "10 °/s".
+/// Uses the number of digits that slow joint speeds need: "0.36 °/s", "3.6 °/s", "10 °/s".
 QString keySpeedText(double speed) {
     const double degrees = toDegrees(speed);
     return QStringLiteral("%1 °/s").arg(format::number(degrees, degrees < 1 ? 2 : degrees < 9.95 ? 1 : 0));
@@ -125,7 +125,8 @@ JogColumn::JogColumn(MotionPort port, HoldPolicy& policy, QWidget* parent)
     layout->addStretch(3);
     buildBottom(layout, policy);
     setContent(body);
-    // The column can be smaller than the minimum size of its content, because it folds; see resizeEvent().
+    // The column folds if there is not enough space (see resizeEvent()), so it can be smaller than the
+    // minimum size of its content.
     Panel::layout()->setSizeConstraint(QLayout::SetNoConstraint);
 
     refusalTimer_ = new QTimer(this);
@@ -249,11 +250,11 @@ void JogColumn::applyState(const SessionState& state) {
     pose_->setPose(state.tcpPose, state.moving, valid, stale);
     joints_->setJoints(state.q, state.moving, valid, stale);
     pose_->setTcp(state.tcpOffset);
-    // Stale data: keep the last speed.
+    // With outdated data, keep showing the last speed.
     pose_->setSpeed(state.moving || !state.isFresh() ? state.tcpSpeed : Twist());
     lightKeys();
     if (shownJog_) {
-        showJog();  // in the tool frame the direction rotates with the tool
+        showJog();  // the direction rotates with the tool frame
     }
     showFactor();
     if (!sameConditions || !near(state.q, speedsAt_, 0.01)) {
@@ -264,7 +265,7 @@ void JogColumn::applyState(const SessionState& state) {
 }
 
 void JogColumn::reportRetracePath() {
-    // Emit every sixth frame (of sixty per second), because the path can have thousands of positions.
+    // Emit at most every sixth of 60 frames per second, because the path can have thousands of positions.
     constexpr int kFrames = 6;
     if (++retracePathFrames_ >= kFrames && track_->revision() != retracePathReported_) {
         retracePathFrames_ = 0;
@@ -293,7 +294,7 @@ void JogColumn::lightKeys() {
     }
 }
 
-/// True if the current keyboard or device input has the same effect as this pad button.
+/// True if the current keyboard or device input includes the direction of this pad button.
 bool JogColumn::isDriven(const JogKey& key) const {
     return axisJog_->isActive() && axisJog_->input().axes[key.key().axis] * key.key().direction > 0;
 }
@@ -305,7 +306,7 @@ bool JogColumn::isDriven(int joint, int direction) const {
 
 std::optional<ShownJog> JogColumn::shownJog() const {
     ShownJog shown;
-    Vector6 wish = Vector6::Zero();  // in the units of the pad buttons
+    Vector6 wish = Vector6::Zero();  // direction by pad axis
     QStringList names;
     for (const JogKey* key : pad_->keys()) {
         if (key->isHolding()) {
@@ -315,7 +316,7 @@ std::optional<ShownJog> JogColumn::shownJog() const {
     if (axisJog_->isActive()) {
         wish = axisJog_->input().axes;
     }
-    // Smaller components are not part of the displayed direction.
+    // The name of the displayed direction omits smaller components.
     constexpr double kNamed = 0.2;
     const double most = wish.cwiseAbs().maxCoeff();
     for (int axis = 0; axis < 6; ++axis) {
@@ -324,7 +325,7 @@ std::optional<ShownJog> JogColumn::shownJog() const {
         }
     }
     if (!names.isEmpty()) {
-        // For a combined translation and rotation, the arrow shows the translation.
+        // If translation and rotation are combined, the arrow shows the translation.
         const Eigen::Vector3d along = wish.head<3>().isZero() ? wish.tail<3>() : wish.head<3>();
         along.cwiseAbs().maxCoeff(&shown.axis);
         shown.turns = wish.head<3>().isZero();
@@ -357,14 +358,14 @@ void JogColumn::showJog() {
     }
 }
 
-/// Shows the speed factor of the current motion, or of the next press.
+/// Shows the speed factor of the current motion, or of the next motion.
 void JogColumn::showFactor() {
     double factor = axisJog_->isActive() ? axisJog_->factor()
                     : isHolding()        ? keyFactor_
                     : isActiveWindow()   ? heldFactor()
                                          : 1;
     if (selection().motion == MotionChoice::UntilContact) {
-        factor = std::min(factor, 1.0);  // the speed for contact detection must not be increased
+        factor = std::min(factor, 1.0);  // moves until contact must not be faster than selected
     }
     pose_->setFactor(factor);
 }
@@ -374,7 +375,7 @@ HeldSpeed JogColumn::heldSpeed() const {
     return {chosen.tcp, chosen.rotation, chosen.joint};
 }
 
-/// Displays the speeds of the buttons for joints and positions.
+/// Shows the speeds of the joint buttons and of the buttons that move to a position.
 void JogColumn::showSpeeds() {
     if (speedsKnown_ || isHolding()) {
         return;  // the speed of the current motion does not change
@@ -457,8 +458,7 @@ int JogColumn::heightFor(Fold fold) const {
     constexpr int kFrame = 3;  // borders of the panel and the line below its title
     const auto [row, apart] = rowsFor(fold);
     const int joints = JointRows::heightWhen(fold == Fold::Pairs, fold == Fold::Snug);
-    const int header =
-        std::max(Panel::kHeaderHeight, finger_);  // including the button that arms the keyboard
+    const int header = std::max(Panel::kHeaderHeight, finger_);  // includes the button that arms the keyboard
     return header + kFrame + 2 * marginFor(fold) + selectors_->heightWhen(row, apart) + kAbovePad +
            padHeight(keyFor(fold)) + limiter_->sizeHint().height() + 2 * kAroundLimiter +
            pose_->minimumSizeHint().height() + kBelowPose + joints + kAboveKeys +
@@ -469,7 +469,8 @@ JogColumn::Fold JogColumn::foldFor(int height) const {
     if (height >= heightFor(Fold::Open)) {
         return Fold::Open;
     }
-    // With Touch density, buttons are not reduced. Joints are shown in pairs, or the column is folded.
+    // With Touch density, buttons do not become smaller. The column shows the joints in pairs or folds
+    // instead.
     const Fold next = currentDensity() == Density::Touch ? Fold::Pairs : Fold::Snug;
     return height >= heightFor(next) ? next : Fold::Folded;
 }
@@ -546,7 +547,7 @@ void JogColumn::guardMotion(HoldToRunButton* key, HoldMotion motion, bool modifi
     });
     connect(&key->guard(), &HoldGuard::ended, this, &JogColumn::showJog);
     connect(&key->guard(), &HoldGuard::refused, this, [this](const Error& error) {
-        // Errors created by Tiller are already complete sentences.
+        // Errors detected by Tiller already contain a complete sentence.
         const bool own = !state_.canMove() || error.code == ErrorCode::UnsafeState ||
                          error.code == ErrorCode::Cancelled ||
                          (error.code == ErrorCode::NoSolution && error.controllerMessage.isEmpty());
@@ -680,7 +681,7 @@ void JogColumn::addHoldKeys(KeyboardJog& keyboard) {
                        [this](const Deflection& wish) { return stepButton(wish); }});
     armKey_->show();
     connect(armKey_, &QAbstractButton::clicked, &keyboard, [&keyboard] {
-        // A text field with the focus would also receive the keys.
+        // Clear the focus of a text field, because it would also receive the keys.
         if (QWidget* focus = QApplication::focusWidget(); takesText(focus)) {
             focus->clearFocus();
         }
@@ -701,8 +702,8 @@ Result<RobotSession::MotionId> JogColumn::beginMove(const MoveRequest& request) 
     return port_.beginMove(request);
 }
 
-/// The remaining time, shown in the last seconds before the maximum hold duration of a motion without a
-/// defined end.
+/// The remaining time of a motion without a defined end, during the last seconds before the maximum hold
+/// duration.
 QString JogColumn::countdown() const {
     constexpr std::int64_t kCountdownNs = 3 * kNsPerSecond;
     std::int64_t left = axisJog_->leftNs();
@@ -731,14 +732,15 @@ QString JogColumn::deviceObstacle() const {
     if (const QString reason = cannotMoveReason(state_); !reason.isEmpty()) {
         return reason;
     }
-    // Only one motion at a time is allowed.
+    // Only one motion is permitted at a time.
     return isHolding() ? tr("Another button or key is already held.") : QString();
 }
 
 // ---- display ---------------------------------------------------------------------------------------
 
 void JogColumn::showLimiter() {
-    // Evaluating all twelve directions is too slow for every frame of a moving arm.
+    // Skip small changes, because evaluating all twelve directions in every frame of a moving arm would take
+    // too long.
     const double unchanged = state_.motionActive ? 0.02 : 0.002;
     const bool sameLimit = state_.limiter.kind == limiterSeen_.kind &&
                            std::abs(state_.limiter.scale - limiterSeen_.scale) < 0.03;
@@ -805,7 +807,7 @@ void JogColumn::fillFreedriveMenu(QMenu& menu) {
 }
 
 void JogColumn::changeEvent(QEvent* event) {
-    // Not before the column is complete. travel_ is created last.
+    // travel_ is created last. If it is null, the column is not complete yet.
     if (event->type() == QEvent::StyleChange && travel_ != nullptr) {
         selectors_->refreshTexts();  // units may have changed
         travel_->reset();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The left column of the window with the frame, motion and speed selection and the jog buttons. Motions are
-// started through a MotionPort. The display shows the motion that the robot confirms.
+// The left column of the window: selection of frame, motion and speed, and the jog buttons. A MotionPort
+// starts the motions. The display shows the motion that the robot confirms.
 
 #include <QVector>
 #include <memory>
@@ -42,7 +42,7 @@ class PoseView;
 class SegmentedControl;
 class TravelWatch;
 
-/// The current jog, started by a button of the column, the keyboard, a gamepad or a SpaceMouse.
+/// The current jog by a button of the column, the keyboard, a gamepad or a SpaceMouse.
 struct ShownJog {
     QString label;      ///< name as on the buttons, e.g. "X+", "X+ Y+", "Wrist 2−"
     QString frameName;  ///< empty for a joint motion
@@ -75,27 +75,28 @@ public:
     /// Selectors of the frame, motion and speed for the next press.
     JogSelectors& selectors() { return *selectors_; }
     const JogSelection& selection() const;
-    /// The selected speed: upper limit for all hold-to-run motions.
+    /// The selected speed, which is an upper limit for all hold-to-run motions.
     HeldSpeed heldSpeed() const;
-    /// ofProject  true for a position of the project, which the project guard of the session may reject
+    /// ofProject  true if the position is from the project, so that the project guard of the session may
+    /// reject the move
     void setHome(const JointPositions& home, bool ofProject);
-    /// Sets the axes that can move in freedrive.
+    /// Sets the axes that are free in freedrive.
     void setFreedriveAxes(FreedriveAxes axes);
-    /// Sets the zero point of the distance display; a second call removes it.
+    /// Sets the zero point of the distance display. A second call removes it.
     void zeroHere();
-    /// The positions of the path that Back would retrace, oldest first, for the view.
+    /// The positions of the path that Back would retrace, oldest first, for the 3D view.
     std::vector<JointPositions> retracePath() const;
-    /// Remaining distances of the arm, as displayed on the pad buttons.
+    /// Remaining distances, shown on the pad buttons.
     TravelWatch& travel() { return *travel_; }
 
     /// Ends the motion of any held button. Call this before a change of tab, perspective or tool.
     void stopMotion(control::StopCause cause);
     /// True while a motion of a held button or device is active.
     bool isHolding() const;
-    /// Jogging by devices, with the same frame, speed and rules as the buttons.
+    /// Jogging by keyboard and devices, with the same frame, speed and rules as the buttons.
     AxisJog& axisJog() { return *axisJog_; }
     /// Connects the button that arms the keyboard with this keyboard. While the keyboard is armed, these keys
-    /// work as hold-to-run keys: F freedrive, Home home, End align, Backspace back.
+    /// are hold-to-run keys: F (freedrive), Home (home position), End (align), Backspace (back).
     void addHoldKeys(KeyboardJog& keyboard);
     /// All buttons that move the arm, for tests.
     QVector<HoldToRunButton*> holdKeys() const;
@@ -107,16 +108,16 @@ public Q_SLOTS:
     void applyState(const tiller::SessionState& state);
 
 Q_SIGNALS:
-    /// A press had no effect. The argument is a sentence with the reason and a suggested action.
+    /// A press had no effect. `reason` is a sentence with the reason and a suggested action.
     void refused(const QString& reason);
     /// A jog has started or changed direction. Empty if the jog has ended.
     void jogShown(const std::optional<tiller::ShownJog>& jog);
     /// heldSpeed() may have changed.
     void speedChanged();
-    /// The pointer is on a button whose motion has a target, or the user is holding this button.
+    /// The pointer is on a button whose motion has a target, or the user holds this button.
     void ghostWanted(const tiller::Ghost& ghost);
     void ghostHidden();
-    /// retracePath() has changed; emitted at most about ten times per second.
+    /// retracePath() has changed. Emitted about ten times per second at most.
     void retracePathChanged();
 
 protected:
@@ -129,10 +130,10 @@ private:
     void buildBottom(QVBoxLayout* layout, HoldPolicy& policy);
     void connectKeys();
     void connectBottom();
-    /// Effect of a button in step mode.
+    /// Effect of the step mode on a button.
     enum class Steps { None, Lengths, Turns };
     void guardKey(HoldToRunButton* key, const Begin& begin, Steps steps);
-    /// modified  whether Ctrl and Shift change the speed
+    /// modified  if true, Ctrl and Shift change the speed
     void guardMotion(HoldToRunButton* key, HoldMotion motion, bool modified);
     Result<RobotSession::MotionId> beginJog(const control::JogTarget& target);
     Result<RobotSession::MotionId> beginMove(const MoveRequest& request);
@@ -149,7 +150,7 @@ private:
     int keyFor(Fold fold) const;
     int heightFor(Fold fold) const;
     Fold foldFor(int height) const;
-    /// Selects the layout for the available height and the touch height.
+    /// Selects the layout for the available height and touchHeight().
     void fold();
     void arrange();
     void showReason();
@@ -187,7 +188,7 @@ private:
     HoldToRunButton* align_ = nullptr;
     HoldToRunButton* back_ = nullptr;
     std::unique_ptr<RetracePath> track_;
-    std::uint64_t retracePathReported_ = 0;  ///< RetracePath::revision of the last signal
+    std::uint64_t retracePathReported_ = 0;  ///< RetracePath::revision() at the last signal
     int retracePathFrames_ = 0;              ///< frames since the last signal
     AxisJog* axisJog_ = nullptr;
     ArmKey* armKey_ = nullptr;
@@ -201,8 +202,8 @@ private:
     std::shared_ptr<const collision::CollisionCheck> limiterWith_;
     Eigen::Matrix3d limiterIn_ = Eigen::Matrix3d::Zero();
     control::Limiter limiterSeen_;
-    JointPositions speedsAt_;  ///< position of the arm for which the speeds were computed
-    /// True if the displayed speeds match the selection, the slider and the position.
+    JointPositions speedsAt_;  ///< arm position for which the displayed speeds were computed
+    /// True if the displayed speeds are valid for the selection, the slider and the position.
     bool speedsKnown_ = false;
     QTimer* refusalTimer_ = nullptr;
     Fold fold_ = Fold::Open;

@@ -21,7 +21,7 @@ void JogKey::paintEvent(QPaintEvent*) {
     paintSurface(painter);
     painter.setFont(textFont(19, QFont::Bold));
     painter.setPen(textColor());
-    // A very small button has no space for the distance, and its bar is at the bottom.
+    // A very small button has no space for the distance, so the bar is at the bottom.
     constexpr int kTravel = 23;
     const bool high = height() >= 58;
     const int bar = high ? std::min(49, height() - kTravel) : height() - 10;
@@ -55,7 +55,7 @@ void JogKey::setTravel(const QString& text, bool near) {
     update();
 }
 
-/// A card in the centre of the disabled pad with the reason.
+/// A card in the centre of the disabled pad that shows the reason.
 class JogPad::ReasonCard : public QWidget {
 public:
     explicit ReasonCard(QWidget* parent) : QWidget(parent) {
@@ -101,7 +101,7 @@ JogPad::JogPad(HoldPolicy& policy, QWidget* parent) : QWidget(parent), card_(new
         const char* name;
         CartesianKey key;
     };
-    // Same arrangement as on the screen. Axis letters are not translated.
+    // Same arrangement as on the screen. The axis letters are not translated.
     static constexpr Place kPlaces[3][4] = {
         {{"Y+", {1, 1}}, {"Z+", {2, 1}}, {"Ry+", {4, 1}}, {"Rz+", {5, 1}}},
         {{"X-", {0, -1}}, {"X+", {0, 1}}, {"Rx-", {3, -1}}, {"Rx+", {3, 1}}},

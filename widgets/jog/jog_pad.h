@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The twelve buttons that move and rotate the TCP. If the arm cannot move, the buttons are grey and a card on
-// top of them shows the reason.
+// The twelve buttons that move and rotate the TCP. If the arm cannot move, the buttons are grey and covered
+// by a card with the reason.
 
 #include <QVector>
 #include <QWidget>
@@ -20,11 +20,11 @@ public:
     JogKey(const QString& text, const CartesianKey& key, HoldPolicy& policy, QWidget* parent = nullptr);
 
     const CartesianKey& key() const { return key_; }
-    /// Sets the remaining distance in this direction, e.g. "312 mm". Empty: not displayed.
-    /// near  the limit is near
+    /// Sets the remaining distance in this direction, e.g. "312 mm". Empty if it is not displayed.
+    /// near  true if the limit is near
     void setTravel(const QString& text, bool near);
     QString travel() const { return travel_; }
-    /// Set to true while the distance is recalculated. The old value is then shown in grey, or "…" if there
+    /// True while the distance is being computed again. The old value is then shown in grey, or "…" if there
     /// is no value.
     void setTravelOutdated(bool outdated);
     bool isTravelOutdated() const { return outdated_; }

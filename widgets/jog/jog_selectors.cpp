@@ -53,7 +53,7 @@ int angleSegment(double angle) {
     return kOtherSegment;
 }
 
-/// A sentence for the tooltip: whether the step continues after the release.
+/// Returns a sentence for the tooltip that explains whether the step continues after the release.
 QString stepNote(MotionChoice motion, const std::optional<StepSize>& other, bool turns) {
     JogSelection selection;
     selection.motion = motion;
@@ -87,7 +87,7 @@ JogSelectors::JogSelectors(std::function<control::MotionLimits()> limits, QWidge
     grid->setColumnMinimumWidth(0, 62);
     frame_ = new SegmentedControl({tr("Base"), tr("Tool"), tr("View"), tr("Frame")}, this);
     frame_->setNames(QStringLiteral("jogFrame"), tr("Frame"));
-    // The other texts depend on the user's units (see refreshTexts()).
+    // refreshTexts() sets the other texts, which depend on the user's units.
     motion_ = new SegmentedControl({tr("Hold"), {}, {}, {}, {}}, this);
     motion_->setNames(QStringLiteral("jogMotion"), tr("Motion"));
     motion_->segment(kHoldSegment)->setToolTip(tr("Moves while the button is held"));
@@ -130,7 +130,7 @@ void JogSelectors::connectControls() {
     offerChoices(motion_, kOtherSegment, [this](QMenu& menu) { fillLengthMenu(menu); });
     offerChoices(turn_, kOtherSegment, [this](QMenu& menu) { fillAngleMenu(menu); });
     offerChoices(speed_, kSpeedClassCount - 1, [this](QMenu& menu) { fillSpeedMenu(menu); });
-    // If there are several taught frames, the fourth button opens a list.
+    // With several taught frames, the fourth button opens a list.
     connect(frame_->segment(kTaughtSegment), &QAbstractButton::clicked, this, [this] {
         if (frames_.size() < 2) {
             return;
@@ -162,7 +162,7 @@ void JogSelectors::showFrames() {
     const bool any = !frames_.isEmpty();
     const QString name =
         any ? (selection_.taught ? selection_.taught->name : frames_.first().name) : tr("Frame");
-    // A name may be wider than the button.
+    // Elide the name, because it may be wider than the button.
     const QString shown =
         QFontMetrics(textFont(15, QFont::Bold)).elidedText(name, Qt::ElideRight, kMaxNameLength);
     frame_->setText(kTaughtSegment, frames_.size() > 1 ? shown + QStringLiteral(" ▾") : shown);
@@ -191,7 +191,7 @@ void JogSelectors::setTaughtFrames(const QVector<TaughtFrame>& frames) {
     frames_ = frames;
     const TaughtFrame* same = nullptr;
     for (const TaughtFrame& taught : frames_) {
-        // Frames are compared by id, because a frame may be renamed.
+        // Compare IDs, because a frame may have been renamed.
         if (selection_.taught && taught.id == selection_.taught->id) {
             same = &taught;
         }
@@ -324,7 +324,7 @@ void JogSelectors::refreshTexts() {
             stepNote(choice, {}, true));
     }
     const bool contact = selection_.motion == MotionChoice::UntilContact;
-    // The last button of each row shows the unit.
+    // Only the last button of each row shows the unit.
     motion_->setText(kOtherSegment, contact
                                         ? tr("≤ %1").arg(format::number(selection_.contactForce, 0) + " N")
                                         : format::shortLength(other_.length));
@@ -364,7 +364,7 @@ void JogSelectors::offerChoices(SegmentedControl* control, int segment, std::fun
         fill(menu);
         menu.exec(key->mapToGlobal(QPoint(0, key->height())));
     };
-    // The first click selects the button. The next click opens the menu of the button.
+    // The first click selects the button. A click on the selected button opens its menu.
     connect(key, &QAbstractButton::pressed, this, [control, key, segment] {
         key->setProperty("chosenBefore", control->currentIndex() == segment);
     });

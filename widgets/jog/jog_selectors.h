@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The rows at the top of the jog column: frame, motion, rotation and speed of the next press. A value is
-// selected by a button or in the menu of a button, or entered manually. The rows "Motion" and "Rotation"
-// contain the step lengths and step angles. Each row has its own selection, except that Hold applies to both
-// rows.
+// The rows at the top of the jog column: frame, motion, rotation and speed of the next press. The user
+// selects a value with a button or in the menu of a button, or enters it. The rows "Motion" and "Rotation"
+// contain the step lengths and the step angles. Each row has a separate selection, except that Hold applies
+// to both rows.
 
 #include <QVector>
 #include <QWidget>
@@ -29,23 +29,23 @@ public:
 
     /// Sets the axes of the view in the base frame, and enables the frame "View".
     void setViewRotation(const Eigen::Matrix3d& R_base_view);
-    /// Sets the frames that the fourth button of "Frame" offers.
+    /// Sets the frames for the fourth button of "Frame".
     void setTaughtFrames(const QVector<TaughtFrame>& frames);
-    /// Selects a taught frame, like the fourth button of "Frame".
+    /// Selects a taught frame. Equivalent to the fourth button of "Frame".
     void chooseTaughtFrame(const QUuid& frame);
     /// index  index into speedClasses()
     void setSpeedClass(int index);
-    /// Sets a TCP speed entered manually [m/s]. Rotation and joint speeds are proportional to it.
+    /// Sets a custom TCP speed [m/s]. Rotation and joint speeds are proportional to it.
     void setFreeSpeed(double tcpSpeed);
-    /// Sets a step entered manually. A step above 10 mm or 10 deg runs only while the button is held.
+    /// Sets a custom step. A step above 10 mm or 10 deg continues only while the button is held.
     void setFreeStep(const StepSize& step);
     /// Changes only the length [m] or only the angle [rad].
     void setStepLength(double length);
     void setStepAngle(double angle);
-    /// Sets the motion mode: moves until contact with this force [N].
+    /// Selects moving until contact with this force [N].
     void setUntilContact(double force);
     enum class Entry { Step, Turn, Speed, ContactForce };
-    /// Opens the field for entering one of these values.
+    /// Opens the input field for this value.
     void askFor(Entry entry);
 
     /// Sets the height of the buttons and the spacing of the rows [px].
@@ -56,7 +56,7 @@ public:
     void refreshTexts();
 
 Q_SIGNALS:
-    /// Emitted before the selection changes or a menu opens. The current motion must end.
+    /// The selection is about to change, or a menu is about to open, so the current motion must end.
     void changing(tiller::control::StopCause cause);
     void changed();
 
@@ -79,8 +79,8 @@ private:
     QVector<TaughtFrame> frames_;
     bool hasView_ = false;
     bool following_ = false;                  ///< true while the code updates the buttons
-    StepSize step_{0.001, toRadians(1.0)};    ///< last selected step, also stored while Hold is active
-    StepSize other_{0.050, toRadians(45.0)};  ///< user-defined value of the last button of each row
+    StepSize step_{0.001, toRadians(1.0)};    ///< last selected step, kept while Hold is selected
+    StepSize other_{0.050, toRadians(45.0)};  ///< custom step of the last button in each row
     SegmentedControl* frame_ = nullptr;
     SegmentedControl* motion_ = nullptr;
     SegmentedControl* turn_ = nullptr;

@@ -31,7 +31,7 @@ constexpr int kBarWithSpeed = 34;  // minimum remaining width of the bar [px]
 JointBar::JointBar(QWidget* parent) : QWidget(parent) {
     setAttribute(Qt::WA_TransparentForMouseEvents);
     setAttribute(
-        Qt::WA_OpaquePaintEvent);  // The row is repainted often, so do not paint the background each time.
+        Qt::WA_OpaquePaintEvent);  // the row is repainted often, so do not paint the background each time
 }
 
 bool JointBar::isNearLimit() const {
@@ -39,7 +39,7 @@ bool JointBar::isNearLimit() const {
 }
 
 void JointBar::setAngle(double angle, bool valid) {
-    // The marker is drawn with subpixel accuracy, and a shift of a quarter of a pixel is visible.
+    // Repaint only if the marker moves by a quarter of a pixel, which is visible because of subpixel drawing.
     const auto looks = [this] { return std::tuple(valid_, isNearLimit(), std::lround(4 * place())); };
     const auto before = looks();
     angle_ = angle;
@@ -145,7 +145,7 @@ void JointRow::setSpeed(const QString& speed) {
     update(speedWidth_ > 0 ? speedRect() : textRect());
 }
 
-/// Width of the longest joint name, used to align all rows [px].
+/// Returns the width of the longest joint name, for aligning all rows [px].
 int JointRow::nameRoom() const {
     constexpr int kMinValue = 86;
     constexpr int kApart = 8;
@@ -206,7 +206,7 @@ void JointRow::resizeEvent(QResizeEvent*) {
     const int high = std::max(26, finger);
     speedWidth_ = 0;
     if (compact_) {
-        // Limited by the width of the angle text.
+        // The width of the angle text limits the button width.
         const int wide = finger > 0 ? 36 : 26;
         plus_->setGeometry(width() - wide, middle - high / 2, wide, high);
         minus_->setGeometry(width() - 2 * wide - 3, middle - high / 2, wide, high);
@@ -216,7 +216,7 @@ void JointRow::resizeEvent(QResizeEvent*) {
     const int wide = finger > 0 ? 44 : 35;
     plus_->setGeometry(width() - kRowMargin - wide, middle - high / 2, wide, high);
     int bar = std::max(40, std::min(94, width() - 2 * kRowMargin - nameRoom() - 92 - wide * 2 - 24));
-    // In a low row, the speed is shown before the bar if there is enough space.
+    // A low row shows the speed before the bar if there is enough space.
     speedWidth_ = low_ && bar >= kBarWithSpeed + kSpeedWidth ? kSpeedWidth : 0;
     bar -= speedWidth_;
     bar_->setGeometry(plus_->x() - 9 - bar, middle - 8, bar, 16);
@@ -237,11 +237,12 @@ void JointRow::paintEvent(QPaintEvent*) {
     const Theme& theme = Theme::current();
     QPainter painter(this);
     const QRect text = textRect();
-    // Wide buttons leave no space for both texts on one line, but high rows have space for two lines.
+    // Next to wide buttons, there is no space for both texts on one line, but high rows have space for two
+    // lines.
     const bool two = compact_ && touchHeight() > 0;
     painter.setPen(theme.text);
     painter.setFont(nameFont());
-    // In a full-height row, the speed is shown below the name.
+    // A row of full height shows the speed below the name.
     const bool named = !compact_ && !low_ && !speed_.isEmpty();
     painter.drawText(text, Qt::AlignLeft | (two || named ? Qt::AlignTop : Qt::AlignVCenter),
                      compact_ ? shortName() : name_);

@@ -15,7 +15,7 @@ class QGridLayout;
 
 namespace tiller {
 
-/// Position of a joint in its range. Amber near the limits.
+/// Shows the position of a joint in its range, in amber near the limits.
 class JointBar : public QWidget {
     Q_OBJECT
 
@@ -23,7 +23,7 @@ public:
     explicit JointBar(QWidget* parent = nullptr);
 
     /// angle  [rad]
-    /// valid  false: no marker
+    /// valid  if false, there is no marker
     void setAngle(double angle, bool valid);
     /// True within 15 deg of a limit of the range.
     bool isNearLimit() const;
@@ -54,11 +54,10 @@ public:
     JointBar* bar() const { return bar_; }
     QString valueText() const { return value_; }
     void setAngle(double angle, bool moving, bool valid, bool stale);
-    /// Sets the speed of the buttons, e.g. "3.6 °/s". Empty: unknown.
+    /// Sets the speed of the buttons, e.g. "3.6 °/s"; empty if unknown.
     void setSpeed(const QString& speed);
     QString speedText() const { return speed_; }
-    /// Updates the displayed number if it has changed. The marker is updated separately whenever the arm
-    /// moves.
+    /// Updates the displayed number if it has changed. setAngle() updates the marker.
     void showNumber();
     void setCompact(bool compact);
     /// Selects a full-width row with reduced height.
@@ -104,12 +103,12 @@ public:
     explicit JointRows(HoldPolicy& policy, QWidget* parent = nullptr);
 
     const QVector<JointRow*>& rows() const { return rows_; }
-    /// Updates the markers immediately and the numbers ten times per second. Faster changes would not be
-    /// legible.
+    /// Updates the markers immediately, and the numbers ten times per second, because faster changes would
+    /// not be legible.
     void setJoints(const JointPositions& q, bool moving, bool valid, bool stale);
     void setCompact(bool compact);
     void setLow(bool low);
-    /// Total height of the rows, one joint per row or in pairs [px].
+    /// Total height of the rows with one or two joints per row [px].
     static int heightWhen(bool pairs, bool low);
 
 private:

@@ -18,7 +18,7 @@ void KeyGhosts::offer(HoldToRunButton& key, const QString& name, Target target) 
 void KeyGhosts::setState(const SessionState& state) {
     state_ = state;
     if (shown_ && !state.canMove()) {
-        hide();  // the target no longer exists although the pointer is still on the button
+        hide();  // without the permission to move, there is no target
     }
 }
 

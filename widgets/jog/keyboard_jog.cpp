@@ -16,7 +16,7 @@ namespace tiller {
 
 namespace {
 
-/// Flag for the combination of an arrow key with rotation.
+/// Flag for an arrow key that selects rotation.
 constexpr int kTurns = 0x4000'0000;
 
 constexpr Qt::KeyboardModifiers kMeaningful = Qt::ShiftModifier | Qt::ControlModifier | Qt::AltModifier;
@@ -26,7 +26,7 @@ bool isModifier(int key) {
         case Qt::Key_Shift:
         case Qt::Key_Control:
         case Qt::Key_Alt:
-        case Qt::Key_Meta:  // key name of Alt in combination with Shift
+        case Qt::Key_Meta:  // reported for Alt while Shift is held
         case Qt::Key_AltGr:
             return true;
         default:
@@ -34,7 +34,7 @@ bool isModifier(int key) {
     }
 }
 
-/// The key pairs for X, Y and Z: positive, then negative direction.
+/// The arrow and page keys for X, Y and Z: positive direction, then negative direction.
 constexpr std::array<std::pair<int, int>, 3> kOpposites = {
     {{Qt::Key_Right, Qt::Key_Left}, {Qt::Key_Up, Qt::Key_Down}, {Qt::Key_PageUp, Qt::Key_PageDown}}};
 
@@ -57,9 +57,9 @@ bool isJointKey(int meaning) {
            meaning == Qt::Key_Minus;
 }
 
-/// The meaning of a key, determined by its symbol when it is pressed. "=" without Shift counts as "+", and
-/// "_" with Shift counts as "-", as on a US keyboard. Keys that produce "=" with Shift or "_" without Shift
-/// in other layouts do not count.
+/// Returns the meaning of a key according to the symbol at the press. "=" without Shift counts as "+", and
+/// "_" with Shift counts as "-", as on a US keyboard. Keys of other layouts that produce "=" with Shift or
+/// "_" without Shift have no meaning.
 int meaningOf(const QKeyEvent& event) {
     const bool shift = event.modifiers().testFlag(Qt::ShiftModifier);
     if (event.key() == Qt::Key_Equal && !shift) {
@@ -89,7 +89,7 @@ void KeyboardJog::addHoldKey(Qt::Key key, HoldGuard& guard) {
     holdKeys_[key] = &guard;
 }
 
-/// True while keyboard input is handled by a text field, a menu, a dialog or another window.
+/// True if a text field, a menu, a dialog or another window handles keyboard input.
 bool KeyboardJog::belongsElsewhere() const {
     return !window_.isActiveWindow() || takesText(QApplication::focusWidget()) ||
            QApplication::activePopupWidget() != nullptr || QApplication::activeModalWidget() != nullptr;
@@ -105,8 +105,8 @@ bool KeyboardJog::isMoving() const {
                        [](const HoldGuard* guard) { return guard->active(); });
 }
 
-/// Ends the motion held by keys because of a keyboard event. The keys remain registered as pressed, so that
-/// their releases match. They have no effect until all of them are released.
+/// Ends the motion held by keys because of a keyboard event. The keys remain registered, so that their
+/// releases match. They have no effect until all are released.
 void KeyboardJog::tell(HoldEvent::Kind kind) {
     for (HoldGuard* guard : std::as_const(holdKeys_)) {
         guard->tell(kind);
@@ -118,7 +118,7 @@ void KeyboardJog::tell(HoldEvent::Kind kind) {
     jog_.requireNeutral(HoldSource::By::Keys);  // rule: release all keys first
 }
 
-/// Clears all pressed keys, because releases in other windows are not received.
+/// Clears all pressed keys, because their releases in another window would not be received.
 void KeyboardJog::forget(control::StopCause cause) {
     for (HoldGuard* guard : std::as_const(holdKeys_)) {
         guard->stop(cause);
@@ -190,7 +190,7 @@ bool KeyboardJog::eventFilter(QObject* watched, QEvent* event) {
         case QEvent::KeyRelease:
             return watched->isWidgetType() && keyEvent(*static_cast<QKeyEvent*>(event));
         case QEvent::ShortcutOverride: {
-            // Keys with a function in armed mode are not used as shortcuts.
+            // In armed mode, jog keys are not available as shortcuts.
             const auto& key = *static_cast<QKeyEvent*>(event);
             if ((isJogKey(meaningOf(key)) || keys_.isDown(PhysicalKeys::codeOf(key))) &&
                 !belongsElsewhere()) {
@@ -204,11 +204,11 @@ bool KeyboardJog::eventFilter(QObject* watched, QEvent* event) {
                 followWindow();
             }
             return false;
-        case QEvent::FocusOut:  // the focus moved to a floating panel, but the window remains active
+        case QEvent::FocusOut:  // the focus may move to a floating panel while the window remains active
         case QEvent::WindowDeactivate:
             if (watched == (event->type() == QEvent::FocusOut ? static_cast<QObject*>(window_.windowHandle())
                                                               : &window_)) {
-                // The keyboard remains armed only while the window is active.
+                // Disarm the keyboard, because it may be armed only while the window is active.
                 forget(control::StopCause::WindowDeactivated);
                 setArmed(false);
             }
@@ -230,10 +230,9 @@ bool KeyboardJog::keyEvent(const QKeyEvent& event) {
     const bool known = keys_.isDown(code);
     const bool press = event.type() == QEvent::KeyPress;
     int meaning = known ? keys_.meaningOf(code) : meaningOf(event);
-    // The release of a key pressed here is processed regardless of the focus.
+    // Process the release of a registered key regardless of the focus.
     if (!known && !press) {
-        // This is a release without a press. For keys without a number, it may be the release of a motion
-        // key.
+        // Release without a press. If the key code is unknown, it may be the release of a motion key.
         if (!event.isAutoRepeat() && isMoving() && (isJogKey(meaning) || !PhysicalKeys::hasNumber(code))) {
             tell(HoldEvent::Kind::Unmatched);  // rule: release of a key that was not down
         }
@@ -295,7 +294,7 @@ void KeyboardJog::stepKeyPressed() {
 }
 
 void KeyboardJog::holdKeyPressed(HoldGuard& guard, KeyCode code) {
-    // Only one motion is allowed at a time. The second key stops the first motion and starts none.
+    // Only one motion is permitted at a time. The second key stops the first motion and starts no motion.
     if (isMoving()) {
         tell(HoldEvent::Kind::OtherKey);  // rule: a hold key in addition to another motion
     } else {
@@ -319,7 +318,7 @@ void KeyboardJog::modifierChanged() {
     }
 }
 
-/// Passes the input of the held keys to AxisJog.
+/// Sends the input of the held keys to AxisJog.
 void KeyboardJog::follow() {
     if (makesSteps()) {
         if (keys_.isEmpty()) {
@@ -334,13 +333,13 @@ void KeyboardJog::follow() {
     }
     Deflection wish = deflection();
     wish.grip = {HoldSource::By::Keys, keys_.codes()};
-    // Opposite keys, and joints together with Cartesian axes, are not a valid input. Releasing one of the two
-    // keys does not count as a new press.
+    // Reject opposite keys, and joints together with Cartesian axes. The remaining key must not start a
+    // motion when the other key is released.
     if (opposite || (!wish.axes.isZero() && !wish.joints.isZero())) {
         tell(HoldEvent::Kind::OtherKey);  // rule: opposite keys
         return;
     }
-    // Some layouts need Shift for digits and signs. Shift then does not change the speed.
+    // Ignore Shift for joint keys, because some layouts need Shift for digits and signs.
     const bool joints = wish.axes.isZero();
     jog_.setInput(wish, modifierFactor(joints ? modifiers_ & ~Qt::ShiftModifier : modifiers_));
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Jogging by keyboard in armed mode. Armed mode is indicated by a frame around the window and ends after 30 s
+// Jogging by keyboard in armed mode. A frame around the window indicates armed mode, which ends after 30 s
 // without a key press. PhysicalKeys tracks the keys. The meaning of a key is determined when it is pressed.
-// An unexpected press or release ends the motion. Keys with opposite directions also end it. A change of a
-// modifier ends it as well, because it selects another speed or direction.
+// An unexpected press or release ends the motion, and so do keys with opposite directions. A changed modifier
+// also ends the motion, because it selects a different speed or direction.
 
 #include <QMap>
 #include <QObject>
@@ -22,7 +22,7 @@ class QKeyEvent;
 
 namespace tiller {
 
-/// The buttons of the jog column that make one step for each press.
+/// Access to the jog column buttons that move one step per press.
 struct KeySteps {
     std::function<bool()> chosen;  ///< true if a press makes one step
     /// The button for this direction, or nullptr unless exactly one axis or joint is deflected.
@@ -38,11 +38,12 @@ public:
     ~KeyboardJog() override;
 
     void setClock(const Clock& clock) { clock_ = &clock; }
-    /// In armed mode, this key presses and releases this button of the jog column.
+    /// In armed mode, this key acts as a press and release of this button in the jog column.
     void addHoldKey(Qt::Key key, HoldGuard& guard);
-    /// While steps are chosen, a motion key presses and releases a button of the jog column.
+    /// While step mode is selected, motion keys act as presses and releases of buttons in the jog column.
     void setSteps(KeySteps steps) { steps_ = std::move(steps); }
-    /// The keyboard is not armed while it is locked or the arm cannot move; refused() then contains the reason.
+    /// Arms or disarms the keyboard. If the keyboard is locked or the arm cannot move, emits refused()
+    /// instead of arming it.
     void setArmed(bool armed);
     /// why  the reason why the keyboard cannot be armed, as a sentence; empty if it can be armed
     void setLock(const QString& why);
@@ -83,7 +84,7 @@ private:
     QMap<int, HoldGuard*> holdKeys_;
     KeySteps steps_;
     QPointer<HoldGuard> step_;  ///< the button of the newest step
-    PhysicalKeys keys_;  ///< motion and hold keys; the meaning is a Qt::Key, possibly with a rotation flag
+    PhysicalKeys keys_;         ///< jog keys; the meaning is a Qt::Key, possibly with the rotation flag
     Qt::KeyboardModifiers modifiers_{};  ///< modifiers at the start of the motion
     std::int64_t lastKeyNs_ = 0;
     bool armed_ = false;

@@ -2,7 +2,7 @@
 #pragma once
 
 // Shows the limit that the arm has reached and, on a second line, how to move away from it. Without a limit,
-// it shows the measured stop of the last jog. The height is constant, so that widgets below do not move.
+// shows the measured stop of the last jog. The height is constant, so that widgets below do not move.
 
 #include <QFont>
 #include <QList>
@@ -28,7 +28,7 @@ public:
     /// The displayed lines from top to bottom.
     QStringList shownLines() const;
 
-    /// Always two lines: the limit and, below it, the suggested action. The suggested action is never elided.
+    /// Height of two lines: the limit, and below it the suggested action, which is never elided.
     QSize sizeHint() const override { return {366, 38}; }
     QSize minimumSizeHint() const override { return {200, 32}; }
 

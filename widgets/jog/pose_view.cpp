@@ -18,12 +18,13 @@ namespace {
 
 constexpr int kDigitPeriodMs = 100;
 constexpr int kCaptionHeight = 17;
-/// Below these speeds the arm counts as stopped, because the measured speed is noisy at standstill.
+/// The arm counts as stopped below these speeds, because the measured speed is noisy at standstill.
 constexpr double kStandstillTolerance = 5e-5;  // [m/s]
 constexpr double kTurnsNot = toRadians(0.5);   // [rad/s]
 constexpr double kAtFlange = 5e-5;             // [m]
 
-/// Formats with two decimals at standstill. During motion one decimal is padded with a space.
+/// Formats with two decimals at standstill. During motion, uses one decimal and a space, so that the width is
+/// constant.
 QString paced(double metres, bool moving) {
     const QString text = format::lengthNumber(metres, moving ? 1 : 2, true);
     return moving ? text + QChar(0x2007) : text;
@@ -38,7 +39,7 @@ QString dash() {
 PoseView::PoseView(QWidget* parent) : QWidget(parent) {
     setObjectName(QStringLiteral("poseView"));
     setFocusPolicy(Qt::TabFocus);
-    setAttribute(Qt::WA_OpaquePaintEvent);  // the background is not painted with each new value
+    setAttribute(Qt::WA_OpaquePaintEvent);  // paintEvent() fills the whole widget
     describe();
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     pace_.setSingleShot(true);
@@ -85,7 +86,8 @@ QStringList PoseView::figures() const {
     return texts;
 }
 
-// The noise of an arm at standstill is smaller than the displayed digits.
+// Repaints only if a displayed text has changed. The noise at standstill is smaller than the displayed
+// digits.
 void PoseView::updateValueTexts() {
     if (const QStringList now = figures(); now != shown_) {
         shown_ = now;
@@ -188,7 +190,7 @@ QString PoseView::deltaText(int axis) const {
     return valid_ ? paced(inFrame(pose_.position - zero_)[axis], moving_) : dash();
 }
 
-/// As above, with fewer decimals if necessary to fit into `space` [px].
+/// Like deltaText(axis), but with fewer decimals if necessary to fit into `space` [px].
 QString PoseView::deltaText(int axis, const QFont& font, int space) const {
     const QFontMetrics metrics(font);
     QString text = deltaText(axis);
@@ -225,8 +227,7 @@ void PoseView::paintEvent(QPaintEvent*) {
         painter.setPen(QPen(theme.moving, 2));
         painter.drawRect(rect().adjusted(1, 1, -2, -2));
     }
-    // There is always enough space for the speed. The frame name may be elided, and the tooltip contains the
-    // full name.
+    // The speed always fits. The frame name may be elided, and the tooltip then shows the full name.
     const QRect caption(4, 0, right - 6, kCaptionHeight);
     painter.setFont(textFont(13, QFont::Bold));
     const QString factor = factorText();

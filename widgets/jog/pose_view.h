@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The current TCP pose in the selected frame. The position is shown in mm with the distance since the press
-// (or since "zero here"). The orientation is shown as roll, pitch and yaw in degrees, or in the selected
-// notation. The line above shows the TCP speed and the factor of a pressed modifier key. Numbers change at
-// most ten times per second. Values older than 0.3 s are grey.
+// The current TCP pose in the selected frame. Shows the position in mm with the distance since the press (or
+// since "zero here"), and the orientation as roll, pitch and yaw in degrees, or in the selected notation. The
+// line above shows the TCP speed and the factor of a pressed modifier key. Numbers change at most ten times
+// per second. Values older than 0.3 s are grey.
 
 #include <QTimer>
 #include <QWidget>
@@ -20,20 +20,20 @@ public:
     explicit PoseView(QWidget* parent = nullptr);
 
     /// pose    in the base frame
-    /// moving  shows one decimal less
-    /// valid   if false, dashes are shown
-    /// stale   shows grey values
+    /// moving  if true, shows one decimal less
+    /// valid   if false, shows dashes
+    /// stale   if true, shows grey values
     void setPose(const Pose& pose, bool moving, bool valid, bool stale);
     /// Sets the name and pose of the selected frame.
     void setFrame(const QString& name, const Pose& T_base_frame);
     void setTcp(const Pose& offset);
     void setSpeed(const Twist& tcpSpeed);
-    /// Sets the factor of the selected speed: 1, 3 or 0.1.
+    /// Sets the factor applied to the selected speed: 1, 3 or 0.1.
     void setFactor(double factor);
-    /// Sets the zero point of the distances; a second call returns to distances since the press. Also triggered by
-    /// a click or Enter on the view.
+    /// Sets the zero point of the distances. A second call restores the distances since the press. A click or
+    /// Enter on the view has the same effect.
     void zeroHere();
-    /// Called at the start of a motion. Sets the zero point unless the user has set one.
+    /// Sets the zero point unless the user has set one. Call this at the start of a motion.
     void pressedHere();
 
     QString positionText(int axis) const;
@@ -42,7 +42,7 @@ public:
     QString rotationText(int axis) const;
     /// Text of the caption, e.g. "in Base · TCP 120.0 mm from the flange".
     QString frameText() const;
-    /// E.g. "50 mm/s"; while rotating "0.0 mm/s · 15 °/s".
+    /// E.g. "50 mm/s", or "0.0 mm/s · 15 °/s" while rotating.
     QString speedText() const;
     /// E.g. "× 0.1"; empty if the factor is 1.
     QString factorText() const;

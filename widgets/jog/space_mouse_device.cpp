@@ -21,7 +21,8 @@ public:
     DeviceShape shape() const override {
         DeviceShape shape;
         static_cast<DeviceTuning&>(shape) = kSpaceMouseTuning;
-        shape.kind = kSpaceMouseKind;  // reports continuously while deflected
+        shape.kind =
+            kSpaceMouseKind;  // keeps the default maxReportInterval, because it reports continuously while deflected
         shape.deadManName = QCoreApplication::translate("SpaceMouse", "left button");
         shape.directions =
             QCoreApplication::translate("SpaceMouse", "The tool follows the motion of the cap.");
@@ -34,8 +35,8 @@ public:
             now_.fresh = true;
             if (event.type == SPNAV_EVENT_MOTION) {
                 const spnav_event_motion& m = event.motion;
-                // In the driver's frame, Y points up and Z points towards the user. In the jog frame, Y
-                // points away from the user and Z points up.
+                // In the driver's frame, Y points up and Z towards the user. In the jog frame, Y points away
+                // from the user and Z up.
                 now_.axes << m.x / kFullDeflection, -m.z / kFullDeflection, m.y / kFullDeflection,
                     m.rx / kFullDeflection, -m.rz / kFullDeflection, m.ry / kFullDeflection;
             } else if (event.type == SPNAV_EVENT_BUTTON) {
@@ -44,7 +45,7 @@ public:
                 return std::nullopt;
             }
         }
-        // If the driver exits, it does not report the return to neutral.
+        // Check the socket, because a driver that exits does not report the return to neutral.
         pollfd socket{spnav_fd(), POLLIN, 0};
         if (socket.fd < 0 ||
             (::poll(&socket, 1, 0) > 0 && (socket.revents & (POLLHUP | POLLERR | POLLNVAL)) != 0)) {

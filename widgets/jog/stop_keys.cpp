@@ -24,7 +24,7 @@ bool isYounger(const std::optional<std::int64_t>& sinceNs, std::int64_t nowNs, i
     return sinceNs && nowNs - *sinceNs < ms * kNsPerMs;
 }
 
-/// The sequences of this key with all combinations of modifiers.
+/// Returns the sequences of this key with all combinations of modifiers.
 QList<QKeySequence> sequencesOf(Qt::Key key) {
     constexpr Qt::KeyboardModifier kModifiers[] = {Qt::ShiftModifier, Qt::ControlModifier, Qt::AltModifier,
                                                    Qt::MetaModifier};
@@ -43,7 +43,7 @@ QList<QKeySequence> sequencesOf(Qt::Key key) {
 
 StopKeys::StopKeys(std::function<void(StopCause)> stop, std::function<Use()> use, QObject* parent)
     : QObject(parent), stop_(std::move(stop)), use_(std::move(use)) {
-    // Key presses in native dialogs would not be received here.
+    // The event filter would not receive key presses in native dialogs.
     QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
     qApp->installEventFilter(this);
 }
@@ -78,15 +78,14 @@ void StopKeys::follow(const SessionState& state, std::int64_t nowNs) {
         stoppedDarkNs_.reset();
     }
     dark_ = dark;
-    // An external program that is about to be replaced by Tiller's program, or has just replaced it, may move
-    // the arm at any time.
+    // While Tiller takes control, an external program is being replaced and may move the arm at any time.
     const bool mayMove = state.moving || state.motionActive || state.foreignProgramRuns() ||
                          state.control == ControlState::Taking;
     if (!dark && mayMove && (inControl || controlIsJustLost(nowNs))) {
         lastMotionNs_ = nowNs;
     }
     if (const bool types = useAt(nowNs) != Use::StopOnly; types != typed) {
-        // Input methods receive keys before the window (see eventFilter()).
+        // Commit the text, because input methods receive keys before the window does (see eventFilter()).
         if (!types) {
             QGuiApplication::inputMethod()->commit();
         }
@@ -96,16 +95,16 @@ void StopKeys::follow(const SessionState& state, std::int64_t nowNs) {
 
 StopKeys::Use StopKeys::useAt(std::int64_t nowNs) const {
     if (dark_ && movedBeforeDark_) {
-        // The arm may still be moving. Until enough time has passed after the stop, the keys have no other
-        // function.
+        // The arm may still be moving. The keys only stop the arm until enough time has passed after the
+        // stop.
         return !stoppedDarkNs_ || isYounger(stoppedDarkNs_, nowNs, kReflexMs) ? Use::StopOnly
                                                                               : Use::StopAndControl;
     }
     if (!inControl_ && !controlIsJustLost(nowNs)) {
         return Use::Control;
     }
-    // The state is some milliseconds old. A press just after the arm has stopped is therefore also intended
-    // as a stop.
+    // The state is some milliseconds old, so a press just after the arm has stopped is also intended as a
+    // stop.
     return isYounger(lastMotionNs_, nowNs, kReflexMs) ? Use::StopOnly : Use::StopAndControl;
 }
 
@@ -162,13 +161,14 @@ bool StopKeys::eventFilter(QObject* watched, QEvent* event) {
             if (!isStopKey(*static_cast<QKeyEvent*>(event))) {
                 return false;
             }
-            event->accept();  // delivered as a key press, not as a shortcut
+            event->accept();  // deliver it as a key press instead of a shortcut
             return true;
         case QEvent::KeyPress:
             return watched->isWidgetType() && isStopKey(*static_cast<QKeyEvent*>(event)) &&
                    press(*static_cast<QKeyEvent*>(event));
         case QEvent::InputMethodQuery: {
-            // Input methods must not use the stop keys while the keys stop the arm.
+            // Disable input methods while the keys only stop the arm, so that they do not consume the stop
+            // keys.
             auto* query = static_cast<QInputMethodQueryEvent*>(event);
             if (!query->queries().testFlag(Qt::ImEnabled) || use_() != Use::StopOnly) {
                 return false;

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Space and Esc stop all motion while this application is in control, in every window of the application and
-// with any focus widget. They stop motions of this application and other programs on the robot. While the
+// While this application is in control, Space and Esc stop all motion, in every window of the application and
+// with any focus widget. They stop motions of this application and of other programs on the robot. While the
 // application only monitors, the focus widget receives both keys. One object serves the whole application.
-// During its lifetime it receives every key first.
+// During its lifetime, it receives every key first.
 //
-// Qt discards the key events of a window that is blocked by a modal dialog before any event filter is called,
-// and window managers let such a window keep the keyboard focus. Qt still evaluates shortcuts in this window.
-// Each modal dialog therefore gets application-wide shortcuts for the stop keys. The shortcuts trigger only
-// in blocked windows, because other windows accept the keys beforehand (ShortcutOverride) and receive them as
-// plain key presses.
+// If a modal dialog blocks a window, Qt discards the key events of this window before calling any event
+// filter, although some window managers let the window keep the keyboard focus. Qt still evaluates shortcuts
+// in the blocked window, so each modal dialog gets application-wide shortcuts for the stop keys. The
+// shortcuts trigger only in blocked windows, because other windows accept the keys beforehand
+// (ShortcutOverride) and receive them as plain key presses.
 
 #include <QObject>
 #include <QPointer>
@@ -34,7 +34,7 @@ class StopKeys : public QObject {
 
 public:
     enum class Use {
-        Control,         ///< the focus widget receives the key
+        Control,         ///< only the focus widget receives the key
         StopAndControl,  ///< no motion: the key stops the arm, and the focus widget also receives it
         StopOnly,        ///< actual or possible motion: the key only stops the arm
     };
@@ -42,7 +42,7 @@ public:
     /// use  called at each press of a stop key
     StopKeys(std::function<void(control::StopCause)> stop, std::function<Use()> use,
              QObject* parent = nullptr);
-    /// clock  measures the time after a motion
+    /// clock  measures the time since a motion
     explicit StopKeys(RobotSession& session, const Clock& clock = SteadyClock::shared(),
                       QObject* parent = nullptr);
     ~StopKeys() override;
@@ -67,12 +67,12 @@ private:
     std::vector<QPointer<QWidget>> modals_;  ///< modal dialogs that have the shortcuts
     int claimedKey_ = 0;  ///< last stop key that was pressed without another function; 0 if there is none
 
-    bool owned_ = false;  ///< true if the last state was in control or taking control
+    bool owned_ = false;  ///< in control or taking control in the last state
     bool inControl_ = false;
     std::optional<std::int64_t> controlLostNs_;  ///< time of the loss; empty if control was released
     std::optional<std::int64_t> lastMotionNs_;   ///< last motion while in control, or shortly after
-    bool dark_ = false;                          ///< true without data: the motion of the arm is unknown
-    bool movedBeforeDark_ = false;               ///< the arm moved when the data ended, or shortly before
+    bool dark_ = false;             ///< true if there are no data, so that the motion of the arm is unknown
+    bool movedBeforeDark_ = false;  ///< true if the arm was moving when, or shortly before, the data ended
     std::optional<std::int64_t> stoppedDarkNs_;  ///< time of the first stop since the data ended
 };
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kLookMs = 40;
 constexpr int kTicksMoving = 3;       ///< ticks between computations while the arm moves
-constexpr double kSamePlace = 0.002;  ///< maximum joint change for an unchanged position [rad]
+constexpr double kSamePlace = 0.002;  ///< [rad]; joint changes up to this value are ignored
 
 bool isOpen(const control::JogReach& travel) {
     return travel.end.kind == control::LimiterKind::None;
@@ -61,8 +61,7 @@ void TravelWatch::reset() {
     }
 }
 
-/// Requests a new computation of all directions. Until then, the buttons show their old values marked as
-/// outdated.
+/// Marks all directions for a new computation. Until then, the buttons show the old values as outdated.
 void TravelWatch::setOutdated() {
     for (JogKey* key : pad_.keys()) {
         key->setTravelOutdated(true);
@@ -89,8 +88,8 @@ void TravelWatch::look() {
         return;
     }
     const Eigen::Matrix3d axes = frameAxes(selection_, state_.tcpPose);
-    // While the arm moves, the tool frame rotates only in smaller steps. A larger change means that another
-    // frame was selected.
+    // While the arm moves, the tool frame rotates only slightly between two calls. A larger change means that
+    // a different frame was selected.
     const bool otherFrame = !state_.motionActive && !axes.isApprox(lookedIn_, 2e-2);
     if (otherFrame || state_.check != lookedWith_) {
         setOutdated();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Computes the remaining distance for each button of the pad and shows it on the button. One call computes
+// Computes the remaining distance for each button of the pad, and shows it on the button. Each call computes
 // one direction, because computing all twelve would take longer than a frame.
 
 #include <Eigen/Core>
@@ -31,9 +31,9 @@ public:
     /// button. Called by a timer every 40 ms, and less often while the arm moves, because the values then
     /// change continuously.
     void look();
-    /// Updates the texts of all buttons, e.g. after a change of units.
+    /// Shows the texts of all buttons again, e.g. after a change of units.
     void reset();
-    /// While a button is held, the remaining distance and the limit at its end; otherwise empty.
+    /// The remaining distance and the limit at its end while a button is held; otherwise empty.
     QString heldText() const;
 
 private:
@@ -47,7 +47,7 @@ private:
     const JogSelection& selection_;
     SessionState state_;
     QTimer timer_;
-    std::array<control::JogReach, 12> travel_;  ///< per button, in the order of the pad
+    std::array<control::JogReach, 12> travel_;  ///< by button, in the order of the pad
     JointPositions lookedFrom_;
     Eigen::Matrix3d lookedIn_ = Eigen::Matrix3d::Zero();
     std::shared_ptr<const collision::CollisionCheck> lookedWith_;
@@ -55,7 +55,7 @@ private:
     int left_ = 0;  ///< number of directions that remain to be computed
     JointPositions tickedAt_;
     int ticks_ = 0;              ///< ticks since the last computation
-    bool lookedAtHeld_ = false;  ///< true if the last computation was for the held button
+    bool lookedAtHeld_ = false;  ///< true if the last call computed the direction of the held button
 };
 
 }  // namespace tiller
