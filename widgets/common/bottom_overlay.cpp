@@ -13,7 +13,7 @@ namespace tiller {
 namespace {
 
 constexpr int kEdgeMargin = 8;  // distance from the border [px]
-constexpr int kKept = 64;       // height that an area keeps: its header and one row [px]
+constexpr int kKept = 64;       // height to keep for an area: its header and one row [px]
 
 }  // namespace
 
@@ -28,7 +28,7 @@ BottomOverlay::BottomOverlay(QWidget& shown, QWidget& page, const QList<QWidget*
     }
 }
 
-/// Sets the bottom margin of an area to the height of the tallest overlay in it.
+/// Sets the bottom margin of the area to the height of its tallest overlay.
 void BottomOverlay::reserve(QWidget* area, int height) {
     QWidget* before = std::exchange(reservedIn_, area);
     reserved_ = height;
@@ -66,14 +66,13 @@ void BottomOverlay::place() {
     }
     const int tall = shown_.hasHeightForWidth() ? shown_.heightForWidth(width) : shown_.sizeHint().height();
     const int height = std::max(tall, shown_.minimumSizeHint().height());
-    // An overlay taller than its area extends below the bottom edge, because there are buttons above the
-    // area.
+    // An overlay taller than its area extends over the bottom edge of the area, because the buttons above
+    // must stay visible.
     const int top = std::max(room.top(), room.bottom() + 1 - kEdgeMargin - height);
     const int lowest = std::max(0, page_.height() - height);
     shown_.setGeometry(room.left() + kEdgeMargin, std::min(top, lowest), width, height);
     shown_.raise();
-    // The margin leaves the header and one row of the area visible. In an even smaller area the overlay
-    // covers the row.
+    // Keep the header and one row of the area visible. In an even smaller area, the overlay covers the row.
     const int left = room.height() - kKept;
     reserve(area == areas_.cend() ? nullptr : *area,
             std::clamp(height + 2 * kEdgeMargin, 0, std::max(0, left)));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Shows a widget at the bottom of a page. While the widget is visible, the area above it is shortened, so
-// that no row is moved or covered.
+// Shows a widget at the bottom of a page. While it is visible, the area above becomes shorter, so that rows
+// are neither moved nor covered.
 
 #include <QList>
 #include <QObject>
@@ -16,7 +16,7 @@ class BottomOverlay : public QObject {
 
 public:
     /// shown  becomes a child of `page`
-    /// areas  areas of the page; the first visible one is shortened
+    /// areas  areas of the page; the first visible area becomes shorter
     BottomOverlay(QWidget& shown, QWidget& page, const QList<QWidget*>& areas);
 
 protected:
@@ -29,8 +29,8 @@ private:
     QWidget& shown_;
     QWidget& page_;
     QList<QWidget*> areas_;
-    QWidget* reservedIn_ = nullptr;  ///< the area that is shortened
-    int reserved_ = 0;               ///< height of the shortened part [px]
+    QWidget* reservedIn_ = nullptr;  ///< area with the reserved margin
+    int reserved_ = 0;               ///< height of the reserved margin [px]
     bool placing_ = false;
 };
 

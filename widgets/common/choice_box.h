@@ -11,8 +11,7 @@ namespace tiller {
 class ChoiceBox : public QComboBox {
 public:
     explicit ChoiceBox(QWidget* parent = nullptr) : QComboBox(parent) {
-        // Unlike the default delegate of a combo box, this delegate applies the row height of the style
-        // sheet.
+        // The default delegate of a combo box ignores the row height of the style sheet.
         setItemDelegate(new QStyledItemDelegate(this));
     }
 

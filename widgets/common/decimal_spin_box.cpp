@@ -25,7 +25,7 @@ constexpr QLatin1Char kHyphen('-');
 constexpr QLatin1Char kPoint('.');
 constexpr QLatin1Char kComma(',');
 
-/// Converts the text to the minus sign and the decimal separator of the user interface.
+/// Uses the minus sign and the decimal separator of the user interface.
 QString asShown(QString text) {
     const QString sign = QLocale().decimalPoint();
     text.replace(kHyphen, kMinusSign).replace(kComma, kPoint);
@@ -100,7 +100,7 @@ void DecimalSpinBox::followText() {
     }
 }
 
-// Values out of range are accepted while typing, because rejecting a digit would change the entered number.
+// Accept values out of range while typing, because rejecting a digit would change the entered number.
 // Additional decimals are rounded.
 QValidator::State DecimalSpinBox::validate(QString& text, int& position) const {
     text = asShown(text);
@@ -147,8 +147,8 @@ void DecimalSpinBox::focusOutEvent(QFocusEvent* event) {
         QDoubleSpinBox::focusOutEvent(event);
         return;
     }
-    // The base class would replace the invalid input with the previous value, as if the user had entered that
-    // value.
+    // Do not call the base class, which would replace the invalid input with the previous value as if the
+    // user had entered it.
     QCoreApplication::sendEvent(lineEdit(), event);
     QWidget::focusOutEvent(event);
     explainRefusal();
@@ -165,8 +165,8 @@ QString DecimalSpinBox::withoutUnit(QString text) const {
     return text;
 }
 
-/// Handles copy and cut. Replaces the typographic minus sign, which spreadsheets and scripts do not accept,
-/// with a hyphen.
+/// Handles copy and cut. Replaces the typographic minus sign with a hyphen, because spreadsheets and scripts
+/// do not accept it.
 bool DecimalSpinBox::copies(const QKeyEvent& event) {
     const bool cut = event.matches(QKeySequence::Cut);
     if ((!cut && !event.matches(QKeySequence::Copy)) || !lineEdit()->hasSelectedText()) {

@@ -17,7 +17,7 @@ class DecimalSpinBox : public QDoubleSpinBox {
 public:
     explicit DecimalSpinBox(QWidget* parent = nullptr);
 
-    /// True if the text is not a valid value; value() then returns the previous value.
+    /// True if the text is not a valid value. In this case, value() returns the previous value.
     bool isRefused() const;
     /// Shows the error with the valid range next to the box.
     void explainRefusal();
@@ -38,7 +38,7 @@ private:
     void restore();
     void followText();
 
-    QString ownToolTip_;  ///< without the explanation of a refused value
+    QString ownToolTip_;  ///< tooltip without the explanation of a rejected value
 };
 
 }  // namespace tiller

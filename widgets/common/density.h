@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Size of buttons, fields and table rows. The style sheet and the tables use these values. A change is sent to all
-// widgets as QEvent::StyleChange, like a change of theme.
+// Size of buttons, fields and table rows, for the style sheet and the tables. After a change, all widgets
+// receive QEvent::StyleChange, as after a change of theme.
 
 class QApplication;
 class QTableView;
@@ -15,7 +15,7 @@ enum class Density {
     Touch,  ///< for fingers: 48 px buttons, 44 px rows
 };
 
-/// The current density; initially Mouse.
+/// The current density. Initially Mouse.
 /// Threads  GUI
 Density currentDensity();
 /// Sets the sizes for the whole application. Call applyTheme() afterwards.
@@ -27,17 +27,17 @@ int rowHeight(Density density);
 /// Height of buttons outside the jog column [px].
 int keyHeight(Density density);
 
-/// Minimum size of small touch targets (tabs, joint buttons, buttons in title bars) [px]. Returns 0, for
-/// mouse-sized controls, if the density is not Touch or the window is too small.
+/// Minimum size of small touch targets (tabs, joint buttons, buttons in title bars) [px]. Returns 0 for
+/// mouse-sized controls, i.e. if the density is not Touch or the window is too small.
 int touchHeight();
-/// Sets whether the window is large enough for touch targets; initially true. With Touch density, a change
+/// Sets whether the window is large enough for touch targets. Initially true. With Touch density, a change
 /// updates the layout of the application.
 /// Threads  GUI
 void setRoomForTouch(QApplication& application, bool room);
 /// Minimum window height for touch targets [px].
 inline constexpr int kRoomForTouch = 980;
 
-/// Updates the row height of the table whenever the density changes.
+/// Keeps the row height of the table up to date when the density changes.
 void followDensity(QTableView& table);
 
 }  // namespace tiller

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A one-line label. A text that does not fit is elided, and the tooltip then shows the full text.
+// A one-line label. If the text does not fit, it is elided and the tooltip shows the full text.
 
 #include <QLabel>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Message shown over a list that is empty because of a search or filter.
+// A message over a list that is empty because of a search or filter.
 
 #include <QLabel>
 
@@ -16,7 +16,8 @@ public:
     /// list  the list that the message covers
     explicit EmptyState(QAbstractScrollArea& list);
 
-    /// words  the search text; empty if the list is empty for another reason
+    /// nothing  true if the list is empty
+    /// words    search text; empty if the list is empty for another reason
     void tell(bool nothing, const QString& words);
 
 protected:

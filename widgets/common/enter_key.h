@@ -25,7 +25,7 @@ inline bool pressByEnter(QAbstractButton& button, QKeyEvent& event) {
     }
 }
 
-/// A push button that ignores Space.
+/// A push button that ignores Space, which stops the arm.
 class EnterKey : public QPushButton {
 public:
     using QPushButton::QPushButton;

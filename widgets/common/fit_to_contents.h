@@ -5,8 +5,8 @@ class QWidget;
 
 namespace tiller {
 
-/// Enlarges a window until its content fits; never shrinks it. Needed for word-wrapped texts, whose height
-/// depends on the width.
+/// Enlarges a window until its content fits, and never shrinks it. Needed for word-wrapped texts, whose
+/// height depends on the width.
 void fitToContents(QWidget& window);
 
 }  // namespace tiller

@@ -65,7 +65,7 @@ bool HoverKeeper::eventFilter(QObject* watched, QEvent* event) {
 void HoverKeeper::lookSoon() {
     if (!pending_) {
         pending_ = true;
-        // Check after Qt has finished processing the event.
+        // Queued, so that Qt finishes processing the event first.
         QMetaObject::invokeMethod(this, &HoverKeeper::look, Qt::QueuedConnection);
     }
 }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Removes the hover state of a widget if the pointer left it without an event. Touch input has no pointer
-// after the release. While a menu or dialog is open, the widgets below it receive no move events.
+// Removes the hover state of a widget if the pointer has left it without an event. After a touch release,
+// there is no pointer. While a menu or dialog is open, the widgets below it receive no move events.
 
 #include <QObject>
 
 namespace tiller {
 
-/// One instance for the whole application.
+/// One instance serves the whole application.
 /// Threads  GUI
 class HoverKeeper : public QObject {
     Q_OBJECT

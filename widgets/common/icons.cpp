@@ -15,7 +15,7 @@ namespace {
 
 void render(QIcon& icon, QIcon::Mode mode, const QByteArray& drawing, const QColor& ink) {
     QByteArray tinted = drawing;
-    tinted.replace("#000000", ink.name().toLatin1());  // the SVG files use this colour only
+    tinted.replace("#000000", ink.name().toLatin1());  // the only colour in the SVG files
     QSvgRenderer renderer(tinted);
     if (!renderer.isValid()) {
         return;

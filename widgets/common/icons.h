@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The application's icons: monochrome SVG files in resources/icons, drawn in a colour of the theme.
+// The icons of the application: monochrome SVG files in resources/icons, drawn in a colour of the theme.
 
 #include <QColor>
 #include <QIcon>
@@ -13,8 +13,8 @@ namespace tiller {
 /// ink   colour of the lines
 /// Returns  a null icon for an unknown name
 QIcon themedIcon(const QString& name, const QColor& ink);
-/// Icon in the text colour of the current theme, with a disabled variant. Request the icon again after a
-/// change of theme.
+/// Icon in the text colour of the current theme, with a disabled variant. After a change of theme, the icon
+/// must be requested again.
 QIcon themedIcon(const QString& name);
 /// The application icon, in its original colours.
 QIcon applicationIcon();

@@ -10,7 +10,8 @@ namespace tiller {
 
 namespace {
 
-/// Pause between two letters that starts a new search. Longer than the default of the list, for slow typists.
+/// Pause between two letters after which a new search starts. Longer than the default of the list, for slow
+/// typists.
 constexpr qint64 kMinPauseMs = 1000;
 
 bool isLetter(const QKeyEvent& key) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Keyboard search in lists: letters select the row whose text begins with them. During a search, letters such
-// as the T in "waypoint 5" or the G in "magazine" do not trigger commands.
+// Keyboard search in lists: typed letters select the row whose text begins with them. During a search,
+// letters such as the T in "waypoint 5" or the G in "magazine" do not trigger commands.
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -19,7 +19,7 @@ public:
     /// Handles the keyboard search of this list for the lifetime of the list.
     explicit ListTyping(QAbstractItemView& list);
 
-    /// True if the widget is a list with keyboard search and a search is active.
+    /// True if the widget is a list with an active keyboard search.
     static bool isAt(const QWidget* widget);
 
 protected:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A scroll area that does not scroll to the focus widget. QScrollArea scrolls even if the focus changes only
-// because the focus widget was hidden or disabled, so that a click moves the content under the pointer.
+// A scroll area that does not scroll to the focus widget. QScrollArea scrolls even if the focus only changes
+// because the focus widget was hidden or disabled, so that a click would move the content under the pointer.
 
 #include <QScrollArea>
 

@@ -35,8 +35,8 @@ NoticeBar::NoticeBar(QWidget* parent)
     dismiss_->setObjectName(QStringLiteral("notice.dismiss"));
     dismiss_->setAccessibleName(tr("Dismiss"));
 
-    // Each notice has its buttons at a different position. The response to a notice may open the next notice,
-    // and a second click must not close that notice unread.
+    // The buttons of a notice are not at a common position. A click may open the next notice, and a double
+    // click must not close that notice unread.
     auto* keys = new QHBoxLayout;
     keys->addWidget(dismiss_);
     keys->addStretch();

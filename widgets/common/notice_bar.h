@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A question or message inside a panel, without a dialog. It does not block other input. Esc or the close
+// A question or message inside a panel instead of a dialog. It does not block other input. Esc or the close
 // button closes it.
 
 #include <QFrame>
@@ -22,9 +22,9 @@ struct Notice {
     std::function<void()> accepted = {};
     QString other = {};  ///< label of the second button; empty if there is none
     std::function<void()> otherAccepted = {};
-    QString dismiss = {};  ///< label of the close button; empty: Close or Cancel
-    /// Identifies the cause for NoticeBar::resolve(). A notice with a cause is shown again after the notices
-    /// that replaced it are closed. The next notice replaces a notice without a cause.
+    QString dismiss = {};  ///< label of the close button; if empty, "Close" or "Cancel"
+    /// Identifies the cause for NoticeBar::resolve(). If another notice replaces a notice with a cause, the
+    /// replaced notice is shown again afterwards. A notice without a cause is discarded when it is replaced.
     QString cause = {};
 };
 
@@ -40,14 +40,15 @@ public:
     void show(Kind kind, const QString& title, const QString& text, const QString& accept = {},
               std::function<void()> accepted = {});
     void show(Kind kind, const Notice& notice);
-    /// Closes the notice. A waiting notice with a cause is shown again.
+    /// Closes the notice. If a notice with a cause is waiting, it is shown again.
     void dismiss();
-    /// Like dismiss(), but leaves a notice with a cause open.
+    /// Like dismiss(), but keeps a notice with a cause open.
     void dismissWithoutCause();
-    /// Removes the notice of a cause that has been resolved, including a waiting one.
+    /// Removes the notice with this cause, including a waiting one. Call this when the cause has been
+    /// resolved.
     void resolve(const QString& cause);
-    /// Closes a question without a cause after a change of its underlying data, because the answer would have
-    /// a different effect than shown. Messages remain.
+    /// Closes a question without a cause, because its data have changed and the answer would have a different
+    /// effect than shown. Messages remain open.
     void dismissQuestion();
     Kind kind() const { return kind_; }
     QString title() const;
@@ -67,7 +68,7 @@ private:
 
     Kind kind_ = Kind::Question;
     Notice notice_;
-    std::vector<Waiting> waiting_;  ///< the last element is shown next
+    std::vector<Waiting> waiting_;  ///< notices to show again; the last element is next
     QLabel* title_;
     QLabel* text_;
     QPushButton* accept_;

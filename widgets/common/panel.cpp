@@ -24,7 +24,7 @@ Panel::Panel(const QString& title, QWidget* parent)
     setAccessibleName(title);
     layout_->setContentsMargins(1, 1, 1, 1);
     layout_->setSpacing(0);
-    // The height depends on the content, which depends on the density.
+    // The header may be higher than this value, depending on its content and the density.
     header_->setMinimumHeight(kHeaderHeight);
     header_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     headerLayout_->setContentsMargins(12, 0, 12, 0);
@@ -71,7 +71,7 @@ void Panel::addHeaderWidget(QWidget* widget) {
 
 void Panel::addFoldingHeaderWidget(QWidget* widget) {
     if (folding_.isEmpty()) {
-        // Collapsible widgets do not count towards the minimum width, which is set when the header collapses.
+        // Exclude folding widgets from the minimum width. foldHeader() sets the minimum width instead.
         header_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
         header_->installEventFilter(this);
     }
@@ -95,7 +95,7 @@ void Panel::foldHeader() {
         least -= widget->isHidden() ? 0 : widthOf(widget);
     }
     header_->setMinimumWidth(least);
-    // Show as many widgets as fit, starting with the last one.
+    // Show as many folding widgets as fit, starting with the last.
     int room = header_->width() - least;
     for (auto widget = folding_.crbegin(); widget != folding_.crend(); ++widget) {
         room -= widthOf(*widget);
@@ -107,7 +107,7 @@ void Panel::setHeaderWidget(QWidget* widget) {
     title_->hide();
     subtitle_->hide();
     hint_->hide();
-    headerLayout_->setContentsMargins(0, 0, 6, 0);  // the rightmost widget keeps a distance from the border
+    headerLayout_->setContentsMargins(0, 0, 6, 0);  // keep the rightmost widget away from the border
     headerLayout_->insertWidget(0, widget, 1);
 }
 
@@ -123,8 +123,7 @@ void Panel::setContent(QWidget* content) {
 void Panel::paintEvent(QPaintEvent* event) {
     const Theme& theme = Theme::current();
     QPainter painter(this);
-    // Frequently repainted content is inside this rectangle, where no corners and no separator have to be
-    // painted.
+    // Frequently repainted content is inside this rectangle. There are no corners and no separator to paint.
     const QRect inside(kCornerRadius, header_->geometry().bottom() + 2, width() - 2 * kCornerRadius,
                        height() - header_->geometry().bottom() - 2 - kCornerRadius);
     if (inside.contains(event->rect())) {

@@ -25,16 +25,17 @@ public:
     void setTitle(const QString& title);
     /// Grey text after the title.
     void setSubtitle(const QString& text);
-    /// Grey text at the right end; elided if the panel is narrow.
+    /// Grey text at the right end of the title bar. It is elided if the panel is narrow.
     void setHint(const QString& text);
     /// Adds a small control at the right end of the title bar.
     void addHeaderWidget(QWidget* widget);
-    /// Like addHeaderWidget(), for a control that is hidden if the panel is too narrow and is also available
-    /// elsewhere. The control added first is hidden first.
+    /// Like addHeaderWidget(), but hides the control if the panel is too narrow. The control must also be
+    /// available elsewhere. The control added first is hidden first.
     void addFoldingHeaderWidget(QWidget* widget);
-    /// Replaces title and hint by a widget, e.g. a tab bar. The height of the title bar does not change.
+    /// Replaces the title, the subtitle and the hint by a widget, e.g. a tab bar. The height of the title bar
+    /// does not change.
     void setHeaderWidget(QWidget* widget);
-    /// Takes ownership; replaces existing content.
+    /// Takes ownership of the widget and deletes the previous content.
     void setContent(QWidget* content);
     QWidget* content() const { return content_; }
 

@@ -64,7 +64,7 @@ PoseEditor::PoseEditor(const QString& name, const QString& spoken, const QString
 
 void PoseEditor::setPose(const Pose& pose) {
     if (pose == pose_) {
-        return;  // preserve a value that is being edited
+        return;  // do not overwrite a value that is being edited
     }
     pose_ = pose;
     updateValueTexts();
@@ -91,8 +91,7 @@ void PoseEditor::updateValueTexts() {
                       : asVector() ? QStringLiteral(" rad")
                                    : QStringLiteral("°"));
         box.setValue(shown_[i]);
-        // The box rounds to the displayed digits. Compare with the rounded value, so that only edited values
-        // count as changed.
+        // Store the value rounded by the box, so that only edited values count as changed.
         shown_[i] = box.value();
     }
 }

@@ -18,7 +18,7 @@ class PoseEditor : public QWidget {
 public:
     /// name    prefix of the object names: name.x ... name.rz
     /// spoken  name for screen readers, e.g. "Origin" or "TCP"
-    /// advice  one sentence about the effect of editing, for the tooltips
+    /// advice  sentence for the tooltips about the effect of editing
     PoseEditor(const QString& name, const QString& spoken, const QString& advice, QWidget* parent = nullptr);
 
     void setPose(const Pose& pose);
@@ -26,7 +26,7 @@ public:
     void editFirst();
 
 Q_SIGNALS:
-    /// The user edited a value. The other five values keep their full precision.
+    /// The user has edited a value. The other five values keep their full precision.
     void poseEntered(const tiller::Pose& pose);
 
 protected:

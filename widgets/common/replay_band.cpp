@@ -41,7 +41,7 @@ void ReplayBand::tell(const QString& words) {
     }
     live_->setEnabled(!words.isEmpty());
     style();
-    // The band remains visible while the pointer is on it. Hiding it would move another button under the
+    // Keep the band visible while the pointer is on it. Hiding it would move another button under the
     // pointer, and a double click would press that button.
     if (words.isEmpty() && !isHidden() && underMouse()) {
         return;
@@ -60,7 +60,7 @@ void ReplayBand::setShown(bool shown) {
 
 void ReplayBand::leaveEvent(QEvent* event) {
     QFrame::leaveEvent(event);
-    // With touch input there is no pointer, so wait for a possible second tap.
+    // After a touch, there is no pointer. Wait for the second tap of a double tap.
     QTimer::singleShot(QApplication::doubleClickInterval(), this, [this] {
         if (words().isEmpty() && !underMouse()) {
             setShown(false);
@@ -74,7 +74,7 @@ QString ReplayBand::words() const {
 
 void ReplayBand::style() {
     const Theme& theme = Theme::current();
-    // Inverted selection colours, which no widget with live data uses.
+    // Use the inverted selection colours, which no widget with live data has.
     const QString sheet =
         words().isEmpty()
             ? QString()

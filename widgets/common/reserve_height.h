@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Showing or hiding an element next to a widget must not change the total height of both. Otherwise, a panel
-// at its minimum size would grow and move the pressed button away from the pointer.
+// Keeps the total height of a widget and an element next to it constant when the element is shown or hidden.
+// Otherwise, a panel at its minimum size would grow and move the pressed button away from the pointer.
 
 #include <QWidget>
 #include <algorithm>

@@ -58,7 +58,7 @@ RowDelegate::RowDelegate(QString editorName, QObject* parent)
 QWidget* RowDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem& option,
                                    const QModelIndex& index) const {
     QWidget* editor = named(QStyledItemDelegate::createEditor(parent, option, index), index);
-    // No margins, because the cells are not high enough.
+    // The cells are not high enough for the margins of the style sheet.
     editor->setStyleSheet(QStringLiteral("min-height: 0; padding: 0 8px;"));
     return editor;
 }
@@ -83,7 +83,7 @@ bool RowDelegate::eventFilter(QObject* editor, QEvent* event) {
 void RowDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const {
     QStyledItemDelegate::initStyleOption(option, index);
     option->state &= ~QStyle::State_HasFocus;  // rows are selected, not cells
-    // The ends of the names differ, e.g. the numbers of waypoints.
+    // Elide names in the middle, because they often differ at the end, e.g. in the waypoint number.
     const auto* table = qobject_cast<const RowTable*>(option->widget);
     option->textElideMode =
         table != nullptr && index.column() == table->nameColumn() ? Qt::ElideMiddle : Qt::ElideRight;

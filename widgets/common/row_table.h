@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A table with one named object per row. Rows are selected instead of cells, and the name column fills the
+// A table with a named object in each row. The user selects rows instead of cells. The name column fills the
 // remaining width.
 
 #include <QStyledItemDelegate>
@@ -13,7 +13,7 @@ class RowTable : public QTableView {
     Q_OBJECT
 
 public:
-    /// nameColumn  column of the model; its names are edited in place (F2 or double click)
+    /// nameColumn  column of the model with the names, which are edited in place (F2 or double click)
     RowTable(QAbstractItemModel& model, int nameColumn, QWidget* parent = nullptr);
 
     int nameColumn() const { return nameColumn_; }
@@ -44,7 +44,7 @@ public:
 
 protected:
     void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override;
-    /// Sets the object name of the editor. Also sets the accessible name from the column, for screen readers.
+    /// Sets the object name of the editor, and its accessible name from the column title.
     QWidget* named(QWidget* editor, const QModelIndex& index) const;
 
 private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Marks that panels request in the 3D view in addition to the arm.
+// Marks that panels request in the 3D view.
 
 #include <QString>
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace tiller {
 
-/// A target that is displayed before the arm moves there.
+/// A target, displayed before the arm moves there.
 struct Ghost {
     QString name;
     JointPositions q;
@@ -20,35 +20,35 @@ struct Ghost {
     bool reachable = true;
     double speed = 1.05;        ///< [rad/s], or [m/s] if linear, at 100 %
     double acceleration = 1.4;  ///< [rad/s2], or [m/s2] if linear
-    bool otherModel = false;    ///< taught with another robot model and therefore not reachable
+    bool otherModel = false;    ///< taught with a different robot model and therefore not reachable
 };
 
-/// The arm at a time of the replay. Never represents the current position of the robot.
+/// The arm at the replayed time. Never represents the current position of the robot.
 struct ReplayMark {
     JointPositions q;
-    QString words;  ///< description of the time
+    QString words;  ///< text about the replayed time
     friend bool operator==(const ReplayMark&, const ReplayMark&) = default;
 };
 
-/// Position of a waypoint.
+/// A waypoint in the 3D view.
 struct WaypointMark {
     QString name;
     Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< position of the TCP in the base frame [m]
     bool selected = false;
 };
 
-/// A taught frame, or the preview of a new one.
+/// A taught frame, or the preview of a new frame.
 struct FrameMark {
     QString name;
     Pose T_base_frame;
-    bool selected = false;  ///< drawn in colour; other frames are grey
+    bool selected = false;  ///< if true, drawn in colour; otherwise grey
 };
 
 /// A path of the TCP that is drawn as a line: the past path or the planned path.
 struct PathMark {
     enum class Kind {
         Breadcrumb,  ///< past path that the Back button would retrace
-        Coming,      ///< planned path of the button that would be held next
+        Coming,      ///< planned path of the button that the operator would hold next
     };
     Kind kind = Kind::Coming;
     std::vector<Eigen::Vector3d> places;  ///< corners of the line, base frame [m]

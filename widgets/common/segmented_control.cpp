@@ -17,7 +17,7 @@ namespace tiller {
 
 namespace {
 
-/// One segment; the ends of the row have rounded corners.
+/// One segment. The segments at the ends of the row have rounded corners.
 class Segment : public QAbstractButton {
 public:
     Segment(const QString& label, bool first, bool last, QWidget* parent)
@@ -30,7 +30,7 @@ public:
     }
 
     QSize sizeHint() const override {
-        // Measured with the bold font, so that selecting a segment does not move its neighbours.
+        // Measure with the bold font, so that selecting a segment does not move its neighbours.
         const QFontMetrics metrics(textFont(15, QFont::Bold));
         return {metrics.horizontalAdvance(text()) + 16, std::max(38, touchHeight())};
     }
@@ -45,7 +45,7 @@ protected:
         QPainter painter(this);
         painter.setRenderHint(QPainter::Antialiasing);
         const double r = kCornerRadius - 1;
-        // Adjacent borders overlap by one pixel and appear as one line.
+        // Adjacent borders overlap by one pixel, so that they appear as one line.
         const QRectF box = QRectF(rect()).adjusted(first_ ? 0.5 : -0.5, 0.5, -0.5, -0.5);
         QPainterPath path;
         path.setFillRule(Qt::WindingFill);
@@ -76,7 +76,7 @@ protected:
         painter.drawText(rect(), Qt::AlignCenter, text());
     }
     void focusInEvent(QFocusEvent* event) override {
-        // The focus ring is only shown for keyboard navigation.
+        // Show the focus ring only for keyboard navigation.
         if (event->reason() != Qt::ActiveWindowFocusReason) {
             byKeyboard_ = event->reason() == Qt::TabFocusReason ||
                           event->reason() == Qt::BacktabFocusReason ||
@@ -112,7 +112,7 @@ SegmentedControl::SegmentedControl(const QStringList& labels, QWidget* parent)
         auto* segment = new Segment(labels[i], i == 0, i == labels.size() - 1, this);
         segments_.append(segment);
         group_->addButton(segment, i);
-        // The width of the segments depends on their texts.
+        // The text of a segment determines its share of the width.
         layout_->addWidget(segment, stretchOf(*segment));
     }
     if (!segments_.isEmpty()) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A row of joined buttons of which exactly one is selected, e.g. frame, motion, speed. The mouse wheel does
+// A row of joined buttons, exactly one of which is selected, e.g. frame, motion, speed. The mouse wheel does
 // not change the selection. Each button is a QAbstractButton named "<name of the control>.<index>".
 
 #include <QStringList>
@@ -27,16 +27,16 @@ public:
     void setCurrentIndex(int index);
     QString text(int index) const;
     void setText(int index, const QString& text);
-    /// Reserves the width of the longest text of the segment, so that the other segments do not move.
+    /// Reserves the width of the longest text for the segment, so that the other segments do not move.
     void reserve(int index, const QString& widest);
-    /// reason  shown as tooltip when disabled
+    /// reason  tooltip while the segment is disabled
     void setSegmentEnabled(int index, bool enabled, const QString& reason = {});
     QAbstractButton* segment(int index) const;
     /// Sets the names of the control and its buttons for tests and screen readers.
     void setNames(const QString& objectName, const QString& accessibleName);
 
 Q_SIGNALS:
-    /// The user or setCurrentIndex() selected another segment.
+    /// The user or setCurrentIndex() selected a different segment.
     void currentChanged(int index);
 
 private:

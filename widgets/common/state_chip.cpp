@@ -33,8 +33,8 @@ struct BrokenText {
     int widthWith(int arrow) const { return std::max(longer, shorter + arrow); }
 };
 
-/// Splits the text into two lines at the position that gives the smallest width. A separating dot at the
-/// break is removed.
+/// Splits the text at the position that minimizes the width of the longer line. Removes a separating dot at
+/// the break.
 BrokenText twoLines(const QString& text, const QFontMetrics& metrics) {
     const int whole = metrics.horizontalAdvance(text);
     BrokenText best{text, whole, whole};
@@ -217,8 +217,8 @@ QFont StateChip::valueFont() const {
 
 int StateChip::widthFor(const QString& value, const QString& caption) const {
     const int captionWidth = QFontMetrics(captionFont(true)).horizontalAdvance(caption);
-    // With display scaling, text widths are fractional. A text area that is one pixel too narrow would elide
-    // three letters.
+    // Add one pixel, because display scaling leads to fractional text widths. A width that is one pixel too
+    // small would elide three letters.
     const int letters = static_cast<int>(std::ceil(QFontMetricsF(valueFont()).horizontalAdvance(value))) + 1;
     const int valueWidth = letters + shapeRoom() + (menuArrow_ ? kArrowRoom : 0);
     return std::max(captionWidth, valueWidth) + 2 * padding() + 2;
@@ -279,7 +279,7 @@ void StateChip::paintEvent(QPaintEvent*) {
     const Colours colours = coloursOf(emphasis_, theme);
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    // The focus ring is only shown for keyboard navigation.
+    // Show the focus ring only for keyboard navigation.
     const bool ring = hasFocus() && window()->testAttribute(Qt::WA_KeyboardFocusChange);
     painter.setPen(ring ? QPen(theme.moving, 2) : QPen(colours.border, 1));
     painter.setBrush(colours.fill);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A small labelled field of the header with a caption and, below it, a state as symbol and text. It is grey
-// in the normal state and coloured only if attention or an action is required.
+// A small field of the header with a caption and, below it, a state as symbol and text. It is grey in the
+// normal state and coloured only if attention or an action is required.
 
 #include <QFont>
 #include <QWidget>
@@ -13,10 +13,10 @@ class StateChip : public QWidget {
     Q_OBJECT
 
 public:
-    /// Colour is only used if attention is required.
+    /// Colour is used only if attention is required.
     enum class Emphasis { Normal, Moving, Warning, Alarm, OperatorNeeded, Muted };
     Q_ENUM(Emphasis)
-    /// Symbol in front of the text, so that no state is indicated by colour alone.
+    /// Symbol in front of the text, so that colour is never the only indication of a state.
     enum class Shape {
         None,
         Circle,
@@ -39,31 +39,32 @@ public:
     explicit StateChip(const QString& caption, QWidget* parent = nullptr);
 
     QString caption() const { return caption_; }
-    /// The part of the caption that is elided first: the part after " · " or the part before it.
+    /// Part of the caption that is elided first: after " · " (Behind) or before it (Before).
     enum class ElidedPart { Behind, Before };
     void setCaption(const QString& caption, ElidedPart elidedPart = ElidedPart::Behind);
-    /// The caption as displayed at this width.
+    /// The caption as elided for the current width.
     QString shownCaption() const;
     QString text() const { return text_; }
     Emphasis emphasis() const { return emphasis_; }
     Shape shape() const { return shape_; }
-    /// advice  meaning and suggested action; shown as tooltip, together with the text if the text is elided
+    /// advice  meaning and suggested action, for the tooltip; the tooltip also contains the text if it is
+    /// elided
     void setState(const QString& text, Shape shape, Emphasis emphasis, const QString& advice = {});
-    /// Up to two letters inside the octagon or next to the symbol. They distinguish states with the same
-    /// symbol.
+    /// Sets up to two letters inside the octagon or next to other symbols. They distinguish states with the
+    /// same symbol.
     void setMark(const QString& mark);
     QString mark() const { return mark_; }
-    /// Uses the fixed-width font, for numbers.
+    /// Selects the fixed-width font, for numbers.
     void setNumberFont(bool figures);
-    /// Uses smaller text and margins, for a narrow window.
+    /// Selects smaller text and margins, for a narrow window.
     void setDense(bool dense);
-    /// Sets the minimum width to fit the caption and this number of characters of the value. Longer values
+    /// Sets a minimum width that fits the caption and this number of characters of the value. Longer values
     /// are elided.
     void setLeastCharacters(int characters);
-    /// The minimum width for the longest value with this caption [px].
+    /// Minimum width that fits the caption [px].
     int leastRoom(const QString& caption) const;
-    /// Sets a fixed width [px]. Longer texts get a smaller font, then a second line, and are elided if
-    /// necessary.
+    /// Sets a fixed width [px]. Texts that do not fit use a smaller font, then a second line, and are then
+    /// elided.
     void setRoom(int width);
     /// Smallest width at which this value is not elided [px].
     int leastWidth(const QString& text, Shape shape, Emphasis emphasis, const QString& mark) const;
@@ -93,7 +94,7 @@ private:
         QString text;          ///< one or two lines
         bool isWhole = false;  ///< not elided
     };
-    /// The value on one line in the largest font that fits, otherwise on two lines, otherwise elided.
+    /// The value on one line in the largest font that fits. If it does not fit, two lines, or elided text.
     FittedText fittedText() const;
     int valueRoom() const;
     int widthFor(const QString& value, const QString& caption) const;
@@ -116,7 +117,7 @@ private:
     bool figures_ = false;
     bool menuArrow_ = false;
     int leastCharacters_ = 4;
-    int room_ = 0;  ///< 0: depends on the text
+    int room_ = 0;  ///< fixed width [px]; 0: depends on the text
     bool dense_ = false;
 };
 

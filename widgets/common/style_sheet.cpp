@@ -11,7 +11,7 @@ namespace tiller {
 
 namespace {
 
-// Colours are placeholders of the form @role, replaced by the theme.
+// styleSheet() replaces the placeholders @role by the colours of the theme.
 constexpr char kTemplate[] = R"(
 QMainWindow, QDialog, QMessageBox { background: @background; }
 QMainWindow::separator { background: @background; width: 10px; height: 10px; }
@@ -110,7 +110,7 @@ QGroupBox { border: 1px solid @border; border-radius: 6px; margin-top: 18px; pad
 QGroupBox::title { subcontrol-origin: margin; left: 8px; color: @secondary; }
 )";
 
-// Small mouse targets in areas that have enough space for touch targets: scroll areas and overlays.
+// Larger touch targets in areas that always have enough space: scroll areas and overlays.
 constexpr char kTouch[] = R"(
 QCheckBox, QRadioButton { min-height: @touch; spacing: 12px; }
 QCheckBox::indicator, QRadioButton::indicator { width: 24px; height: 24px; }
@@ -119,7 +119,8 @@ QComboBox QAbstractItemView::item { min-height: @touch; }
 QPushButton[dense="true"] { min-height: @keyHeight; }
 )";
 
-// Parts of the window that are always visible.
+// Larger touch targets in parts of the window that are always visible. Used only if the window is large
+// enough.
 constexpr char kRoomyTouch[] = R"(
 QTabBar::tab { min-height: 36px; }
 QToolButton[quiet="true"], QPushButton[quiet="true"] { min-height: @keyHeight; }
@@ -146,7 +147,7 @@ QString styleSheet(const Theme& t) {
         {QStringLiteral("scheme"), t.isDark() ? QStringLiteral("dark") : QStringLiteral("light")},
         {QStringLiteral("keyHeight"), pixels(key)},
         {QStringLiteral("fieldHeight"),
-         pixels(touchHeight() > 0 ? key - 6 : key - 10)},  // padding and border are added to this value
+         pixels(touchHeight() > 0 ? key - 6 : key - 10)},  // without padding and border
         {QStringLiteral("touch"), pixels(key)},
         // Six buttons of this height must fit next to a table in the smallest window.
         {QStringLiteral("denseHeight"), pixels(touchHeight() > 0 ? key - 6 : std::min(key - 10, 28))},

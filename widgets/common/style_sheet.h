@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The style sheet of the standard widgets. Tiller's own widgets paint themselves (see theme.h).
+// The style sheet of the standard widgets. Custom widgets paint themselves (see theme.h).
 
 #include <QString>
 

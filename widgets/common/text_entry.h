@@ -5,10 +5,10 @@ class QWidget;
 
 namespace tiller {
 
-/// True for a widget with text input: keys must not move the arm while it has the focus.
+/// True for a widget with text input. While it has the focus, keys must not move the arm.
 bool takesText(const QWidget* widget);
 
-/// Marks a field whose text was refused and is not its value.
+/// Marks a field whose text was rejected, so that the text is not the value of the field.
 void markRefused(QWidget& field, bool refused);
 bool isMarkedRefused(const QWidget& field);
 

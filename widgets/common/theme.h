@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The appearance of the application: colours by role, two colour schemes, and fonts. Widgets that paint themselves
-// read Theme::current() while painting; all others use the palette and the style sheet set by applyTheme(). A
-// change is sent to all widgets as QEvent::StyleChange and repaints them.
+// The appearance of the application: colours by role, two colour schemes, and fonts. Widgets that paint
+// themselves read Theme::current() while painting. All others use the palette and the style sheet set by
+// applyTheme(). After a change, all widgets receive QEvent::StyleChange and are repainted.
 
 #include <QColor>
 #include <QFont>
@@ -16,8 +16,8 @@ namespace tiller {
 
 enum class ColorScheme { Light, Dark };
 
-/// Colours by role. The contrast of text is at least 4.5:1 on all surfaces where the colour is used, and 5:1
-/// for states and values.
+/// Colours by role. The contrast of text is at least 4.5:1 on every surface on which the colour is used, and
+/// 5:1 for states and values.
 struct Theme {
     ColorScheme scheme;
 
@@ -30,7 +30,7 @@ struct Theme {
     QColor text;
     QColor secondary;
     QColor disabledText;
-    QColor inverse;      ///< filled: the selected segment, the primary button
+    QColor inverse;      ///< background of the selected segment and the primary button
     QColor inverseText;  ///< text on `inverse`
 
     QColor moving;
@@ -60,7 +60,7 @@ struct Theme {
     static const Theme& light();
     static const Theme& dark();
     static const Theme& of(ColorScheme scheme) { return scheme == ColorScheme::Dark ? dark() : light(); }
-    /// The most recently applied theme; initially the light theme.
+    /// The theme that was applied last. Initially the light theme.
     /// Threads  GUI
     static const Theme& current();
 };
@@ -69,8 +69,8 @@ struct Theme {
 /// Threads  GUI
 void applyTheme(QApplication& application, const Theme& theme);
 
-/// For painting on paper. Theme::current() is the light theme while an object of this class exists. The
-/// application does not change.
+/// Selects the light theme for painting on paper: Theme::current() is the light theme during the lifetime of
+/// the object. The application does not change.
 /// Threads  GUI
 class PaperColors {
 public:
@@ -86,7 +86,7 @@ private:
 /// Corner radius of panels and buttons [px].
 inline constexpr int kCornerRadius = 6;
 
-/// The font of the application (with digits of equal width).
+/// The application font, with digits of equal width.
 QFont textFont(int pixelSize, QFont::Weight weight = QFont::Normal);
 /// Fixed-width font for columns of numbers.
 QFont numberFont(int pixelSize, QFont::Weight weight = QFont::Normal);

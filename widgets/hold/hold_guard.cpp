@@ -10,8 +10,8 @@ using control::StopCause;
 
 namespace {
 
-// Marks widgets with a guard. A press on a marked widget is discarded while another hold-to-run button is
-// held.
+// Property of buttons with a guard. While another hold-to-run button is held, a press on such a button is
+// discarded.
 constexpr char kHoldKeyProperty[] = "tillerHoldKey";
 
 }  // namespace
@@ -71,11 +71,12 @@ bool HoldGuard::press(const HoldSource& grip) {
     const HoldBounds bounds = motion_.bounds ? motion_.bounds() : HoldBounds();
     hasEnd_ = bounds.longestNs > 0 && !runsToEnd_;
     beganNs_ = clock_->nowNs();
-    // A short step runs to its end without being held.
+    // A short step runs to its end even if the button is released.
     rules_.begin(&key_, runsToEnd_ ? HoldSource{HoldSource::By::Nobody} : grip, bounds);
     timer_.start();
     Q_EMIT began();
-    // The start may have disabled the button before the rules applied. Such a button receives no release.
+    // If the start has disabled the button, the button receives no release, and the rules were not active at
+    // that time.
     if (!key_.isEnabled()) {
         stop(StopCause::ControlLost);
     }

@@ -3,7 +3,7 @@
 
 // Connects an on-screen button with the motion that runs while the button is held. Each guard belongs to one
 // button. It starts the motion on a press, refreshes it until a rule of HoldRules applies, and then ends it.
-// A stopped motion needs a new press.
+// A new press is required to continue.
 
 #include <QObject>
 #include <QPoint>
@@ -24,13 +24,13 @@ class HoldGuard : public QObject {
 
 public:
     /// key     the hold-to-run button; must outlive the guard
-    /// policy  the policy of the window; must outlive the guard
+    /// policy  hold policy of the window; must outlive the guard
     /// clock   used for all time measurements
     HoldGuard(QWidget& key, HoldPolicy& policy, const Clock& clock = SteadyClock::shared());
     ~HoldGuard() override;
 
-    /// True for a button with a guard. A press that stops another motion must not start a motion on this
-    /// button.
+    /// True for a button with a guard. A press that stops another motion must not also start a motion on such
+    /// a button.
     static bool isHoldKey(const QObject& widget);
 
     void setMotion(HoldMotion motion);
@@ -38,8 +38,8 @@ public:
 
     bool active() const { return rules_.isActive(); }
 
-    /// Handles a press of the button. Returns false if no motion was started; refused() then reports the
-    /// reason.
+    /// Starts the motion for a press of the button. Returns false if no motion was started. If there is a
+    /// reason, refused() is emitted.
     bool press(const HoldSource& grip = {});
     void release();
     /// Handles a move of the pointer or finger while the button is pressed.
@@ -47,13 +47,12 @@ public:
     void pointerMoved(const QPoint& position);
     /// Forwards a keyboard event that the button itself does not receive.
     void tell(HoldEvent::Kind kind) { rules_.happen(kind); }
-    /// Ends the active motion, if any.
     void stop(control::StopCause cause);
-    /// Performs one refresh by calling hold(). A timer calls this function every 20 ms. Tests with virtual
-    /// time call it directly.
+    /// Refreshes the motion once by calling hold(). A timer calls this function every 20 ms. Tests with
+    /// virtual time call it directly.
     void pump();
 
-    /// Time left until the maximum hold duration [ns].
+    /// Time until the maximum hold duration is reached [ns].
     std::int64_t leftNs() const { return rules_.leftNs(); }
 
     /// Period of the refresh [ms].
@@ -63,12 +62,12 @@ public:
 
 Q_SIGNALS:
     void began();
-    /// cause  None if no rule ended the motion (the arm arrived, or the session or the robot stopped the
-    /// motion)
+    /// cause  None if no rule ended the motion, i.e. the arm arrived, or the session or the robot stopped the
+    /// motion
     void ended(tiller::control::StopCause cause);
-    /// A press started no motion; `error` contains the reason.
+    /// A press did not start a motion. `error` contains the reason.
     void refused(const tiller::Error& error);
-    /// A button that must be held until the arm arrives was released immediately, like a click.
+    /// A button that must be held until the arm arrives was released within kClickNs.
     void clicked();
 
 private:
@@ -83,7 +82,7 @@ private:
     std::int64_t beganNs_ = 0;
     bool pressed_ = false;
     bool runsToEnd_ = false;
-    bool hasEnd_ = false;  ///< the motion ends by itself if it is held long enough
+    bool hasEnd_ = false;  ///< true if the motion ends by itself while the button is held
 };
 
 }  // namespace tiller

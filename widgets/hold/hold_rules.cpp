@@ -29,13 +29,13 @@ bool isEvent(const HoldEvent& news, QEvent::Type type) {
     return news.kind == Kind::Event && news.event->type() == type;
 }
 
-/// A press is delivered to the native window first and then to the widget. It is evaluated at the widget,
-/// because the widget may be a hold-to-run button.
+/// A press is delivered first to the native window and then to the widget. Evaluate it at the widget, which
+/// may be a hold-to-run button.
 bool isAtWidget(const HoldEvent& news) {
     return news.watched->isWidgetType();
 }
 
-/// The first click on STOP ends a hold before STOP receives it.
+/// Determines the cause of a press during a hold. A press on STOP ends the hold before STOP receives it.
 StopCause causeOfPressOn(const QObject& widget) {
     return widget.property(kStopButtonProperty).toBool() ? StopCause::StopButton : StopCause::SecondButton;
 }
@@ -143,7 +143,7 @@ struct HoldRules::HoldRuleTable {
         if (!isEvent(n, QEvent::FocusOut) || n.watched != h.key_) {
             return StopCause::None;
         }
-        // A button that is disabled or hidden loses the focus first. Report the underlying reason.
+        // A button loses the focus before it is disabled or hidden, so report the underlying reason.
         const Qt::FocusReason reason = static_cast<QFocusEvent*>(n.event)->reason();
         if (!h.key_->isEnabled()) {
             return StopCause::ControlLost;
@@ -166,7 +166,7 @@ struct HoldRules::HoldRuleTable {
                     hidden ? StopCause::WindowClosed : StopCause::WindowDeactivated);
     }
     static StopCause windowFocusLost(const HoldRules&, const HoldEvent& n) {
-        // A floating panel shares the activation state of its window. Only the focus change shows that the
+        // A floating panel shares the activation state of its window, so only the focus change shows that the
         // operator switched to another window.
         return when(isEvent(n, QEvent::FocusOut) && n.watched->isWindowType(), StopCause::WindowDeactivated);
     }
@@ -202,7 +202,7 @@ struct HoldRules::HoldRuleTable {
         return when(isEvent(n, QEvent::Quit), StopCause::WindowClosed);
     }
 
-    // events of the display server; Qt reports them 100 ms later, in case the focus returns
+    // events of the display server; Qt reports a lost focus 100 ms later, in case the focus returns
 
     static StopCause nativeFocusLost(const HoldRules&, const HoldEvent& n) {
         return when(n.kind == Kind::NativeFocus, StopCause::WindowDeactivated);
@@ -248,8 +248,8 @@ struct HoldRules::HoldRuleTable {
     // conditions for starting a motion
 
     static QString inactiveWindow(const HoldRules&, const QWidget* key, const HoldSource&) {
-        // The press that activates a window must not move the arm. Only the active application may move the
-        // arm.
+        // A press that activates the window must not move the arm. Without an on-screen button, only an
+        // active application may move the arm.
         if (key != nullptr) {
             return QApplication::activeWindow() == key->window()
                        ? QString()
@@ -258,7 +258,7 @@ struct HoldRules::HoldRuleTable {
         return QApplication::activeWindow() != nullptr ? QString() : tr("Click in the window first.");
     }
     static QString openDialog(const HoldRules&, const QWidget*, const HoldSource& grip) {
-        // A dialog already blocks mouse and touch input. Keyboard jogging and input devices need this check.
+        // Check this only for keyboard and devices, because a dialog already blocks mouse and touch input.
         if (grip.by != HoldSource::By::Keys && grip.by != HoldSource::By::Device) {
             return {};
         }
@@ -455,7 +455,7 @@ bool HoldRules::anyKeyState(const Test& test) const {
 }
 
 StopCause HoldRules::hiddenCause() const {
-    // Hiding a window also hides its buttons.
+    // If the window is hidden, its buttons are hidden as well.
     return key_ != nullptr && key_->window()->isHidden() ? StopCause::WindowClosed
                                                          : StopCause::SelectionChanged;
 }
@@ -484,7 +484,7 @@ bool HoldRules::eventFilter(QObject* watched, QEvent* event) {
     news.watched = watched;
     news.event = event;
     const bool ended = happen(news);
-    // The press that stops one motion must not start another.
+    // A press that stops a motion must not start another motion.
     const bool press = event->type() == QEvent::MouseButtonPress ||
                        event->type() == QEvent::MouseButtonDblClick || event->type() == QEvent::TouchBegin ||
                        event->type() == QEvent::TabletPress;

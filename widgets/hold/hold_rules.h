@@ -2,18 +2,18 @@
 #pragma once
 
 // The rules for starting and ending hold-to-run motions. They apply to on-screen buttons that are held by the
-// mouse, a finger or a key of the keyboard (HoldGuard). They also apply to jogging by keyboard, gamepad or
-// SpaceMouse without an on-screen button (AxisJog). Each rule is one row of a table in hold_rules.cpp. The
-// first row that applies ends the motion and sets the cause. Conditions that only the owner can detect
-// (another selection, a lost device, system sleep) end the motion directly.
+// mouse, a finger or a key of the keyboard (HoldGuard), and to jogging by keyboard, gamepad or SpaceMouse
+// without an on-screen button (AxisJog). Each rule is a row of a table in hold_rules.cpp. The first row that
+// applies ends the motion and sets the cause. Conditions that only the owner can detect (another selection, a
+// lost device, system sleep) end the motion directly.
 //
 // Evidence that the input is still held:
 // - mouse button or keyboard key: the events of the window and, where available, a query of the display
-//   server (KeyStateProbe) within the last 100 ms;
+// server (KeyStateProbe) within the last 100 ms;
 // - finger on the screen, gamepad, SpaceMouse: their events. A finger or stick that is held still may send no
-//   events. The motion then continues for at most 25 mm or 15 deg, at least 100 ms and at most 2 s
-//   (HoldBounds::holdTimeoutNs). After that the operator must press again. The limit is 100 ms for a stick
-//   whose driver reports continuously.
+// events. The motion then continues for at most 25 mm or 15 deg, and for 100 ms to 2 s
+// (HoldBounds::holdTimeoutNs). After that, the operator must press again. The limit is 100 ms for a stick
+// whose driver reports continuously.
 
 #include <QAbstractNativeEventFilter>
 #include <QEvent>
@@ -46,16 +46,16 @@ struct HoldSource {
         Nobody,  ///< a short step that runs to its end without being held
     };
     By by = By::Mouse;
-    QList<KeyCode> keys = {};  ///< By::Keys: all keys that hold the motion
+    QList<KeyCode> keys = {};  ///< By::Keys: every key that holds the motion
 };
 
-/// Settings and state shared by all hold-to-run buttons of a window. Owned by the window; outlives the
-/// buttons.
+/// Settings and state shared by all hold-to-run buttons of a window. The window owns the policy, which
+/// outlives the buttons.
 struct HoldPolicy {
-    KeyStateProbe* witness = nullptr;  ///< null if not available
-    /// Maximum duration of a motion that has no defined end [ns].
+    KeyStateProbe* witness = nullptr;  ///< key-state check; null if not available
+    /// Maximum duration of a motion without a defined end [ns].
     std::int64_t longestNs = kUsualLongestNs;
-    /// The active hold. Only one hold is allowed at a time.
+    /// The active hold. Only one hold is permitted at a time.
     HoldRules* holding = nullptr;
 
     /// Ends the active hold, if any.
@@ -73,10 +73,10 @@ struct HoldEvent {
         Application,   ///< the state of the application changed
         LetGo,         ///< the key, button or finger was released
         PointerAt,     ///< position of the pointer or finger in coordinates of the button
-        PressedAgain,  ///< pressed again with a second finger, or another button was pressed
+        PressedAgain,  ///< a second finger or another button was pressed
         OtherKey,      ///< another key of the keyboard was pressed
         Modifier,      ///< a modifier of the keyboard was pressed or released
-        Unmatched,     ///< a press or release of a keyboard key that does not match the recorded state
+        Unmatched,     ///< a key was pressed or released contrary to its recorded state
         Refresh,       ///< 20 ms have elapsed
         Input,         ///< the input device was read
     };
@@ -101,16 +101,16 @@ public:
     void setClock(const Clock& clock) { clock_ = &clock; }
 
     /// Returns the reason why no motion may start, as a sentence; empty if a motion may start.
-    /// key  the held button; null if the input is not an on-screen button
+    /// key  the pressed button; null if the input is not an on-screen button
     QString obstacle(const QWidget* key, const HoldSource& grip) const;
 
-    /// Called when this input requests a motion. Ends a motion held by another input, because two
-    /// simultaneous inputs are not allowed.
+    /// Ends a motion that another input holds, because simultaneous inputs are not permitted. Call this when
+    /// this input requests a motion.
     void endOther();
 
-    /// Called when a motion has started. The rules apply until end().
+    /// Activates the rules until end(). Call this when a motion has started.
     void begin(QWidget* key, const HoldSource& grip, const HoldBounds& bounds);
-    /// Called when the motion has ended.
+    /// Deactivates the rules. Call this when the motion has ended.
     void end();
     /// Ends an active motion with this cause.
     void stop(control::StopCause cause);
@@ -120,14 +120,14 @@ public:
     /// Returns  true if the motion was ended
     bool happen(const HoldEvent& news);
     bool happen(HoldEvent::Kind kind) { return happen(HoldEvent{kind}); }
-    /// Called for every event from the finger or the device.
+    /// Restarts the timeout of the input. Call this for every event from the finger or the device.
     void heard() { heardNs_ = clock_->nowNs(); }
     /// Replaces the set of keys that hold the motion.
     void setKeys(const QList<KeyCode>& keys);
     void setHoldTimeout(std::int64_t ns) { bounds_.holdTimeoutNs = ns; }
     const HoldSource& grip() const { return grip_; }
 
-    /// Time left until the maximum hold duration [ns].
+    /// Time until the maximum hold duration is reached [ns].
     std::int64_t leftNs() const;
 
     /// The names of all rules, including the conditions for starting a motion.
@@ -137,8 +137,8 @@ public:
     static constexpr int kRefreshMs = 20;
     /// Maximum distance of the pointer from the button [px].
     static constexpr int kPointerSlack = 30;
-    /// The motion ends if the gap between two refreshes, or between two replies of the key-state check,
-    /// exceeds this limit [ms].
+    /// Maximum time between two refreshes, and between two replies of the key-state check [ms]. A longer gap
+    /// ends the motion.
     static constexpr int kStallMs = 100;
 
 protected:

@@ -26,10 +26,10 @@ HoldToRunButton::HoldToRunButton(const QString& text, HoldPolicy& policy, QWidge
     : QAbstractButton(parent), guard_(*this, policy) {
     setText(text);
     setAccessibleName(text);
-    // The guard sets the focus on a press. With a focus policy, Qt would move the focus earlier, away from a
-    // button held by another finger. The second press would then look like the first one.
+    // The guard sets the focus on a press. With a focus policy, Qt would do so earlier and take the focus
+    // from a button that another finger holds. The second press would then look like the first press.
     setFocusPolicy(Qt::NoFocus);
-    setMouseTracking(true);  // a move without a pressed button shows that the release was not received
+    setMouseTracking(true);  // a move without a pressed button shows that the release was missed
     setAttribute(Qt::WA_AcceptTouchEvents);
     setAttribute(Qt::WA_Hover);
     connect(&guard_, &HoldGuard::began, this, [this] { setDown(true); });
@@ -96,7 +96,7 @@ void HoldToRunButton::showHoldHint() {
 QSize HoldToRunButton::sizeHint() const {
     const int words = std::max(QFontMetrics(textFont(15)).horizontalAdvance(text()),
                                QFontMetrics(textFont(kDetailSize)).horizontalAdvance(widestDetail_));
-    // The same height as the neighbouring push buttons including their border.
+    // Use the height of the neighbouring push buttons including their border.
     return {words + 24, keyHeight(currentDensity()) + 2};
 }
 
@@ -143,7 +143,7 @@ void HoldToRunButton::paintEvent(QPaintEvent*) {
     if (detail().isEmpty()) {
         painter.drawText(rect(), Qt::AlignCenter, text());
     } else if (both > height()) {
-        // There is no space for two lines, so a temporary hint replaces the name.
+        // Without space for two lines, the temporary hint replaces the name.
         painter.drawText(rect(), Qt::AlignCenter, showsHoldHint() ? detail() : text());
     } else {
         const int top = (height() - both) / 2;
@@ -156,7 +156,8 @@ void HoldToRunButton::paintEvent(QPaintEvent*) {
 void HoldToRunButton::mousePressEvent(QMouseEvent* event) {
     event->accept();
     if (event->button() == Qt::LeftButton && event->buttons() == Qt::LeftButton) {
-        // Some window systems synthesize mouse events from touch. The device type identifies a finger.
+        // Some window systems synthesize mouse events from touch events. Identify a finger by the device
+        // type.
         const bool finger =
             event->device() != nullptr && event->device()->type() == QInputDevice::DeviceType::TouchScreen;
         guard_.press({finger ? HoldSource::By::Touch : HoldSource::By::Mouse});
@@ -166,13 +167,13 @@ void HoldToRunButton::mousePressEvent(QMouseEvent* event) {
 }
 
 void HoldToRunButton::mouseDoubleClickEvent(QMouseEvent* event) {
-    mousePressEvent(event);  // the second press of a double click counts as a normal press
+    mousePressEvent(event);  // treat the second press of a double click as a normal press
 }
 
 void HoldToRunButton::mouseMoveEvent(QMouseEvent* event) {
     event->accept();
     if (!event->buttons().testFlag(Qt::LeftButton)) {
-        guard_.release();  // the release was delivered to another widget
+        guard_.release();  // the release was delivered to a different widget
         return;
     }
     guard_.pointerMoved(event->position().toPoint());
@@ -211,7 +212,7 @@ bool HoldToRunButton::event(QEvent* event) {
 
 bool HoldToRunButton::touchEvent(QEvent* event) {
     event->accept();
-    // HoldRules has already ended the motion of a cancelled touch.
+    // For a cancelled touch, HoldRules has already ended the motion.
     if (!isEnabled() || event->type() == QEvent::TouchCancel) {
         return true;
     }

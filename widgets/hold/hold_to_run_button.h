@@ -2,8 +2,8 @@
 #pragma once
 
 // A hold-to-run button: the arm moves only while the button is pressed (jog buttons, joint buttons, "Go to
-// (hold)", "Home (hold)"). The button accepts the left mouse button or one touch point. Keyboard and wheel do
-// not press it directly. HoldRules determines when the motion ends.
+// (hold)", "Home (hold)"). The button accepts the left mouse button or one touch point. The keyboard and the
+// wheel do not press it directly. HoldRules determines when the motion ends.
 
 #include <QAbstractButton>
 #include <QTimer>
@@ -23,18 +23,17 @@ public:
     void setMotion(HoldMotion motion) { guard_.setMotion(std::move(motion)); }
     HoldGuard& guard() { return guard_; }
     bool isHolding() const { return guard_.active(); }
-    /// Time left until the maximum hold duration [ns].
+    /// Time until the maximum hold duration is reached [ns].
     std::int64_t holdLeftNs() const { return guard_.leftNs(); }
 
-    /// Set to true while the robot confirms the requested motion. The button then has a blue border and tint.
+    /// True while the robot confirms the requested motion. The button then has a blue border and tint.
     void setConfirmed(bool confirmed);
     bool isConfirmed() const { return confirmed_; }
-    /// Sets a smaller second line below the name, for the speed of the motion. Empty: no second line.
+    /// Sets a second, smaller line below the name, for the speed of the motion. May be empty.
     void setDetail(const QString& detail);
-    /// Reserves the width of this text, so that a change of the detail does not move the neighbouring
-    /// widgets.
+    /// Reserves the width of this text, so that a changed detail does not move the neighbouring widgets.
     void setWidestDetail(const QString& detail);
-    /// The displayed second line. It is "hold" for two seconds after a click.
+    /// The displayed second line, which is "hold" for two seconds after a click.
     QString detail() const;
     /// True for two seconds after a click, to remind the user that the button must be held.
     bool showsHoldHint() const { return holdHint_.isActive(); }
@@ -55,7 +54,7 @@ protected:
     void wheelEvent(QWheelEvent* event) override;
     bool event(QEvent* event) override;
 
-    /// Draws background and border for the current state of the button. For subclasses that paint additional
+    /// Draws the background and the border for the current state. For subclasses that paint additional
     /// content.
     void paintSurface(QPainter& painter) const;
     QColor textColor() const;

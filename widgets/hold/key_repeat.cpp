@@ -49,7 +49,8 @@ bool KeyRepeat::intercepts(QObject& receiver, QEvent& event) {
         deliverRepeat(key);
         return true;
     }
-    // The press of a repetition follows its release directly. Any other key event shows that the key was released.
+    // The press of a repetition directly follows its release. Any other key event shows that the key was
+    // released.
     deliver();
     return event.type() == QEvent::KeyRelease && receiver.isWindowType() &&
            delays(static_cast<QWindow&>(receiver), key);
@@ -58,7 +59,7 @@ bool KeyRepeat::intercepts(QObject& receiver, QEvent& event) {
 bool KeyRepeat::delays(QWindow& window, const QKeyEvent& event) {
     const KeyCode code = PhysicalKeys::codeOf(event);
     if (probe_ == nullptr || !probe_->isThere() || event.isAutoRepeat() || !PhysicalKeys::hasNumber(code) ||
-        probe_->waitingNs() > kLongestMs * kNsPerMs) {  // a display server that does not reply
+        probe_->waitingNs() > kLongestMs * kNsPerMs) {  // the display server does not respond
         return false;
     }
     release_ = std::make_unique<Release>();
@@ -82,7 +83,7 @@ void KeyRepeat::poll() {
     }
     const KeyStateProbe::Word word = probe_->key(release_->code);
     if (word.askedNs > release_->sinceNs && word.downNs > release_->sinceNs) {
-        release_->isRepeat = true;  // the press of the repetition has not been received yet
+        release_->isRepeat = true;  // wait for the press of the repetition
     } else if (word.askedNs > release_->sinceNs ||
                clock_.nowNs() - release_->sinceNs > kLongestMs * kNsPerMs) {
         deliver();

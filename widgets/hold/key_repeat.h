@@ -19,8 +19,8 @@ namespace tiller {
 
 class KeyStateProbe;
 
-/// Delays the release of a key until the key-state check has replied, at most `kLongestMs`. If the key is still
-/// pressed, the release and the press that follows it become auto-repeat events.
+/// Delays the release of a key until the key-state check has replied, at most `kLongestMs`. If the key is
+/// still pressed, the release and the following press are delivered as auto-repeat events.
 /// Threads  GUI
 class KeyRepeat : public QObject {
     Q_OBJECT
@@ -29,11 +29,13 @@ public:
     explicit KeyRepeat(const Clock& clock = SteadyClock::shared(), QObject* parent = nullptr);
     ~KeyRepeat() override;
 
-    /// Without a key-state check, all events pass unchanged.
+    /// Sets the key-state check. Without it, all events pass unchanged.
     void setProbe(KeyStateProbe* probe);
-    /// Must be called with every event before it is delivered. Returns true if the event must not be delivered.
+    /// Must be called with every event before the event is delivered. Returns true if the event must not be
+    /// delivered.
     bool intercepts(QObject& receiver, QEvent& event);
-    /// Checks for the reply of the key-state check. The timer calls it every millisecond while a release is delayed.
+    /// Evaluates the reply of the key-state check. A timer calls it every millisecond while a release is
+    /// delayed.
     void poll();
 
     static constexpr int kLongestMs = 10;

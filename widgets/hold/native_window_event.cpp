@@ -8,7 +8,7 @@ namespace tiller {
 
 namespace {
 
-// The layout is defined by the X protocol, so that no header of the display server is required.
+// The X protocol defines this layout, so no header of the display server is required.
 struct XWindowEvent {
     quint8 type;
     quint8 detail;
@@ -23,7 +23,7 @@ constexpr quint8 kUnmapNotify = 18;
 constexpr quint8 kNotifyGrab = 1;
 constexpr quint8 kNotifyUngrab = 2;
 constexpr quint8 kNotifyInferior = 2;  // a child window has the focus
-constexpr quint8 kNotifyPointer = 5;   // the window had the pointer, not the focus
+constexpr quint8 kNotifyPointer = 5;   // the window had the pointer without the focus
 constexpr quint8 kSentByClient = 0x80;
 
 }  // namespace

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Events of the display server that end a hold, read before Qt evaluates them. On X11, Qt waits 100 ms after a
-// window has lost the input focus before it reports the loss, in case the focus returns. Other platforms report a
-// lost focus at once.
+// Events of the display server that end a hold, read before Qt evaluates them. On X11, Qt reports a lost
+// input focus only after 100 ms, in case the focus returns. Other platforms report a lost focus immediately.
 
 #include <QByteArray>
 #include <QWindow>
@@ -20,7 +19,7 @@ struct NativeWindowEvent {
     WId window = 0;
 };
 
-/// type, message  as for QAbstractNativeEventFilter; types of other platforms are Kind::Other
+/// type, message  as for QAbstractNativeEventFilter; types of other platforms return Kind::Other
 NativeWindowEvent nativeWindowEvent(const QByteArray& type, const void* message);
 
 }  // namespace tiller

@@ -13,10 +13,10 @@ constexpr quint32 kFirstCode = 0;
 constexpr quint32 kFirstCode = 8;  // offset of the key codes of X11 and Wayland
 #endif
 
-/// E.g. Cyrillic, Greek, Hebrew. Punctuation and digits do not count.
+/// True for letters of non-Latin scripts, e.g. Cyrillic, Greek, Hebrew. Punctuation and digits do not count.
 bool writesLetterOfAnotherScript(const QKeyEvent& event) {
 #ifdef Q_OS_MACOS
-    return event.key() < 0;  // Qt itself maps shortcuts to Latin letters on this platform
+    return event.key() < 0;  // on this platform, Qt maps shortcuts to Latin letters
 #else
     const int key = event.key();
     if (key < 0x100 || key > static_cast<int>(QChar::LastValidCodePoint)) {
@@ -27,7 +27,7 @@ bool writesLetterOfAnotherScript(const QKeyEvent& event) {
 #endif
 }
 
-/// The letter at this key position on a US keyboard; 0 if the key is not a letter.
+/// Returns the letter at this key position on a US keyboard; 0 if there is no letter.
 int letterAt(quint32 scanCode) {
     struct Row {
         quint32 first;
@@ -49,7 +49,7 @@ int letterAt(quint32 scanCode) {
 KeyCode PhysicalKeys::codeOf(const QKeyEvent& event) {
     KeyCode code = event.nativeScanCode();
 #ifdef Q_OS_MACOS
-    // On macOS the virtual key identifies the position, and 0 is a valid value.
+    // The virtual key identifies the position on macOS, and 0 is a valid value.
     code = event.nativeVirtualKey() + 1;
 #endif
     return code != 0 && hasNumber(code) ? code : kNoNumber | static_cast<KeyCode>(event.key());
@@ -74,7 +74,7 @@ PhysicalKeys::Change PhysicalKeys::take(const QKeyEvent& event, int meaning) {
     const bool pair = event.timestamp() != 0 && code == releasedCode_ && event.timestamp() == releasedAt_;
     down_.insert(code, meaning);
     if (pair) {
-        return Change::Repeat;  // rule: a keyboard that repeats with release and press events
+        return Change::Repeat;  // rule: a keyboard that sends a release and a press for each repetition
     }
     return known ? Change::DownAgain : Change::Down;
 }

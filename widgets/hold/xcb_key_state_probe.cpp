@@ -24,7 +24,7 @@ struct FreeReply {
 template <class Reply>
 using Owned = std::unique_ptr<Reply, FreeReply>;
 
-/// Returns true once the reply to a request has arrived; the reply is null if the server reported an error.
+/// Returns true if the reply to a request has arrived. The reply is null if the server reported an error.
 template <class Reply>
 bool taken(xcb_connection_t* link, unsigned int request, Owned<Reply>& into) {
     void* reply = nullptr;
@@ -63,10 +63,10 @@ public:
         keysRequest_ = xcb_query_keymap(link_).sequence;
         xcb_flush(link_);
     }
-    /// Reads received data. Returns true once both replies have arrived.
+    /// Reads the received data. Returns true if both replies have arrived.
     bool answered(bool& button, std::array<bool, kKeys>& keys) {
         while (const Owned<xcb_generic_event_t> news{xcb_poll_for_event(link_)}) {
-            // No events are requested; discard any received event.
+            // Discard all events, because none were selected.
         }
         if (!isAsking()) {
             return false;
@@ -99,7 +99,7 @@ private:
 XcbKeyStateProbe::XcbKeyStateProbe() {
     std::array<int, 2> ends{-1, -1};
     if (::pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) != 0) {
-        return;  // without a thread, the check is unavailable
+        return;  // the check is not available without a thread
     }
     wakeRead_ = ends[0];
     wakeWrite_ = ends[1];
@@ -120,7 +120,8 @@ XcbKeyStateProbe::~XcbKeyStateProbe() {
 
 void XcbKeyStateProbe::wake() {
     const char token = 0;
-    [[maybe_unused]] const auto written = ::write(wakeWrite_, &token, 1);  // full: a wake-up is pending
+    [[maybe_unused]] const auto written =
+        ::write(wakeWrite_, &token, 1);  // full: a wake-up is already pending
 }
 
 void XcbKeyStateProbe::want(bool wanted) {
@@ -202,7 +203,7 @@ void XcbKeyStateProbe::run() {
             waitingSinceNs_ = 0;
         }
         if (!link.isAlive()) {
-            // The connection is lost and no more replies will arrive. This ends every hold.
+            // The connection is lost, so no more replies will arrive. A long waiting time ends every hold.
             waitingSinceNs_ = waitingSinceNs_ == 0 ? clock.nowNs() - kNsPerSecond : waitingSinceNs_.load();
             return;
         }

@@ -2,9 +2,9 @@
 #pragma once
 
 // Key-state check on X11. A separate thread queries the pointer buttons and the keymap over a separate
-// connection to the display server. A server that hangs does not respond, and a server that has exited closes
-// the connection. Neither case blocks the GUI thread, which receives no new results. Key numbers are the same
-// as in window events.
+// connection to the display server. A hanging server does not respond, and a terminated server closes the
+// connection. In neither case is the GUI thread blocked, but it receives no new results. Key numbers are the
+// same as in window events.
 
 #include <array>
 #include <atomic>
@@ -15,8 +15,8 @@
 
 namespace tiller {
 
-/// Threads  A separate thread with normal priority connects, sends queries and waits for replies. Results are
-/// passed to the GUI thread under a lock that is held only while copying.
+/// Threads  A separate thread with normal priority connects, sends queries and waits for replies. The GUI
+/// thread receives the results under a lock that is held only while copying.
 class XcbKeyStateProbe final : public KeyStateProbe {
 public:
     /// Connects to the display of the window in the background.
@@ -46,9 +46,9 @@ private:
 
     std::atomic<bool> there_{false};
     std::atomic<bool> wanted_{false};
-    std::atomic<bool> once_{false};  ///< a query was requested by query()
+    std::atomic<bool> once_{false};  ///< set by query() for one additional query
     std::atomic<bool> quit_{false};
-    std::atomic<std::int64_t> waitingSinceNs_{0};  ///< 0: no query is pending
+    std::atomic<std::int64_t> waitingSinceNs_{0};  ///< time of the pending query; 0: none
     int wakeRead_ = -1;
     int wakeWrite_ = -1;
 
