@@ -87,7 +87,7 @@ void ActionTable::remove(QAction* action) {
     actions_.removeOne(action);
     std::erase_if(rules_, [action](const Rule& rule) { return rule.action == action; });
     owner_.removeAction(action);
-    // Delete later, because the action may be currently running.
+    // Delete the action later, because it may be running.
     action->deleteLater();
 }
 
@@ -179,7 +179,7 @@ bool ActionTable::eventFilter(QObject* watched, QEvent* event) {
     if (action == nullptr) {
         return false;
     }
-    // As with every shortcut, the focus widget has priority, because an input field needs the letter.
+    // Ask the focus widget first, as for every shortcut, because an input field needs the letter.
     QKeyEvent question(QEvent::ShortcutOverride, letter, press.modifiers(), press.nativeScanCode(),
                        press.nativeVirtualKey(), press.nativeModifiers(), press.text());
     question.ignore();

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Table of all actions of the window: name, menu, shortcut, one sentence of help, and the reason why an
-// action is disabled. The menus, the shortcuts, the command list, the shortcut settings and the help page
-// are generated from this table.
+// Table of all actions of the window: name, menu, shortcut, a help sentence, and the reason why an action is
+// disabled. The menus, the shortcuts, the command list, the shortcut settings and the help page are generated
+// from this table.
 
 #include <QAction>
 #include <QKeySequence>
@@ -17,12 +17,12 @@
 namespace tiller::app {
 
 struct ActionSpec {
-    QString id;    ///< e.g. "power.on"; the part before the dot is the id of the menu
+    QString id;    ///< e.g. "power.on"; the part before the dot is the menu ID
     QString text;  ///< e.g. "Power on"
     QString help;  ///< one sentence
     QKeySequence shortcut = {};
     std::function<void()> run;
-    /// Returns the reason why the action is disabled; empty if it is enabled. Null: the action is always
+    /// Returns the reason why the action is disabled; empty if it is enabled. If null, the action is always
     /// enabled.
     std::function<QString(const SessionState&)> obstacle = {};
 };
@@ -53,22 +53,23 @@ public:
     static QString helpOf(const QAction& action);
     /// Returns the reason why the action is disabled; empty if it is enabled.
     static QString obstacleOf(const QAction& action);
-    /// True if the actions would conflict when they have the same shortcut. False if their shortcuts are
-    /// limited to different tabs.
+    /// True if the actions would conflict with the same shortcut. False if their shortcuts are limited to
+    /// different tabs.
     static bool share(const QAction& a, const QAction& b);
     static QKeySequence builtInShortcut(const QAction& action);
-    /// Assigns to each action its shortcut in the map, or its default shortcut.
+    /// Assigns to each action its shortcut in the map. Actions that are not in the map get their default
+    /// shortcut.
     void setShortcuts(const QMap<QString, QKeySequence>& chosen);
 
-    /// Returns a table of all actions for users, as rich text.
+    /// Returns a table of all actions as rich text, for the help page.
     QString helpText() const;
 
 public Q_SLOTS:
     void applyState(const tiller::SessionState& state);
 
 protected:
-    /// Handles shortcuts on keyboards without Latin letters. A shortcut with a letter then refers to the
-    /// position of the key.
+    /// Handles shortcuts on keyboards without Latin letters. A letter in a shortcut then refers to the
+    /// position of the key on a US keyboard.
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
@@ -82,7 +83,7 @@ private:
     QWidget& owner_;
     QList<QAction*> actions_;
     std::vector<Rule> rules_;
-    /// Shortcuts selected by the user; also applied to actions added later.
+    /// Shortcuts selected by the user. They also apply to actions added later.
     QMap<QString, QKeySequence> chosen_;
 };
 

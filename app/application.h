@@ -15,10 +15,11 @@ class Application final : public QApplication {
 public:
     using QApplication::QApplication;
 
-    /// The object must be deleted before the application; it is removed automatically.
+    /// The KeyRepeat must be deleted before the application. Its deletion resets the pointer.
     void setKeyRepeat(KeyRepeat* keyRepeat) { keyRepeat_ = keyRepeat; }
     bool notify(QObject* receiver, QEvent* event) override {
-        // Other threads also deliver their events here; only key events belong to the GUI thread.
+        // Check the event type, because other threads also call notify(), and key events are only delivered
+        // in the GUI thread.
         const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease ||
                            event->type() == QEvent::ShortcutOverride;
         return (isKey && keyRepeat_ != nullptr && keyRepeat_->intercepts(*receiver, *event)) ||

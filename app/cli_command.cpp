@@ -14,7 +14,7 @@ namespace {
 constexpr qsizetype kTextColumn = 23;
 constexpr qsizetype kMaxLineLength = 102;
 
-/// Breaks the text between words. The first line begins at this column.
+/// Wraps the text between words. The first line already contains `indent` characters.
 QString wrapped(const QString& text, qsizetype indent) {
     QString result;
     qsizetype column = indent;

@@ -27,7 +27,7 @@ inline int wrongArguments(const QString& what) {
     return complain(what + QStringLiteral("\nSee 'tiller-cli --help'."), kWrongArguments);
 }
 
-/// Values that a number may have, including both limits.
+/// Range of a number, including both limits.
 struct NumberRange {
     double min = 0;
     double max = 0;
@@ -45,7 +45,7 @@ struct CommandOption {
     NumberRange range = {};  ///< for a number; empty: the value is a text
 };
 
-/// A row of the help for an argument that is not an option.
+/// Row of the help for an argument that is not an option.
 struct CommandOperand {
     QString name;
     QString text;
@@ -66,7 +66,8 @@ struct Command {
     bool optionsEndAtFirstOperand = false;
 };
 
-/// The arguments of a command. An option that is not in the table of the command is a programming error.
+/// The arguments of a command. Requesting an option that is not in the table of the command is a programming
+/// error.
 class CommandArguments {
 public:
     CommandArguments(const Command& command, const QStringList& arguments);
@@ -74,13 +75,13 @@ public:
     CommandArguments(const CommandArguments&) = delete;
     CommandArguments& operator=(const CommandArguments&) = delete;
 
-    /// Returns the error in the command line; empty if it is correct.
+    /// Returns the error in the command line; empty if there is none.
     const QString& problem() const { return problem_; }
     bool wantsHelp() const;
     bool isSet(const char* option) const;
     QString value(const char* option) const;
     QStringList values(const char* option) const;
-    /// Returns the value of an option with a range; 0 if it has neither a value nor an initial value.
+    /// Returns the value of a numeric option; 0 if it has neither a value nor an initial value.
     double number(const char* option) const;
     QStringList operands() const;
 
@@ -94,7 +95,6 @@ private:
 
 /// All commands in the order of the help.
 const std::vector<const Command*>& commands();
-/// The help of tiller-cli.
 QString mainHelp();
 QString helpOf(const Command& command);
 /// arguments  all arguments of the program, including its name

@@ -17,7 +17,7 @@ namespace {
 
 using divergence::Quantity;
 
-/// Output format of a quantity: its name, its unit, and the conversion factor from SI.
+/// Output format of a quantity: name, unit, and conversion factor from SI units.
 struct Spelling {
     const char* key;
     const char* name;

@@ -9,14 +9,14 @@
 
 namespace tiller::app {
 
-/// Values of --port-offset.
+/// Range of --port-offset.
 inline constexpr NumberRange kPortOffsets{-29000, 35000, true};
 
-/// Splits "A,B, C" into names.
+/// Splits a list such as "A,B, C".
 std::vector<std::string> namesIn(const QString& list);
 
 /// True if the text can be an address or a host name: letters, digits and ".-_:%", at most 255 characters,
-/// and no command line option. Text derived from it, such as a file name, is then safe.
+/// and not an option. Such a text is safe to use, e.g. in a file name.
 bool isHostName(const QString& text);
 
 }  // namespace tiller::app

@@ -11,18 +11,18 @@
 
 namespace tiller::app {
 
-/// A program of a project, with the generated script.
+/// A program of a project and its generated script.
 struct LoadedProgram {
     project::Project project;
     QUuid program;
     program::ScriptOptions options;
-    program::ProgramScript script;  ///< see ProgramScript::ok()
+    program::ProgramScript script;  ///< may contain problems; see ProgramScript::ok()
 };
 
-/// name      name of the program; empty: the only program of the project
-/// fromStep  number of the first step to run; 0: the first step of the program
-/// Errors    as project::loadProject(); InvalidArgument, with the existing names or numbers, if there is no
-/// such program or step
+/// name      name of the program; if empty, the only program of the project
+/// fromStep  number of the first step to run; 0 for the first step of the program
+/// Errors    those of project::loadProject(); InvalidArgument with the existing names or numbers if the
+/// program or the step does not exist
 Result<LoadedProgram> loadProgram(const QString& path, const QString& name, int fromStep);
 
 /// Formats a problem with a step, e.g. "step 3 (MoveL): The arm cannot reach ...".

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A progress line on a terminal that is overwritten with each update. Without a terminal, e.g. under systemd,
+// A progress line on a terminal. Each update overwrites the line. Without a terminal, e.g. under systemd,
 // nothing is printed.
 
 #include <QString>

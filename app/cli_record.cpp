@@ -52,7 +52,7 @@ QString newFileIn(const QString& folder, QString address) {
     return path;
 }
 
-/// Returns the options; empty after an error was printed.
+/// Returns an empty value after printing an error.
 std::optional<RecordOptions> optionsFrom(const CommandArguments& arguments) {
     if (arguments.operands().size() != 1) {
         wrongArguments(QStringLiteral("record: the address of one robot is required, such as 192.168.0.10"));

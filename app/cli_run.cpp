@@ -203,18 +203,18 @@ int refuse(const LoadedProgram& loaded, bool json) {
     return kFailed;
 }
 
-/// True for findings that make a run on the robot unsafe. An input that is not set can only end a simulated
-/// run early, which is not dangerous.
+/// True for findings that make a run on the robot unsafe. A missing input is not dangerous, because it can
+/// only end a simulated run early.
 bool isDangerous(const program::Finding& finding) {
     using Kind = program::Finding::Kind;
     return finding.kind == Kind::ScriptError || finding.kind == Kind::ProtectiveStop ||
            finding.kind == Kind::Collision;
 }
 
-/// Maximum simulated time of the check before a program runs on a robot [s].
+/// Maximum simulated time in the check before a program runs on a robot [s].
 constexpr double kCheckedTime = 600;
 
-/// Returns the reason why the program must not run on the robot that sends this state; empty if it may run.
+/// Returns the reason why the program must not run on the robot with this state; empty if it may run.
 QString mismatch(const LoadedProgram& loaded, const receive::RobotState& state) {
     constexpr double kSameTcp = 1e-4;    // [m]
     constexpr double kSamePlace = 0.02;  // [m]; a calibrated arm differs from its model by a few millimetres
@@ -278,8 +278,8 @@ int runOnRobot(LoadedProgram loaded, const QString& address, int portOffset,
     control::ControllerOptions controllerOptions;
     controllerOptions.host = address;
     controllerOptions.portOffset = portOffset;
-    // The robot stops after 100 ms without a heartbeat. A shorter pause of this PC that the robot did not
-    // detect must not end the run.
+    // The robot itself stops after 100 ms without a heartbeat. A shorter pause of this PC, which the robot
+    // does not detect, must not end the run.
     controllerOptions.dataTimeout = 2s;
     controllerOptions.connectionTimeout = 2s;
     control::Controller controller(controllerOptions);

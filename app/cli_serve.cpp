@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kShowEvery{100};
 
-/// Prints each rejected origin only once, so that many rejected requests do not fill the terminal.
+/// Prints each rejected origin only once, so that repeated requests do not flood the terminal.
 class RefusedOrigins {
 public:
     void show(const QString& origin) {
@@ -31,7 +31,7 @@ public:
     }
 
 private:
-    /// Removes control characters, because the peer determines the origin text.
+    /// Removes control characters, because the text comes from the peer.
     static QString printable(QString text) {
         std::replace_if(
             text.begin(), text.end(), [](QChar c) { return !c.isPrint(); }, QChar(u'?'));

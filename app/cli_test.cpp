@@ -17,7 +17,7 @@ namespace tiller::app {
 
 namespace {
 
-/// Reads all files and prints the problems of each.
+/// Reads all files and prints their problems.
 /// Returns  false if there is a problem
 bool readFiles(const QStringList& paths, std::vector<program::TestFile>& files) {
     bool isGood = true;

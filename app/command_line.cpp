@@ -17,9 +17,9 @@ struct CommandLineText {
 
 struct Row {
     const char* name;
-    const char* value;  ///< name of the value in the help; empty: the option has no value
+    const char* value;  ///< name of the value in the help; empty if the option has no value
     const char* text;
-    bool isHidden = false;  ///< true for the name of an option in earlier versions
+    bool isHidden = false;  ///< true for an option name of earlier versions
 };
 
 constexpr char kProjectText[] = QT_TRANSLATE_NOOP("CommandLine", "Open this project file (.tiller).");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The command line of `tiller`. Error messages contain the valid values.
+// The command line of `tiller`. Error messages include the valid values.
 
 #include <QString>
 #include <QStringList>
@@ -19,16 +19,16 @@ struct CommandLine {
     QString projectFile;  ///< project to open; empty: the last project
     QStringList recordings;    ///< recordings to open
     QString theme;             ///< "light", "dark", or empty for the last setting
-    bool monitorOnly = false;  ///< blocks all changes on the robot, independent of the settings
+    bool monitorOnly = false;  ///< blocks all changes on the robot, regardless of the settings
     bool showHelp = false;
     bool showVersion = false;
     QString helpText;
 };
 
-/// True for the extensions of recordings: .mcap, .csv, .h5 and .hdf5.
+/// True if the extension is that of a recording: .mcap, .csv, .h5 or .hdf5.
 bool isRecordingName(const QString& path);
 
-/// Errors  InvalidArgument, with the argument and its valid values in the context
+/// Errors  InvalidArgument with the argument and its valid values in the context
 Result<CommandLine> parseCommandLine(const QStringList& arguments);
 
 }  // namespace tiller::app

@@ -16,7 +16,7 @@
 namespace tiller::app {
 namespace {
 
-/// All words must occur in the text. Actions whose name begins with a word are listed first.
+/// Returns the rank of the action, where 0 is the best match; -1 if a word does not occur in its texts.
 int rank(const QAction& action, const QStringList& words) {
     const QString text = plain(action);
     const QString all =
@@ -43,8 +43,8 @@ int rank(const QAction& action, const QStringList& words) {
 constexpr int kPaletteWidth = 640;     // [px]
 constexpr int kAroundPaletteRow = 72;  // margins and a scroll bar [px]
 
-/// Returns the first part of a reason that fits in a row, e.g. "Monitor only", "Not in control". The tooltip
-/// contains the complete reason.
+/// Returns the first clause of a reason, which fits in a row, e.g. "Monitor only", "Not in control". The
+/// tooltip contains the complete reason.
 QString firstClause(const QString& reason) {
     static const QRegularExpression kEnd(QStringLiteral("[:.](\\s|$)"));
     return reason.left(reason.indexOf(kEnd));

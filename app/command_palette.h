@@ -2,7 +2,7 @@
 #pragma once
 
 // Finds actions of the table by a few letters of their name. Enter runs the selected action. Disabled actions
-// are listed with the reason.
+// are listed together with the reason.
 
 #include <QDialog>
 

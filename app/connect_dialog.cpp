@@ -52,8 +52,8 @@ ConnectDialog::ConnectDialog(const QVector<RobotAddress>& remembered, QWidget* p
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(24, 24, 24, 24);
     layout->setSpacing(16);
-    // The part for robots is first if a robot is remembered. New users have no remembered robot, so their
-    // first part is the simulator.
+    // The robot part is first if there are remembered robots. Otherwise the user is probably new, so the
+    // simulator part is first.
     QWidget* const robot = robotPart();
     QWidget* const simulator = simulatorPart();
     layout->addWidget(remembered.isEmpty() ? simulator : robot);
@@ -74,7 +74,7 @@ ConnectDialog::ConnectDialog(const QVector<RobotAddress>& remembered, QWidget* p
     project->setObjectName("openProject");
     project->setToolTip(tr("Opens a project without a robot, to view and edit waypoints and programs."));
     for (QPushButton* button : {project, cancel, connect_, simulator_, sample_, forget_}) {
-        button->setAutoDefault(false);  // a focus change must not change the default button
+        button->setAutoDefault(false);  // moving the focus must not change the default button
     }
     buttons->addWidget(project);
     buttons->addStretch();

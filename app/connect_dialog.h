@@ -23,10 +23,10 @@ public:
     /// remembered  remembered robots, newest first
     explicit ConnectDialog(const QVector<RobotAddress>& remembered, QWidget* parent = nullptr);
 
-    /// The selection of the user. Valid after the dialog was accepted.
+    /// The selection of the user. Valid after the dialog has been accepted.
     Choice choice() const { return choice_; }
-    /// Name and host as entered. The port offset is that of a remembered robot if its address was not
-    /// changed.
+    /// Name and host as entered. If the address of a remembered robot was not changed, includes the port
+    /// offset of that robot.
     RobotAddress address() const;
 
 Q_SIGNALS:
@@ -40,11 +40,11 @@ private:
     QWidget* simulatorPart();
     QWidget* robotPart();
     void choose(Choice choice);
-    /// Sets the default button, which depends on the input.
+    /// Sets the default button according to the input.
     void updateButtons();
     void showRobot(int row);
     void forgetRobot();
-    /// Sets the name that is remembered for the address, unless the user has edited the name.
+    /// Fills in the remembered name of the entered address, unless the user has edited the name.
     void followAddress();
 
     QVector<RobotAddress> remembered_;
@@ -60,7 +60,7 @@ private:
     Choice choice_ = Choice::Robot;
 };
 
-/// Returns the reason why the text cannot be a host name or an address; empty if it is valid.
+/// Returns the reason why the text is not a valid host name or address; empty if it is valid.
 QString hostProblem(const QString& host);
 
 }  // namespace tiller::app

@@ -24,7 +24,7 @@
 namespace tiller::app {
 namespace {
 
-/// A report has a few kilobytes. A file larger than this is not a report.
+/// A report has a few kilobytes. A larger file cannot be a report.
 constexpr qint64 kLargestReport = 1'000'000;
 
 }  // namespace
@@ -52,9 +52,9 @@ constexpr std::array kSignals = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 struct CrashNotes {
     std::array<char, 4096> path{};
     std::array<std::array<char, kLineLength>, kLines> lines{};
-    /// Number of all lines so far; modulo kLines it is the index in the ring.
+    /// Number of lines added so far. Modulo kLines, it is the index of the next line in the ring.
     volatile std::sig_atomic_t next = 0;
-    std::array<char, kStack> stack{};  ///< separate stack of the handler, for stack overflows
+    std::array<char, kStack> stack{};  ///< separate stack for the handler, needed after a stack overflow
 };
 CrashNotes crashNotes;
 
@@ -103,8 +103,8 @@ extern "C" void writeCrashReport(int signal) {
         }
         ::close(file);
     }
-    // SA_RESETHAND has restored the default action. Raising the signal again terminates the process as
-    // without the handler.
+    // SA_RESETHAND has restored the default action, so raising the signal again terminates the process
+    // normally for this signal.
     ::raise(signal);
 }
 
@@ -117,7 +117,8 @@ void keepCrashReports(const QString& path) {
         return;
     }
     std::copy(bytes.begin(), bytes.end(), crashNotes.path.begin());
-    // The first call of backtrace() loads a library, which is not allowed in the signal handler.
+    // Call backtrace() once in advance. The first call loads a library, which is not permitted in the signal
+    // handler.
     std::array<void*, 1> once{};
     ::backtrace(once.data(), 1);
 

@@ -2,7 +2,7 @@
 #pragma once
 
 // Crash reports with the signal, the call stack and the last lines of the log. The crashing process writes
-// the report using only async-signal-safe functions. At the next start, the application offers the report to
+// the report with async-signal-safe functions only. At the next start, the application offers the report to
 // the user.
 
 #include <QByteArray>
@@ -15,14 +15,14 @@ QString crashReportPath();
 
 /// Installs a handler that writes a report to this file if the process crashes.
 /// path     missing folders are created
-/// Threads  GUI; call once. No effect on systems without backtrace()
+/// Threads  GUI; call once. Has no effect on systems without backtrace()
 void keepCrashReports(const QString& path);
 
-/// Adds a log line to a later crash report. Long lines are truncated.
+/// Adds a log line to a possible crash report. Long lines are truncated.
 /// Threads  GUI
 void rememberForCrash(const QString& line);
 
-/// Returns the crash report of an earlier process; empty if there is none or it cannot be read.
+/// Returns the crash report of an earlier process; empty if it does not exist or cannot be read.
 QByteArray readCrashReport(const QString& path);
 
 }  // namespace tiller::app

@@ -59,8 +59,8 @@ void Demonstration::start() {
         finish();
         return;
     }
-    // The demonstration only generates mouse events. No button is physically pressed, so a key-state check
-    // would fail.
+    // A key-state check would fail, because the demonstration generates mouse events without pressing a
+    // physical button.
     window_.setKeyStateProbe(KeyStateProbe::none());
     timer_.start();
 }

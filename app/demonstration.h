@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The scripted demonstration operates the main window with the simulated robot, by mouse events on the actual
+// The scripted demonstration operates the main window with the simulated robot by sending mouse events to its
 // widgets. It writes screenshots, a recording, and a summary with the result of each step.
 
 #include <QDir>
@@ -31,7 +31,7 @@ public:
 
     void start();
     bool succeeded() const { return failed_.isEmpty(); }
-    /// The printed results, one per line.
+    /// The printed results of the steps, one per line.
     QString summary() const;
 
 Q_SIGNALS:
@@ -43,9 +43,8 @@ private:
         std::function<void()> begin;
         std::function<bool()> done;
         int timeoutMs = 10'000;
-        /// Only for a step that moves the arm. Repeats the motion if the arm stops before the step is
-        /// complete. On a busy computer, a jog may end early (blocked event loop, outdated data) and must be
-        /// started again.
+        /// Repeats the motion if the arm stops before the step is complete. Used only for steps that move the
+        /// arm: on a busy computer, a blocked event loop or outdated data may end a jog early.
         std::function<void()> anew = {};
     };
 
@@ -74,7 +73,7 @@ private:
     QStringList troubles_;  ///< warnings and errors reported by the session
 
     Pose jogStart_;
-    std::optional<Pose> jogEnd_;  ///< pose after the arm has stopped at the end of the jog
+    std::optional<Pose> jogEnd_;  ///< pose at standstill after the jog
     control::StopMeasurement jogStop_;
 };
 

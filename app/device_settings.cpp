@@ -25,7 +25,7 @@ QLabel* secondary(const QString& text) {
     return label;
 }
 
-/// Creates a label with a common width, so that the fields of the page are aligned.
+/// Creates a label of fixed width, so that the fields of the page are aligned.
 QLabel* fieldName(const QString& text) {
     constexpr int kWidth = 116;
     auto* label = new QLabel(text);
@@ -115,7 +115,7 @@ QWidget* DeviceSettings::buildKind(const QString& kind, const QString& title, co
     connect(zone, &QDoubleSpinBox::valueChanged, this, choose);
     connect(curve, &QDoubleSpinBox::valueChanged, this, choose);
     connect(dominant, &QCheckBox::clicked, this, choose);
-    // The device test page may also change the settings.
+    // Update the fields, because the device test page may also change the settings.
     connect(&devices_, &DeviceJog::tuned, this,
             [this, kind, show](const QString& of, const DeviceTuning& tuning) {
                 if (of == kind) {

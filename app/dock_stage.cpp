@@ -14,7 +14,7 @@
 namespace tiller::app {
 namespace {
 
-/// Must be increased when saved states of the panels become incompatible.
+/// Increase this number when saved states of the panels become incompatible.
 constexpr int kStateVersion = 1;
 
 }  // namespace
@@ -27,7 +27,7 @@ DockStage::DockStage(QWidget* parent) : QMainWindow(parent, Qt::Widget) {
 }
 
 DockStage::~DockStage() {
-    // The panels are destroyed after this object and may emit visibility changes then.
+    // The panels are destroyed later and may still emit visibility changes.
     for (PanelDock* dock : std::as_const(docks_)) {
         disconnect(dock, nullptr, this, nullptr);
     }
@@ -35,12 +35,11 @@ DockStage::~DockStage() {
 
 void DockStage::add(PanelDock& dock) {
     dock.setParent(this);
-    dock.setAllowedAreas(Qt::TopDockWidgetArea);  // the dock area that contains all panels
+    dock.setAllowedAreas(Qt::TopDockWidgetArea);  // the only dock area, which contains all panels
     docks_.append(&dock);
     connect(&dock, &PanelDock::rearranged, this, &DockStage::changeByUser);
     connect(&dock, &PanelDock::attentionLost, this, &DockStage::attentionLost);
-    // Switching between tabbed panels changes the visibility without a rearrangement. The signal is ignored
-    // during arrange().
+    // Selecting another tab changes only the visibility. Ignore the changes made by arrange().
     connect(&dock, &QDockWidget::visibilityChanged, this, [this] {
         if (!arranging_) {
             Q_EMIT attentionLost(control::StopCause::SelectionChanged);
@@ -61,8 +60,8 @@ PanelDock* DockStage::find(const QString& name) const {
     return found != docks_.end() ? *found : nullptr;
 }
 
-// All panels are nested in one dock area. Without a central widget, Qt would omit the separator between two
-// areas and cut off the adjacent panel.
+// Nests all panels in one dock area. Without a central widget, Qt would omit the separator between two areas
+// and cut off the adjacent panel.
 void DockStage::arrange(const StagePlan& plan) {
     const QScopedValueRollback<bool> arranging(arranging_, true);
     for (PanelDock* dock : std::as_const(docks_)) {
@@ -81,7 +80,7 @@ void DockStage::arrange(const StagePlan& plan) {
         }
     }
     below->show();
-    // Hidden panels also have a position, where they appear when shown again.
+    // Also add hidden panels, which defines their position when they are shown again.
     for (const StagePlan::Place& place : plan.row) {
         find(place.dock)->setVisible(place.shown);
     }
@@ -134,7 +133,7 @@ void DockStage::move(PanelDock& dock, StageSide side) {
                 others.append(other);
             }
         }
-        // Keep the relative position of the other panels: side by side or stacked.
+        // Keep the arrangement of the other panels: side by side or stacked.
         std::sort(others.begin(), others.end(), [](const PanelDock* one, const PanelDock* other) {
             return one->x() + one->y() < other->x() + other->y();
         });
@@ -190,7 +189,7 @@ bool DockStage::restore(const QByteArray& state) {
 
 bool DockStage::event(QEvent* event) {
     const bool taken = QMainWindow::event(event);
-    // Only the separator between two panels accepts a press in this widget.
+    // In this widget, only the separators between panels accept a press.
     if (event->type() == QEvent::MouseButtonPress && taken && event->isAccepted()) {
         changeByUser();
     }
@@ -219,7 +218,7 @@ void DockStage::resizeEvent(QResizeEvent* event) {
 
 void DockStage::showEvent(QShowEvent* event) {
     QMainWindow::showEvent(event);
-    // Queued until the panels have their final size.
+    // Queued, because the panels do not have their final size yet.
     QTimer::singleShot(0, this, &DockStage::proportion);
 }
 

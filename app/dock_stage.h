@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The area of the window with the panels that the user can arrange. Header, jog column and status bar are
+// The area of the window with the panels that the user can rearrange. Header, jog column and status bar are
 // outside this area, so that no arrangement can hide the stop controls.
 
 #include <QByteArray>
@@ -16,11 +16,11 @@ namespace tiller::app {
 
 class PanelDock;
 
-/// A built-in arrangement: a row of panels, and one panel below the row over the whole width.
+/// A built-in arrangement: a row of panels, and one panel below the row across the full width.
 struct StagePlan {
     struct Place {
         QString dock;
-        int percent = 0;  ///< percentage of the window width; 0: uses the remaining width
+        int percent = 0;  ///< percentage of the window width; 0: the remaining width
         bool shown = true;
     };
     QVector<Place> row;
@@ -37,20 +37,19 @@ public:
     explicit DockStage(QWidget* parent = nullptr);
     ~DockStage() override;
 
-    /// Takes ownership of the dock. The dock is shown by the next plan.
+    /// Takes ownership of the dock. The next plan shows it.
     void add(PanelDock& dock);
     const QList<PanelDock*>& docks() const { return docks_; }
 
-    /// Moves every panel to its position in the plan. The proportions are adapted to the window size until
-    /// the user changes the arrangement.
+    /// Moves every panel to its position in the plan. Until the user changes the arrangement, the proportions
+    /// follow the window size.
     void arrange(const StagePlan& plan);
-    /// Moves a panel to this side of all other panels.
+    /// Moves a panel to this side of the other panels.
     void move(PanelDock& dock, StageSide side);
     void reveal(PanelDock& dock);
-    /// The current arrangement.
     QByteArray state() const;
-    /// state    an undamaged result of state(), because Qt can crash on damaged data
-    /// Returns  false, without changes, if the state is from another version
+    /// state    result of state(); must be undamaged, because Qt can crash on damaged data
+    /// Returns  false, without any change, if the state is from another version
     bool restore(const QByteArray& state);
 
 Q_SIGNALS:
@@ -73,7 +72,7 @@ private:
     void changeByUser();
 
     QList<PanelDock*> docks_;
-    std::optional<StagePlan> plan_;  ///< set while the arrangement matches the plan
+    std::optional<StagePlan> plan_;  ///< plan of the current arrangement; empty after the user has changed it
     bool arranging_ = false;
 };
 

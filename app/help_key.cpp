@@ -18,7 +18,7 @@ bool HelpKey::eventFilter(QObject* watched, QEvent* event) {
     }
     auto* focus = static_cast<QWidget*>(watched);
     const auto& press = *static_cast<QKeyEvent*>(event);
-    // The event does not identify the dialog, so search the parents of the focus widget.
+    // Search the parents of the focus widget, because the event does not identify the dialog.
     bool ours = false;
     for (const QWidget* at = focus; at != nullptr && !ours; at = at->parentWidget()) {
         ours = at == &owner_;
@@ -27,7 +27,7 @@ bool HelpKey::eventFilter(QObject* watched, QEvent* event) {
         !command_.shortcuts().contains(QKeySequence(press.keyCombination()))) {
         return false;
     }
-    // As with every shortcut, the focus widget has priority, because the shortcut editor needs all keys.
+    // Ask the focus widget first, as for every shortcut, because the shortcut editor needs all keys.
     QKeyEvent question(QEvent::ShortcutOverride, press.key(), press.modifiers(), press.text());
     question.ignore();
     QApplication::sendEvent(focus, &question);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Makes the help shortcut of the main window available in its dialogs. Qt does not deliver shortcuts of a
-// window while a dialog has the focus.
+// Makes the help shortcut of the main window available in its dialogs. While a dialog has the focus, Qt does
+// not deliver the shortcuts of the main window.
 
 #include <QObject>
 

@@ -15,8 +15,8 @@ class HelpPage : public QDialog {
 public:
     /// longestHold  maximum duration of a jog without a new press [s]
     /// commands     list of commands as HTML
-    /// manual       folder of the manual; if it is empty, the manual is not installed and the help page
-    /// explains how to get it
+    /// manual       folder of the manual; if empty, the manual is not installed and the page explains how to
+    /// get it
     HelpPage(int longestHold, const QString& commands, const QString& manual, QWidget* parent = nullptr);
 
     /// page  relative to the folder of the manual, e.g. "window/io.html#gripper"

@@ -11,7 +11,7 @@ namespace {
 
 constexpr char kFactor[] = "QT_SCALE_FACTOR";
 constexpr char kProperty[] = "tillerInterfaceSize";
-/// At a higher pixel density than this, a button of 72 px is smaller than 13 mm.
+/// Above this pixel density, a button of 72 px is smaller than 13 mm.
 constexpr double kDensePixels = 140;  // [pixels per inch]
 
 double factorOfTheEnvironment() {
@@ -63,7 +63,7 @@ SizedApplication::SizedApplication(int argc, char** argv, int percent)
     if (wanted == kInterfaceSizes.front() || screen == nullptr) {
         return;
     }
-    // The screen is known only at this point. It may be smaller than at the last start.
+    // Check the screen now, because it may be smaller than at the last start and is not known earlier.
     if (const int fitting = fittingInterfaceSize(wanted, availableAtNormalSize(*screen)); fitting != wanted) {
         application_.reset();
         begin(fitting);
@@ -84,7 +84,7 @@ void SizedApplication::begin(int percent) {
     application_ = std::make_unique<Application>(count_, arguments_.data());
     application_->setProperty(kProperty, percent);
     if (told) {
-        // The scale applies to this process only. Child processes use their own scale.
+        // Restore the variable, because the scale must not apply to child processes.
         qputenv(kFactor, QByteArray::number(desktopFactor_));
     }
 }

@@ -78,8 +78,7 @@ void JogActions::addTo(ActionTable& table, JogColumn& column, KeyboardJog& keybo
              {},
              [&column, force] { column.selectors().setUntilContact(force); }});
     }
-    // Also available in the context menus of the column. This command is for users who do not have a right
-    // mouse button.
+    // The context menus of the column also contain this command, but some users have no right mouse button.
     table.add({"jog.speed.other",
                tr("Other jog speed…"),
                tr("Sets the TCP speed. Rotation and joint speeds change in proportion."),

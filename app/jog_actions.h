@@ -22,7 +22,7 @@ public:
     /// column, keyboard  must outlive the table
     static void addTo(ActionTable& table, JogColumn& column, KeyboardJog& keyboard,
                       const std::function<void()>& showTrainer);
-    /// Updates the names of speeds and steps after a change of units.
+    /// Updates the lengths and speeds in the names after a change of units.
     static void rename(ActionTable& table);
 };
 

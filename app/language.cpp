@@ -6,7 +6,7 @@
 #include <QLocale>
 #include <algorithm>
 
-// Outside all namespaces, because the macro declares a function of generated code.
+// The macro must be outside all namespaces, because it declares a function of generated code.
 static void initTranslations() {
     Q_INIT_RESOURCE(tiller_translations);
 }
@@ -62,7 +62,7 @@ void LanguageTexts::take(const QString& chosen) {
     initTranslations();
     leave();
     code_ = languageFor(chosen);
-    // A translation is also loaded for English, because it contains the plural forms.
+    // Also load a translation for English, because it contains the plural forms.
     if (texts_.load(QStringLiteral("tiller_") + code_, QStringLiteral(":/i18n"))) {
         QCoreApplication::installTranslator(&texts_);
     }
@@ -70,7 +70,7 @@ void LanguageTexts::take(const QString& chosen) {
     if (qtTexts_.load(QStringLiteral("qtbase_") + code_, qt)) {
         QCoreApplication::installTranslator(&qtTexts_);
     }
-    // If the user has not selected a language, use the regional formats of the system.
+    // Use the regional formats of the system if the user has not selected a language.
     QCoreApplication::instance()->setProperty(kShownLanguage, code_);
     QLocale::setDefault(chosen.isEmpty() ? QLocale::system() : QLocale(code_));
 }

@@ -11,20 +11,20 @@
 namespace tiller::app {
 
 struct Language {
-    QString code;  ///< code used in file names, e.g. "de", "zh_CN"
+    QString code;  ///< code in file names, e.g. "de", "zh_CN"
     QString name;  ///< native name of the language
 };
 
 /// Available languages, English first.
 const QVector<Language>& languages();
-/// Returns the language to use; English if no translation matches.
-/// chosen  language code; empty or unknown: system language
+/// Returns the language to use; English if there is no matching translation.
+/// chosen  language code; if empty or unknown, the system language
 QString languageFor(const QString& chosen);
-/// Code of the language used for new windows.
+/// Code of the language in use for new windows.
 QString shownLanguage();
 
 /// Loads the texts of one language until another language is loaded or the object is destroyed. The decimal
-/// separator of this language is used for displayed and entered numbers, but not in files.
+/// separator of the language applies to displayed and entered numbers, but not to files.
 /// Threads  GUI. Existing windows keep their texts
 class LanguageTexts {
 public:

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The simulated robot inside the application. It uses the first of the addresses 127.0.0.1, 127.0.0.2 ... on
-// which the standard ports are free, so that several windows and `tiller-cli simulate` can run at the same
-// time.
+// The simulated robot inside the application. It uses the first of the addresses 127.0.0.1, 127.0.0.2 ...
+// with free standard ports, so that several windows and `tiller-cli simulate` can run at the same time.
 
 #include <QList>
 #include <memory>
@@ -22,12 +21,12 @@ public:
     Result<RobotAddress> start();
     void stop();
     simulator::Simulator* controller() { return controller_.get(); }
-    /// Treats another controller in this process as a controller of this object. The controller must exist
-    /// until null is passed or this object is destroyed.
+    /// Adds a controller that another part of this process owns. It must exist until null is passed or this
+    /// object is destroyed.
     void borrow(simulator::Simulator* controller) { borrowed_ = controller; }
     /// All running controllers.
     QList<simulator::Simulator*> controllers() const;
-    /// The controller that a session is connected to; null if it is not one of controllers().
+    /// The controller to which a session is connected; null if it is not one of controllers().
     simulator::Simulator* controllerOf(const SessionState& state) const;
 
 private:

@@ -38,10 +38,10 @@ void print(FILE* to, const QString& text) {
     }
 }
 
-/// Returns the requested project, otherwise the last project or a new file.
+/// Returns the requested project. If there is none, returns the last project or a new file.
 app::StartProject projectOf(const app::CommandLine& line, const app::Settings& settings) {
     if (!line.demoDirectory.isEmpty()) {
-        // The demonstration always starts with a new project.
+        // Always start the demonstration with a new project.
         const QString file = line.demoDirectory + QStringLiteral("/demo.tiller");
         QFile::remove(file);
         return {file, {}};
@@ -49,7 +49,7 @@ app::StartProject projectOf(const app::CommandLine& line, const app::Settings& s
     return line.projectFile.isEmpty() ? app::startProject(settings) : app::StartProject{line.projectFile, {}};
 }
 
-/// True if there is no display. Qt would then abort, even with `--help`.
+/// True if there is no display. Qt would abort in this case, even with `--help`.
 bool withoutDisplay(const QStringList& arguments) {
 #if defined(Q_OS_UNIX) && !defined(Q_OS_DARWIN)
     const char* const names[] = {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"};
@@ -61,14 +61,14 @@ bool withoutDisplay(const QStringList& arguments) {
 #endif
 }
 
-/// Returns the interface size. The demonstration has the same size on every computer.
+/// Returns the interface size. The demonstration uses the same size on every computer.
 int sizeFor(const QStringList& arguments) {
     const bool demonstrates = std::ranges::any_of(
         arguments, [](const QString& word) { return word.startsWith(QLatin1String("--demo")); });
     return demonstrates ? app::kInterfaceSizes.front() : app::readInterfaceSize({});
 }
 
-/// Shows the hint only once. If there is any saved setting, the hint was shown before.
+/// Shows the hint unless an interface size has been saved before.
 void showSizeHint(app::MainWindow& window) {
     if (app::needsLargerSize(*window.screen()) &&
         !app::SettingsView({}).contains(QStringLiteral("look/size"))) {
@@ -130,8 +130,8 @@ std::unique_ptr<app::MainWindow> openWindow(app::Application& application, const
     }
     connect(*window);
     window->show();
-    // Without a window manager, the window must be activated here, because an inactive window does not start
-    // motions.
+    // Activate the window, because an inactive window does not start motions, and there may be no window
+    // manager.
     window->activateWindow();
     const app::StartProject project = projectOf(line, settings);
     window->openProject(project.path);
@@ -189,7 +189,8 @@ int main(int argc, char* argv[]) {
 
     initResources();
     const bool demonstration = !line->demoDirectory.isEmpty();
-    // The demonstration uses the default layout and does not change the user's settings.
+    // The demonstration uses a separate settings file with the default layout, so that the settings of the
+    // user do not change.
     app::Settings settings(demonstration ? line->demoDirectory + QStringLiteral("/settings.ini") : QString());
     if (demonstration) {
         settings.setTutorialProgress({.dismissed = true, .firstSteps = {}, .practice = {}});
@@ -221,7 +222,7 @@ int main(int argc, char* argv[]) {
         }
         window.reset();
         texts.take(app::Settings().preferences().language);
-        // Use the current project instead of the project on the command line.
+        // Keep the current project instead of opening the files on the command line again.
         line->projectFile.clear();
         line->recordings.clear();
         window = openWindow(application, *line, settings,

@@ -95,8 +95,7 @@ constexpr QSize kStart{1600, 900};
 constexpr int kGap = 10;
 constexpr int kKeepLayoutMs = 2000;
 
-/// Adds a margin around a panel. Header and status bar have no margin, because they extend to the window
-/// edges.
+/// Adds a margin around a panel. Only the header and the status bar extend to the window edges.
 QWidget* withMargins(QWidget* panel, const QMargins& margins) {
     auto* frame = new QWidget;
     auto* layout = new QVBoxLayout(frame);
@@ -105,15 +104,15 @@ QWidget* withMargins(QWidget* panel, const QMargins& margins) {
     return frame;
 }
 
-/// The dock of the jog column. It cannot be moved or closed.
+/// The dock of the jog column, which cannot be moved or closed.
 class FixedDock : public QDockWidget {
 public:
     FixedDock(QWidget* content, const QString& name, const QString& title, QWidget* parent)
         : QDockWidget(title, parent) {
         setObjectName(name);
         setFeatures(NoDockWidgetFeatures);
-        // A title bar without height. A plain widget would have no size hint. QDockWidget would use -1 for
-        // its height, and the content would be one pixel too low.
+        // Title bar without height. It has a layout, because QDockWidget would use a height of -1 for a
+        // widget without a size hint, and the content would be one pixel too low.
         auto* bar = new QWidget(this);
         auto* layout = new QHBoxLayout(bar);
         layout->setContentsMargins(0, 0, 0, 0);
@@ -198,7 +197,7 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     applyPreferences(preferences_);
 
     restoreGeometry(settings_.windowGeometry());
-    // Saved shortly after each change, because a killed process cannot save anything at its end.
+    // Save the layout shortly after each change, because a killed process cannot save it at the end.
     layoutTimer_.setSingleShot(true);
     layoutTimer_.setInterval(kKeepLayoutMs);
     connect(&layoutTimer_, &QTimer::timeout, this, &MainWindow::keepLayout);
@@ -210,13 +209,13 @@ MainWindow::~MainWindow() {
     disconnect(qApp, nullptr, this, nullptr);
     const QList<QDialog*> open = findChildren<QDialog*>(QString(), Qt::FindDirectChildrenOnly);
     qDeleteAll(open);
-    // Signals of the panels must be ignored during destruction.
+    // Ignore the signals of panels that are being destroyed.
     disconnect(stage_, nullptr, nullptr, nullptr);
     const QWidgetList parts = findChildren<QWidget*>();
     for (QWidget* part : parts) {
         disconnect(part, nullptr, this, nullptr);
     }
-    // The session is destroyed last, but must emit its last signals while all other parts exist.
+    // The session is destroyed last, but its last signals must be emitted while all other parts exist.
     session_->shutDown();
     lessons_.reset();
     delete keyboard_;
@@ -242,16 +241,16 @@ void MainWindow::buildDocks() {
     addDockWidget(Qt::LeftDockWidgetArea, jogDock);
 
     stage_ = new DockStage;
-    // If the panels need more space than available, they scroll. The jog column must not shrink.
+    // Scroll the panels if they need more space than available, because the jog column must not shrink.
     auto* area = new NoFocusScrollArea;
     area->setObjectName("stageArea");
     area->setFocusPolicy(Qt::NoFocus);
     area->setWidgetResizable(true);
     area->setWidget(stage_);
-    // The one-pixel bar of a docked panel is part of the gap above the panel.
+    // The one-pixel bar of a docked panel belongs to the gap above the panel.
     setCentralWidget(withMargins(area, {0, kGap - PanelDock::kDockedBar, kGap, kGap}));
-    // Reparenting a panel applies the style sheet to all its children again, so each container gets its
-    // parent first.
+    // Pass each container its parent first. Reparenting a filled container would apply the style sheet to all
+    // its children again.
     stage_->add(*new PanelDock(*scene_, "viewDock", tr("View"), stage_));
     tabsDock_ =
         new PanelDock(*buildTabs(), "tabsDock", tr("Waypoints, Program, Frames, Tools, I/O, Log"), stage_);
@@ -275,7 +274,7 @@ void MainWindow::buildDocks() {
 
 void MainWindow::showEvent(QShowEvent* event) {
     QMainWindow::showEvent(event);
-    // Restored only when the window is shown; otherwise floating panels would be shown before the window.
+    // Restore the layout only now. Otherwise, floating panels would be shown before the window.
     if (!std::exchange(layoutRestored_, true)) {
         if (const int width = settings_.arrangement().jogWidth; width > 0) {
             resizeDocks({findChild<QDockWidget*>("jogDock")}, {std::min(width, this->width() / 2)},
@@ -303,7 +302,7 @@ Panel* MainWindow::buildTabs() {
     tabs_->setAccessibleName(tr("Waypoints, Program, Frames, Tools, I/O, Log"));
     tabs_->setDrawBase(false);
     tabs_->setExpanding(false);
-    // The panel must be at least as wide as all tab titles.
+    // Make the panel at least as wide as all tab titles.
     tabs_->setUsesScrollButtons(false);
     tabs_->setElideMode(Qt::ElideNone);
     for (const auto& [name, title] : {std::pair<QString, QString>{"waypoints", tr("Waypoints")},
@@ -328,7 +327,7 @@ void MainWindow::fillTabs() {
     connect(tabs_, &QTabBar::currentChanged, this, [this](int index) {
         stopMotion(control::StopCause::SelectionChanged);
         pages_->setCurrentIndex(index);
-        tabs_->updateGeometry();  // the title of the selected tab is bold and therefore wider
+        tabs_->updateGeometry();  // the title of the selected tab is bold and therefore needs more space
         showPaths();
     });
 }
@@ -344,7 +343,7 @@ void MainWindow::connectParts() {
     connect(waypoints_, &WaypointsTab::ghostChanged, this, &MainWindow::updateScene);
     connect(waypoints_, &WaypointsTab::marksChanged, this, &MainWindow::updateScene);
     connect(&scene_->view(), &SceneView::moveLimitChanged, this, [this](const QString& text) {
-        // The ghost may belong to another button, such as Home.
+        // Show the limit only for the waypoint, because the ghost may be that of a button such as Home.
         const std::optional<Ghost> own = waypoints_->ghost();
         const std::optional<Ghost>& shown = scene_->view().ghost();
         const bool same = own && shown && own->name == shown->name && own->q == shown->q;
@@ -380,8 +379,8 @@ void MainWindow::connectParts() {
     });
 
     const auto followView = [this] {
-        // In the scene, Y points up and Z points towards the viewer. In the jog frame, Y points away from the
-        // viewer and Z points up.
+        // In the scene, Y points up and Z towards the viewer. In the jog frame, Y points away from the viewer
+        // and Z up.
         const Eigen::Matrix3d R = scene_->view().viewRotation();
         Eigen::Matrix3d R_base_view;
         R_base_view << R.col(0), -R.col(2), R.col(1);
@@ -441,7 +440,7 @@ void MainWindow::connectProject() {
     connect(fit_.get(), &ProjectFit::noticeResolved, waypoints_, &WaypointsTab::resolveNotice);
 }
 
-/// Shows the tab that an undo or redo affects, because it may not be the current tab.
+/// Shows the tab that an undo or redo affects, because a different tab may be selected.
 void MainWindow::showStep(const ProjectStep& step) {
     Q_EMIT session_->message(
         Severity::Info, (step.undone ? tr("Undone: %1") : tr("Redone: %1")).arg(step.text), Origin::Operator);
@@ -609,7 +608,7 @@ void MainWindow::showPaths() {
 void MainWindow::stopMotion(control::StopCause cause) {
     using control::StopCause;
     jog_->stopMotion(cause);
-    // These causes end held motions. A program that runs without a held button continues.
+    // These causes end held motions, but not a program that runs without hold-to-run.
     const bool endsOnlyHolds = cause == StopCause::SelectionChanged || cause == StopCause::DialogOpened ||
                                cause == StopCause::WindowDeactivated;
     if (!endsOnlyHolds || !program_->runsFreely()) {
@@ -631,7 +630,7 @@ void MainWindow::connectSimulator() {
 }
 
 void MainWindow::simulateCell() {
-    // With an empty cell, only objects that were added by a project must be removed.
+    // If the cell is empty, only remove objects that a project has added.
     if (document_->cell().isEmpty() && !cellIsSimulated_) {
         return;
     }
@@ -653,7 +652,7 @@ void MainWindow::connectRobot(const RobotAddress& address) {
     });
 }
 
-// Stores only robots that responded, so that mistyped addresses are not offered.
+// Stores only robots that have responded, so that mistyped addresses are not offered.
 void MainWindow::rememberRobot(const SessionState& state) {
     if (toRemember_ && state.link == LinkState::Live) {
         settings_.rememberRobot(*std::exchange(toRemember_, std::nullopt));
@@ -863,10 +862,10 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         event->ignore();
         return;
     }
-    // A path that is being recorded must first be converted to waypoints; before that, the project is
-    // incomplete.
+    // Wait until a path that is being recorded has been converted to waypoints. The project is incomplete
+    // until then.
     if (waypoints_->storePath()) {
-        // The window closes after the path is stored. In the meantime all functions, including STOP, remain
+        // Close the window after the path has been stored. Until then, all functions including STOP remain
         // available.
         connect(waypoints_, &WaypointsTab::pathStored, this, &QWidget::close,
                 Qt::ConnectionType(Qt::QueuedConnection | Qt::SingleShotConnection));
@@ -884,7 +883,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     keepLayout();
     session_->disconnectFromRobot();
     QMainWindow::closeEvent(event);
-    // Also minimize floating panels on other screens.
+    // Also hide the floating panels, which may be on other screens.
     for (PanelDock* dock : stage_->docks()) {
         if (dock->isFloating()) {
             dock->hide();
@@ -892,7 +891,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     }
 }
 
-/// Not modal: STOP and everything else remain usable, and nothing waits for the answer.
+/// Asks in a dialog that is not modal, so that STOP and all other functions remain available.
 void MainWindow::askToEndRecording(const QString& title, const QString& consequence, const QString& button,
                                    const std::function<void()>& then) {
     const QString name = QStringLiteral("recordingQuestion");
@@ -947,7 +946,7 @@ void MainWindow::buildActions() {
     SceneActions::addTo(*actions_, scene_->view());
     for (QAction* action : waypoints_->commandActions()) {
         actions_->adopt("waypoint", action);
-        // The whole project has one common undo history.
+        // Make undo and redo available in every project tab, because the whole project has one undo history.
         if (action->objectName() == "waypoint.action.undo" ||
             action->objectName() == "waypoint.action.redo") {
             frames_->addAction(action);
@@ -975,7 +974,7 @@ void MainWindow::buildActions() {
         menu->addActions(actions_->inMenu(id));
         menus_[id] = menu;
     }
-    // The menu of the robot is the main menu, and it also contains the other menus.
+    // The robot menu is the main menu and also contains the other menus.
     QMenu* main = menus_["robot"];
     main->setObjectName("mainMenu");
     main->addSeparator();
@@ -1130,7 +1129,7 @@ void MainWindow::showHelp() {
         open->close();
     }
     const QString about = manualPageOf(focus == tabs_ ? pages_->currentWidget() : focus);
-    // Use the modal dialog as the parent, because only its children remain usable.
+    // If the focus is in a modal dialog, use it as the parent, because only its children can receive input.
     auto* over = focus == nullptr ? nullptr : qobject_cast<QDialog*>(focus->window());
     auto* page = new HelpPage(preferences_.longestHold, actions_->helpText(), manualFolder(),
                               over != nullptr ? static_cast<QWidget*>(over) : this);
@@ -1178,7 +1177,7 @@ void MainWindow::showRecovery() {
         open->activateWindow();
         return;
     }
-    // The page is not modal, because STOP and the state must remain accessible.
+    // The page is not modal, because STOP and the state display must remain accessible.
     (new RecoveryPage(*session_, *stops_, this))->show();
 }
 
@@ -1221,7 +1220,7 @@ void MainWindow::askToEndProgram(const QString& name, const QString& title, cons
     stopMotion(control::StopCause::DialogOpened);
     const SessionState& state = session_->state();
     const bool paused = state.runtimeState == RuntimeState::Paused;
-    // PolyScope uses this name for a program without a file, e.g. a program sent by another client.
+    // PolyScope uses this name for a program without a file, e.g. one sent by another client.
     const QString program =
         state.loadedProgram == QLatin1String("<unnamed>") ? QString() : state.loadedProgram;
     QWidget* front = QApplication::activeWindow();
@@ -1362,7 +1361,7 @@ void MainWindow::offerCrashReport(const QString& path) {
     if (readCrashReport(path).isEmpty()) {
         return;
     }
-    // Read from a copy, so that a second crash does not overwrite the first report.
+    // Rename the file, so that a second crash does not overwrite the first report.
     const QString kept = path + QStringLiteral(".last");
     QFile::remove(kept);
     crashReport_ = QFile::rename(path, kept) ? kept : path;

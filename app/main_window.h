@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The main window. The header is at the top, the jog column at the left, and the view, tabs and plots are
-// next to them. The window connects these parts to the session and to each other. It stops the arm when it
-// loses the operator's attention.
+// The main window. The header is at the top and the jog column at the left, with the view, tabs and plots
+// next to it. The window connects these parts to the session and to each other. It stops the arm when the
+// window loses the attention of the operator.
 
 #include <QMainWindow>
 #include <QMap>
@@ -65,7 +65,7 @@ class MainWindow : public QMainWindow {
     Q_OBJECT
 
 public:
-    /// clock  clock of the session; tests replace it
+    /// clock  clock of the session; replaced by tests
     explicit MainWindow(const Settings& settings, const Clock& clock = SteadyClock::shared(),
                         QWidget* parent = nullptr);
     ~MainWindow() override;
@@ -78,42 +78,42 @@ public:
     FramesTab& frames() { return *frames_; }
     ToolsTab& tools() { return *tools_; }
     DeviceJog& devices() { return *devices_; }
-    /// Replaces the key-state check of the platform.
+    /// Replaces the key-state check, which initially is that of the platform.
     void setKeyStateProbe(std::unique_ptr<KeyStateProbe> probe);
-    /// Recognizes auto-repeat with the key-state check.
+    /// Detects auto-repeat with the key-state check.
     KeyRepeat& keyRepeat() { return keyRepeat_; }
     /// Starts to detect gamepads and a SpaceMouse.
     void lookForDevices();
 
-    /// Starts the simulated robot in this process unless it is running, and connects to it.
+    /// Connects to the simulated robot in this process, starting it if necessary.
     void connectSimulator();
     void connectRobot(const RobotAddress& address);
-    /// Treats a simulated controller in this process as the simulated robot of the window, for the first
-    /// steps and the practice tasks. The controller must exist until null is passed.
+    /// Makes a simulated controller in this process the simulated robot of the window, for the first steps
+    /// and the practice tasks. The controller must exist until null is passed.
     void practiseOn(simulator::Simulator* controller) { simulator_.borrow(controller); }
     /// Shows the start dialog for selecting the simulator, a robot or a project.
     void askForRobot();
-    /// Checks the connection to the robot. Connects if the user confirms.
+    /// Shows the connection check for the robot. Connects if the user confirms.
     void showPreflight(const RobotAddress& robot);
     const ActionTable& actions() const { return *actions_; }
     /// Exports and imports the settings.
     SettingsTransfer& transfer() { return *transfer_; }
-    /// theme  "light" or "dark"; saved only if the user selected it
+    /// theme  "light" or "dark"; not saved
     void setTheme(const QString& theme);
     void openProject(const QString& path);
     /// Opens a recording in the plots, in the background.
     /// moment  position of cursor A on the time axis of the recording [s]; empty if there is none
     void openRecording(const QString& path, std::optional<double> moment = {});
-    /// Enables monitor only for the lifetime of the window, independent of the settings.
+    /// Enables "monitor only" for the lifetime of the window, regardless of the settings.
     void lockMonitorOnly();
-    /// For every safety stop, writes an incident file to this folder and adds a log entry with a link to the
+    /// Writes an incident file to this folder for every safety stop, and adds a log entry with a link to the
     /// file.
     void keepIncidentsIn(const QString& folder);
-    /// Keeps unsaved changes in this folder, and offers to restore those of earlier windows.
+    /// Stores unsaved changes in this folder, and offers to restore those of earlier windows.
     void keepUnsavedWorkIn(const QString& folder);
-    /// Creates a problem report with all available information.
+    /// Opens "Report a problem" with all available information.
     void showReport();
-    /// Offers the crash report in this file, if it exists. The report is added to the next problem report.
+    /// Offers the crash report in this file, if the file exists. The next problem report includes it.
     void offerCrashReport(const QString& path);
 
     /// Applies the values of the settings page immediately.
@@ -121,15 +121,15 @@ public:
 
     int waypointCount() const;
     void selectWaypoint(int row);
-    /// Shows a tab, for the demonstration and tests.
+    /// Shows a tab. For the demonstration and tests.
     /// name  "waypoints", "program", "frames", "tools", "io", "gripper" (a page of "io") or "log"
     void showTab(const QString& name);
     Perspectives& perspectives() { return *perspectives_; }
 
 Q_SIGNALS:
-    /// The user requested to replace this window by a new one in the selected language. This window has
+    /// The user requested to replace this window by a new window in the selected language. This window has
     /// released the robot and is closed.
-    /// before  the state before closing
+    /// before  session state before closing
     void closedForNewWindow(const tiller::SessionState& before);
 
 protected:
@@ -154,8 +154,8 @@ private:
     void showSamples();
     void showHelp();
     void askForProgram();
-    /// Asks for confirmation before `accepted` ends a program of another client. The default button does not
-    /// end the program.
+    /// Asks for confirmation. `accepted` ends a program of another client. The default button keeps the
+    /// program running.
     /// name  object name of the dialog
     /// option  text of a check box, if any
     void askToEndProgram(const QString& name, const QString& title, const QString& effect,
@@ -164,20 +164,20 @@ private:
     void askToTakeControl();
     void askToChange(const QString& what, const std::function<void()>& change);
     void askToPowerOff();
-    /// Performs a change of the connection, after a question if it would stop a recording.
+    /// Changes the connection. Asks first if this would stop a recording.
     void changeRobot(const std::function<void()>& change);
     void askToEndRecording(const QString& title, const QString& consequence, const QString& button,
                            const std::function<void()>& then);
     void showSettings(bool atRecording = false);
     void reopenWindow(SettingsPage& page);
     void connectTransfer();
-    /// Applies imported settings immediately.
+    /// Applies imported settings.
     void readSettingsAgain();
     void keepLayout();
     void publishIoNames();
     void connectParts();
     void connectReplay();
-    /// Updates the copy of the project that is stored with recordings and incidents.
+    /// Updates the copy of the project in recordings and incidents.
     void keepProject();
     void connectProject();
     void showStep(const ProjectStep& step);
@@ -186,7 +186,7 @@ private:
     void connectTools();
     void connectIo();
     void connectDevices(const Clock& clock);
-    /// over  the parent window
+    /// over  parent window
     void showTrainer(QWidget* over);
     void rememberRobot(const SessionState& state);
     void listRobots();
@@ -198,13 +198,13 @@ private:
     ReportSources reportSources() const;
 
     Settings settings_;
-    Preferences preferences_;         ///< current settings
-    QTimer layoutTimer_;              ///< delays saving until the layout has not changed for some time
-    bool endsRecording_ = false;      ///< closing was confirmed; it may have to wait for a recorded path
+    Preferences preferences_;         ///< values currently applied
+    QTimer layoutTimer_;              ///< delays saving until the layout has remained unchanged
+    bool endsRecording_ = false;      ///< closing was confirmed; may still wait for a recorded path
     bool monitorOnlyLocked_ = false;  ///< true if set by the command line
     LocalSimulator simulator_;
     bool cellIsSimulated_ = false;
-    std::optional<RobotAddress> toRemember_;  ///< robot that is stored as soon as it has responded
+    std::optional<RobotAddress> toRemember_;  ///< robot to be stored when it responds
     std::unique_ptr<RobotSession> session_;
     std::unique_ptr<KeyStateProbe> keyStateProbe_;
     KeyRepeat keyRepeat_;
@@ -232,17 +232,17 @@ private:
     KeyboardJog* keyboard_ = nullptr;
     DeviceJog* devices_ = nullptr;
     StopRecorder* stops_ = nullptr;
-    IncidentWatch* incidents_ = nullptr;  ///< null: no incident files
+    IncidentWatch* incidents_ = nullptr;  ///< null without incident files
     ActionTable* actions_ = nullptr;
     SettingsTransfer* transfer_ = nullptr;
     QMap<QString, QMenu*> menus_;
     QMenu* recentProjects_ = nullptr;
-    QList<QAction*> robotActions_;  ///< the remembered robots in the robot menu
+    QList<QAction*> robotActions_;  ///< entries for the remembered robots in the robot menu
     DockStage* stage_ = nullptr;
     PanelDock* tabsDock_ = nullptr;
     PanelDock* plotsDock_ = nullptr;
     Perspectives* perspectives_ = nullptr;
-    QString crashReport_;          ///< file with a crash report that has not been reported; empty: none
+    QString crashReport_;          ///< crash report file for the next problem report; may be empty
     bool layoutRestored_ = false;  ///< true after the last layout was restored
     QTabBar* tabs_ = nullptr;
     QStackedWidget* pages_ = nullptr;

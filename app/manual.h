@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Finds the manual and the page for each part of the window.
+// Finds the manual, and its page for each part of the window.
 
 #include <QString>
 #include <QVector>
@@ -19,11 +19,11 @@ struct ManualPlace {
 /// All parts that have a page in the manual.
 const QVector<ManualPlace>& manualPlaces();
 
-/// Returns the page of the innermost part that contains the focus widget, otherwise the table of contents.
+/// Returns the page for the innermost part that contains the focus widget, otherwise the table of contents.
 QString manualPageOf(const QWidget* focus);
 
-/// Folder of the manual: next to the folder of the application, or in the system's data folders. Empty if the
-/// manual is not installed.
+/// Returns the folder of the manual, next to the application folder or in the system's data folders. Empty if
+/// the manual is not installed.
 QString manualFolder();
 
 }  // namespace tiller::app

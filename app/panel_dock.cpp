@@ -30,7 +30,7 @@ QToolButton* quietKey(const QString& text, const QString& name) {
 
 }  // namespace
 
-/// The bar of the dock. It is one pixel high when docked, and a title bar when floating.
+/// The bar of the dock: one pixel high when docked, and a title bar when floating.
 class PanelDock::Bar : public QWidget {
 public:
     explicit Bar(PanelDock& dock) : QWidget(&dock), layout_(new QHBoxLayout(this)) {
@@ -144,7 +144,8 @@ void PanelDock::closeEvent(QCloseEvent* event) {
     Q_EMIT rearranged();
 }
 
-// Forwards a press on the title bar of the panel to the bar of the dock, which is above it.
+// Forwards a press on the title bar of the panel to the bar of the dock above it, because Qt starts a drag
+// only there.
 bool PanelDock::barEvent(QMouseEvent& event) {
     if (event.type() == QEvent::MouseButtonPress) {
         const QRect bar(panel_.mapTo(this, QPoint(0, 0)), QSize(panel_.width(), Panel::kHeaderHeight));

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A panel that can be moved, closed, and floated to another screen. A docked panel is moved by its title bar,
-// and a small button in the title bar opens a menu. A floating panel has a bar with its name, "Put back" and
-// "Close".
+// A panel that can be moved, closed, and floated to another screen. A docked panel is moved by its title bar.
+// A small button in the title bar opens a menu. A floating panel has a bar with its name, "Dock" and "Close".
 
 #include <QDockWidget>
 #include <optional>
@@ -22,11 +21,11 @@ class PanelDock : public QDockWidget {
     Q_OBJECT
 
 public:
-    /// panel  the content; the move button is added to it
-    /// name   objectName, used in saved layouts
+    /// panel  the content; a move button is added to its title bar
+    /// name   objectName, also used in saved layouts
     PanelDock(Panel& panel, const QString& name, const QString& title, QWidget* parent = nullptr);
 
-    /// Height of the bar of a docked panel [px]. It is not 0, because Qt starts a drag only in the bar.
+    /// Height of the bar of a docked panel [px]. Not 0, because Qt starts a drag only in the bar.
     static constexpr int kDockedBar = 1;
 
     /// The menu of the panel button. The owner adds commands to it.
@@ -35,7 +34,7 @@ public:
 Q_SIGNALS:
     /// The user closed, floated, docked or moved the panel.
     void rearranged();
-    /// The floating panel was deactivated, minimized or closed.
+    /// The floating panel was deactivated, minimized or closed, so a hold-to-run motion must stop.
     void attentionLost(tiller::control::StopCause cause);
 
 protected:
@@ -51,7 +50,7 @@ private:
 
     Panel& panel_;
     QMenu* menu_;
-    std::optional<double> pressedY_;  ///< position of the press in the title bar of the panel [px]
+    std::optional<double> pressedY_;  ///< vertical position of the press in the panel's title bar [px]
 };
 
 }  // namespace app

@@ -18,7 +18,8 @@
 namespace tiller::app {
 namespace {
 
-/// Width of the button that shows the current perspective [px]. It does not depend on the name.
+/// Width of the button that shows the current perspective [px]. Constant, although the names have different
+/// lengths.
 constexpr int kKeyWidth = 150;
 
 }  // namespace
@@ -79,7 +80,7 @@ void PerspectiveActions::addCommands() {
                 own(tr("This perspective is built in and cannot be deleted."))});
 }
 
-// Creates the commands again after a change of the list, because their texts contain the names of the
+// Creates the commands again if the list has changed, because their texts contain the names of the
 // perspectives.
 void PerspectiveActions::list() {
     const QList<Perspectives::Entry> entries = perspectives_.all();
@@ -109,7 +110,7 @@ void PerspectiveActions::showCurrent() {
         action->setChecked(action->data().toString() == current.id);
     }
     if (key_ != nullptr) {
-        // Measure with the font of the style sheet, which may not have been applied yet.
+        // Use the font of the style sheet, because it may not have been applied to the button yet.
         const QFontMetrics metrics(textFont(14));
         const QString arrow = QStringLiteral(" ▾");
         const int room = kKeyWidth - 16 - metrics.horizontalAdvance(arrow);
@@ -174,7 +175,7 @@ void PerspectiveActions::askForName(const QString& title, const QString& proposa
     hint->setObjectName("perspectiveHint");
     hint->setWordWrap(true);
     hint->setProperty("role", "secondary");
-    // Reserve space for the longest hint, so that the layout does not change while the user types.
+    // Reserve the height of the longest hint, so that the layout does not change while the user types.
     hint->setMinimumHeight(2 * hint->fontMetrics().lineSpacing());
     auto* save = new QPushButton(tr("Save"));
     save->setObjectName("perspectiveSave");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The commands for perspectives: select, save, rename and delete. They are in the menu of the perspectives,
+// The commands for selecting, saving, renaming and deleting perspectives. They are in the perspective menu
 // and in the menu of the button that shows the current perspective.
 
 #include <QList>
@@ -35,9 +35,9 @@ public:
     /// window  parent of the dialogs
     PerspectiveActions(ActionTable& table, Perspectives& perspectives, Hooks hooks, QWidget& window);
 
-    /// Adds the commands to the menu and updates it after changes.
+    /// Adds the commands to the menu and keeps the menu up to date.
     void fill(QMenu& menu);
-    /// Returns the button for the status bar. The new parent deletes it. Call this after fill().
+    /// Returns the button for the status bar, which its new parent deletes. Call this after fill().
     QToolButton* key();
 
 private:

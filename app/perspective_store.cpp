@@ -84,12 +84,12 @@ QVector<SavedPerspective> mergePerspectives(const QVector<SavedPerspective>& bef
             if (found != there.end()) {
                 *found = mine;
             } else {
-                there.append(mine);  // deleted in the other window, but changed in this window
+                there.append(mine);  // deleted in another window, but changed in this window
             }
             continue;
         }
-        // The perspective was added in this window. The other window may have used its number or name for
-        // another perspective.
+        // The perspective was added in this window. Another window may have added a perspective with the same
+        // number or name.
         while (withNumber(there, mine.number) != there.end()) {
             ++mine.number;
         }
@@ -111,7 +111,7 @@ LastArrangement readArrangement(const SettingsView& settings) {
     using Found = LastArrangement::Found;
     LastArrangement last;
     if (!settings.contains("arrangement/panels")) {
-        // Format of earlier versions, which had different panels.
+        // Earlier versions had different panels and this key.
         last.found = settings.contains("window/state") ? Found::Older : Found::Nothing;
         return last;
     }

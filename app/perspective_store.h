@@ -20,7 +20,7 @@ constexpr int kMaxPerspectives = 30;
 struct SavedPerspective {
     int number = 0;  ///< 1 or higher; renaming does not change it
     QString name;
-    QString tab;        ///< name of the current tab; empty: does not change the tab
+    QString tab;        ///< name of the current tab; if empty, the tab does not change
     QByteArray panels;  ///< result of DockStage::state(); empty if damaged in the file
 
     bool operator==(const SavedPerspective&) const = default;
@@ -30,23 +30,23 @@ struct SavedPerspective {
 struct LastArrangement {
     enum class Found { Nothing, Usable, Older, Damaged };
     Found found = Found::Nothing;
-    QString perspective;   ///< id of the last selected perspective
-    bool changed = false;  ///< true if the arrangement was changed after the perspective was selected
+    QString perspective;   ///< ID of the last selected perspective
+    bool changed = false;  ///< true if the user changed the arrangement afterwards
     QByteArray panels;     ///< result of DockStage::state()
     int jogWidth = 0;      ///< [px], 0: unknown
 };
 
 QVector<SavedPerspective> readPerspectives(const SettingsView& settings);
 void writePerspectives(SettingsEdit& settings, const QVector<SavedPerspective>& perspectives);
-/// Applies the changes that this window has made since it read `before` to the current settings, so that the
-/// perspectives of other windows are kept. If two new perspectives have the same number or name, both are
-/// kept and the later one is renamed.
+/// Applies the changes that this window has made since reading `before` to the current settings `there`, so
+/// that the perspectives of other windows are kept. If two new perspectives have the same number or name,
+/// both are kept and the later one is renamed.
 QVector<SavedPerspective> mergePerspectives(const QVector<SavedPerspective>& before,
                                             const QVector<SavedPerspective>& ours,
                                             QVector<SavedPerspective> there);
 
 LastArrangement readArrangement(const SettingsView& settings);
-/// The member `found` is ignored.
+/// Ignores the member `found`.
 void writeArrangement(SettingsEdit& settings, const LastArrangement& arrangement);
 
 }  // namespace tiller::app

@@ -16,7 +16,7 @@ struct BuiltIn {
     const char* id;
     const char* name;
     const char* help;
-    Qt::Key key;  ///< used in combination with Shift
+    Qt::Key key;  ///< shortcut together with Shift
     const char* tab;
     StagePlan plan;
 };
@@ -188,7 +188,7 @@ void Perspectives::remove(const QString& id) {
     saved_.removeIf([&id](const SavedPerspective& saved) { return idOf(saved) == id; });
     write();
     if (current_ == id) {
-        // The selection changes. The arrangement does not.
+        // Change only the selection, and keep the arrangement.
         current_ = QString::fromLatin1(builtIns().front().id);
         changed_ = true;
         Q_EMIT currentChanged();

@@ -38,23 +38,24 @@ public:
         bool operator==(const Entry&) const = default;
     };
 
-    /// stage     contains all panels; the first perspective is shown
+    /// stage     contains all panels; shows the first perspective
     /// settings  must outlive the object
     Perspectives(DockStage& stage, Settings& settings, Hooks hooks, QObject* parent = nullptr);
 
-    /// The built-in perspectives, followed by the user's perspectives in the order in which they were saved.
+    /// The built-in perspectives, followed by those of the user in the order of saving.
     QList<Entry> all() const;
     Entry current() const;
     bool isChanged() const { return changed_; }
 
-    /// Ends a hold-to-run motion and restores the saved perspective, even if it is the current one.
+    /// Ends a hold-to-run motion and restores the saved state of the perspective, even if it is the current
+    /// perspective.
     void choose(const QString& id);
     void reset() { choose(current_); }
 
     /// Returns the reason why a perspective cannot have this name, as a sentence; empty if the name is valid.
-    /// except  id of the perspective to be renamed
+    /// except  ID of the perspective to be renamed
     QString obstacle(const QString& name, const QString& except = {}) const;
-    /// Saves the current arrangement under this name, which must be valid. It becomes the current
+    /// Saves the current arrangement under this name, which must be valid, and makes it the current
     /// perspective.
     void saveAs(const QString& name);
     /// Saves the current arrangement in the current perspective, which must not be built-in.
@@ -63,16 +64,16 @@ public:
     void rename(const QString& id, const QString& name);
     void remove(const QString& id);
 
-    /// Restores the last arrangement. Call once, when the window is shown.
+    /// Restores the last arrangement. Call this once, when the window is shown.
     void restoreLast();
     /// Reloads the perspectives after an import of settings.
     void readAgain();
-    /// Saves the arrangement when the window closes.
+    /// Saves the arrangement, e.g. when the window closes.
     /// jogWidth  width of the jog column [px]
     void keep(int jogWidth);
 
 Q_SIGNALS:
-    /// The list or a name has changed.
+    /// A perspective was added, removed or renamed.
     void listChanged();
     /// A perspective was selected, saved under a new name, or restored.
     void currentChanged();

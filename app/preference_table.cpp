@@ -29,7 +29,8 @@ PreferenceRow choiceRow(PreferenceRow row, Access access) {
     return row;
 }
 
-/// A row for a value that QVariant converts. readPreferences() checks values of recordings together.
+/// Creates a row for a value that QVariant converts. readPreferences() validates the values for recordings
+/// together.
 template <class Access>
 PreferenceRow plainRow(PreferenceRow row, Access access) {
     row.value = [access](const Preferences& preferences) { return QVariant(access(preferences)); };
@@ -119,7 +120,8 @@ PreferenceRow monitorOnlyRow() {
 
 PreferenceRow speedCapRow() {
     PreferenceRow row{.key = "motion/speedCap", .manual = "speed cap"};
-    // Only the settings page can raise the speed cap. A settings file cannot.
+    // Limit the saved value. Only the settings page can raise the speed cap, and only until the application
+    // ends.
     row.value = [](const Preferences& preferences) {
         return QVariant(std::min(preferences.speedCap, Preferences::kOrdinaryCap));
     };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The table of the values that the settings page edits. The settings file is read, checked and written by this
-// table, the page creates its fields from it, and the manual lists the same values.
+// The table of the values on the settings page. It defines how the settings file is read, validated and
+// written, which fields the page creates, and which values the manual lists.
 
 #include <QString>
 #include <QVariant>
@@ -15,7 +15,7 @@ namespace tiller::app {
 
 struct PreferenceRow {
     enum class Editor {
-        Custom,  ///< the page has code for this value
+        Custom,  ///< edited by special code of the page
         Choice,  ///< a list with `titles`
         Number,  ///< an integer from `min` to `max`
         Flag,    ///< a check box
@@ -41,11 +41,11 @@ struct PreferenceRow {
 
     /// The value in the format of the settings file.
     std::function<QVariant(const Preferences&)> value = {};
-    /// An invalid value is replaced by a valid one.
+    /// Replaces an invalid value by a valid value.
     std::function<void(Preferences&, const QVariant&)> setValue = {};
 };
 
-/// All values except those of devices and shortcuts, in the order of the page.
+/// All values in the order of the page, except those of devices and shortcuts.
 const std::vector<PreferenceRow>& preferenceRows();
 
 }  // namespace tiller::app

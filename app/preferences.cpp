@@ -8,7 +8,7 @@
 namespace tiller::app {
 namespace {
 
-/// Returns the current id of a command that was renamed, so that the command keeps the user's shortcut.
+/// Returns the current ID of a renamed command, so that the command keeps the shortcut of the user.
 QString currentName(const QString& id) {
     return id == QLatin1String("waypoint.action.open")     ? QStringLiteral("project.open")
            : id == QLatin1String("waypoint.action.saveAs") ? QStringLiteral("project.saveAs")
@@ -18,7 +18,7 @@ QString currentName(const QString& id) {
 }  // namespace
 
 bool stopsTheArm(const QKeySequence& keys) {
-    // The stop keys act with any modifier. A shortcut that contains a stop key would disable it.
+    // Reject shortcuts that contain a stop key with any modifier, because they would disable the stop key.
     for (int i = 0; i < keys.count(); ++i) {
         const Qt::Key key = keys[static_cast<uint>(i)].key();
         if (key == Qt::Key_Space || key == Qt::Key_Escape) {

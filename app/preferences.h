@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Values of the settings page, except the theme. Values read from the file are validated.
+// Values of the settings page, except the theme. Values from the file are validated.
 
 #include <QKeySequence>
 #include <QMap>
@@ -16,21 +16,21 @@
 namespace tiller::app {
 
 struct Preferences {
-    /// Language code; empty: system language. Takes effect for the next window.
+    /// Language code; if empty, the system language. A change applies to the next window.
     QString language;
     Density density = Density::Mouse;
-    /// Scale of the user interface [%]; takes effect at the next start.
+    /// Scale of the user interface [%]. A change applies to the next start.
     int interfaceSize = 100;
     Notation notation;
-    /// Speed limit of TCP and elbow [m/s]. A value above kOrdinaryCap is not saved and is valid only until
-    /// the application ends.
+    /// Speed limit of the TCP and the elbow [m/s]. A value above kOrdinaryCap is not saved. It applies only
+    /// until the application ends.
     double speedCap = kOrdinaryCap;
     /// Blocks all changes on the robot. Only STOP works.
     bool monitorOnly = false;
     /// Maximum duration of a jog without a new press [s].
     int longestHold = kUsualLongestHold;
-    /// Shortcuts by action id. Contains only differences from the defaults. An empty sequence means no
-    /// shortcut.
+    /// Shortcuts by action ID. Contains only those that differ from the defaults. An empty sequence means
+    /// that the action has no shortcut.
     QMap<QString, QKeySequence> shortcuts;
 
     /// Settings by device type. Contains only changed values.
@@ -48,13 +48,13 @@ struct Preferences {
     friend bool operator==(const Preferences&, const Preferences&) = default;
 };
 
-/// True if the sequence contains a stop key, with any modifier. A stop key must not have another function.
+/// True if the sequence contains a stop key with any modifier. A stop key must not have another function.
 bool stopsTheArm(const QKeySequence& keys);
-/// Reads the interface size [%], which is the only value needed before the application object exists.
-/// file  the settings file; empty: the default location
+/// Reads the interface size [%], the only value needed before the application object exists.
+/// file  the settings file; if empty, the default location
 int readInterfaceSize(const QString& file);
 Preferences readPreferences(const SettingsView& settings);
-/// The values in the format of the settings.
+/// Returns the values in the format of the settings file.
 SettingsMap preferenceValues(const Preferences& preferences);
 
 }  // namespace tiller::app

@@ -20,7 +20,7 @@
 namespace tiller::app {
 namespace {
 
-/// Returns the versions in English, for the support team, independent of the user's language.
+/// Returns the versions in English regardless of the user's language, for the support team.
 QString versionsText(const SessionState& state) {
     QStringList lines{QStringLiteral("Tiller     %1").arg(QStringLiteral(TILLER_VERSION)),
                       QStringLiteral("Qt         %1, built with %2")
@@ -69,7 +69,7 @@ QByteArray stopTable(const StopRecord& stop) {
     return text;
 }
 
-/// Returns the settings without names and addresses.
+/// Returns a copy without names and addresses.
 SettingsBundle withoutNames(const SettingsBundle& settings) {
     SettingsBundle kept{settings.writtenBy, {}};
     for (auto it = settings.values.constBegin(); it != settings.values.constEnd(); ++it) {
@@ -87,7 +87,7 @@ void append(QByteArray& to, Number value) {
     to.append(reinterpret_cast<const char*>(&little), sizeof little);
 }
 
-/// Returns the fields that the local header and the central directory have in common.
+/// Returns the header fields that the local header and the central directory have in common.
 QByteArray zipEntry(const ReportPart& part, const QByteArray& packed, const QDateTime& when) {
     QByteArray entry;
     append<std::uint16_t>(entry, 20);       // version needed to extract
@@ -112,7 +112,7 @@ QByteArray deflated(const QByteArray& content) {
     constexpr qsizetype kQtLength = 4;
     constexpr qsizetype kZlibHead = 2;
     constexpr qsizetype kZlibSum = 4;
-    // qCompress() returns no data for empty input, so use an empty deflate block.
+    // qCompress() returns no data for empty input. Use an empty deflate block instead.
     return content.isEmpty() ? QByteArray("\x03\x00", 2)
                              : qCompress(content).mid(kQtLength + kZlibHead).chopped(kZlibSum);
 }

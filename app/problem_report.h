@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A problem report for the support team as one zip file: versions, log, settings, the last stop, and a crash
+// A problem report for the support team as a zip file: versions, log, settings, the last stop, and a crash
 // report. Names and addresses are removed unless the user includes them.
 
 #include <QByteArray>
@@ -23,22 +23,22 @@ struct ReportPart {
     QByteArray content;
 };
 
-/// The sources of the report.
+/// The data for the report.
 struct ReportSources {
     SettingsBundle settings;
     SessionState state;
-    /// Names of robots, inputs, outputs and files, and addresses that must be removed.
+    /// Texts to remove: names of robots, inputs, outputs and files, and addresses.
     QStringList knownNames;
     QString log;
     std::optional<StopRecord> lastStop;
     QByteArray crash;
 };
 
-/// Replaces these names and all addresses and home folders by placeholders.
+/// Replaces these names, all addresses and all home folders by placeholders.
 QString withoutNames(QString text, const QStringList& names);
 
-/// names  false: names and addresses are removed
-/// words  description written by the user; not modified
+/// names  if false, names and addresses are removed
+/// words  description by the user; included unchanged
 QVector<ReportPart> reportParts(const ReportSources& sources, bool names, const QString& words);
 
 /// Creates a zip archive of these files.

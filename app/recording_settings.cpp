@@ -176,7 +176,7 @@ void RecordingSettings::askForFolder() {
 void RecordingSettings::takeFolder() {
     RecordingChoice next = choice_;
     const QString typed = folder_->text().trimmed();
-    // Relative to the home folder, because the user does not know the working directory.
+    // Resolve a relative path from the home folder, because the user does not know the working directory.
     next.folder =
         typed.isEmpty() ? QString() : QDir::home().absoluteFilePath(QDir::fromNativeSeparators(typed));
     folder_->setText(QDir::toNativeSeparators(next.folder));
@@ -185,7 +185,7 @@ void RecordingSettings::takeFolder() {
 
 void RecordingSettings::takePattern() {
     if (!patternProblem(pattern_->text()).isEmpty()) {
-        return;  // the error is shown below the field, and the previous value remains
+        return;  // showExample() shows the error, and the previous value remains
     }
     RecordingChoice next = choice_;
     next.pattern = pattern_->text().trimmed();
@@ -200,7 +200,7 @@ void RecordingSettings::showExample() {
     const QString role = problem.isEmpty() ? QStringLiteral("secondary") : QStringLiteral("warning");
     if (example_->property("role") != role) {
         example_->setProperty("role", role);
-        // The change of the property takes effect only after the style sheet is set again.
+        // Set the style sheet again, so that the changed property takes effect.
         example_->setStyleSheet(example_->styleSheet());
     }
     const QString file =
@@ -224,7 +224,7 @@ void RecordingSettings::takeSignals() {
         }
     }
     if (next.fields.isEmpty()) {
-        // A recording must contain at least one signal, so the last one remains selected.
+        // A recording must contain at least one signal, so restore the previous selection.
         const QSignalBlocker quiet(signals_);
         for (int row = 0; row < signals_->count(); ++row) {
             const bool recorded = choice_.fields.contains(signals_->item(row)->text());

@@ -20,7 +20,7 @@
 namespace tiller::app {
 namespace {
 
-/// Maximum displayed length of a file [characters], which is enough for a review and fast to lay out.
+/// Maximum displayed length of a file [characters]. Sufficient for a review and fast to lay out.
 constexpr qsizetype kShown = 200'000;
 
 QLabel* line(const QString& text) {

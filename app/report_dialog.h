@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// "Report a problem": shows every file of the report before it is saved. The report is not sent anywhere.
+// "Report a problem": shows every file of the report before saving it. The report is not sent.
 
 #include <QDialog>
 
@@ -20,7 +20,7 @@ class ReportDialog : public QDialog {
 public:
     explicit ReportDialog(ReportSources sources, QWidget* parent = nullptr);
 
-    /// The files in the form in which they would be saved.
+    /// The files with the content that would be saved.
     QVector<ReportPart> parts() const;
     /// path  file path; the extension .zip is added if there is no extension
     void saveTo(const QString& path);

@@ -19,13 +19,13 @@ QString needsNormalSafety(const SessionState& state) {
                                           : safetyWords(state.safety()).advice;
 }
 
-/// Checks for a missing service first, because no other action would help.
+/// Checks the connection and then the service, without which no other action would help.
 QString needsService(const SessionState& state, RobotCommand command) {
     const QString link = needsLink(state);
     return link.isEmpty() ? serviceObstacle(state, command) : link;
 }
 
-/// Reason why a command for programs stored on the robot is disabled.
+/// Returns the reason why a command for programs on the robot is disabled.
 QString needsForeignProgram(const SessionState& state, RobotCommand command, bool running) {
     if (const QString service = needsService(state, command); !service.isEmpty()) {
         return service;
@@ -131,7 +131,7 @@ void RobotActions::addPower(ActionTable& table, RobotSession& session, const Rob
                commandText(RobotCommand::RestartSafety),
                tr("Resets the safety system after a violation or fault. The arm stays powered off."),
                {},
-               // Shows the page that requires the user to inspect the arm first.
+               // The page requires the user to inspect the arm first.
                hooks.showRecovery,
                [](const SessionState& s) {
                    const QString why = needsService(s, RobotCommand::RestartSafety);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The commands for the robot: connection, power, recovery, control, and programs on the robot. Each has a
-// reason if it is disabled.
+// The commands for the robot: connection, power, recovery, control, and programs on the robot. Each disabled
+// command shows a reason.
 
 #include <QCoreApplication>
 #include <functional>
@@ -13,7 +13,7 @@ namespace tiller::app {
 
 class ActionTable;
 
-/// Functions of the window.
+/// Functions of the main window.
 struct RobotActionHooks {
     std::function<void()> askForRobot;
     std::function<void()> connectSimulator;

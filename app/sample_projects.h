@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The sample projects of the application, and the dialog that offers them. The application opens a copy of
+// The sample projects of the application, and the dialog for selecting one. The application opens a copy of
 // the sample.
 
 #include <QDialog>
@@ -26,7 +26,7 @@ public:
     explicit SampleDialog(QWidget* parent = nullptr);
 
 Q_SIGNALS:
-    /// The user selected a sample, and the dialog has closed.
+    /// The user has selected a sample. The dialog is closed.
     void chosen(const QString& path, const QString& title);
 
 protected:

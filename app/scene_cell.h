@@ -17,11 +17,12 @@ class Simulator;
 
 namespace tiller::app {
 
-/// Updates the view and the session immediately and after each change, as long as both exist.
+/// Updates the view and the session immediately and after each change of the document, as long as all of them
+/// exist.
 void followCell(SceneView& view, RobotSession& session, const ProjectDocument& document);
 /// Replaces the objects around the simulated arm. Contact of its TCP with an object is simulated, and a large
 /// force causes a protective stop.
-/// Returns  the number of objects that exceeded the capacity
+/// Returns  the number of objects ignored because of the limited capacity
 int simulateCell(simulator::Simulator& robot, const ProjectDocument& document);
 
 }  // namespace tiller::app

@@ -15,11 +15,12 @@ namespace {
 constexpr int kRobotsRemembered = 8;
 constexpr int kProjectsRemembered = 8;
 constexpr qsizetype kMaxIoText = 100;
-/// Limits of the port offset. Other values would lead to invalid port numbers.
+/// Other port offsets would lead to invalid port numbers.
 constexpr int kLowestPortOffset = -29000;
 constexpr int kHighestPortOffset = 35000;
 
-/// Returns the settings key without a slash in the robot name, because a slash would create a nested group.
+/// Returns the settings key, in which an underscore replaces a slash of the robot name, because a slash would
+/// create a nested group.
 QString gripperKey(const QString& robot) {
     return QStringLiteral("grippers/") + QString(robot).replace(QLatin1Char('/'), QLatin1Char('_'));
 }
@@ -52,7 +53,7 @@ void writeRobots(SettingsEdit& settings, const QVector<RobotAddress>& robots) {
 
 QStringList projectsIn(const SettingsView& settings) {
     QStringList projects = settings.value("projects/recent").toStringList();
-    // Key used by earlier versions.
+    // Also read the key of earlier versions.
     projects.append(settings.value("session/file").toString());
     projects.removeAll(QString());
     projects.removeDuplicates();
@@ -64,7 +65,7 @@ TutorialProgress tutorialProgressIn(const SettingsView& settings) {
             settings.value("learned/practice").toStringList()};
 }
 
-/// Applies the changes between `before` and `after` to the list `there`.
+/// Applies the changes from `before` to `after` to the list `there`.
 QStringList merged(const QStringList& before, const QStringList& after, QStringList there) {
     for (const QString& word : before) {
         if (!after.contains(word)) {

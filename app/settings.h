@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Values that are saved between two starts. The speed is not saved, so that every start begins at low speed.
+// Values that are saved between two starts. The speed is not saved, so every start begins at low speed.
 
 #include <QByteArray>
 #include <QMap>
@@ -21,7 +21,7 @@ namespace tiller::app {
 
 /// Progress of the tutorial, as names of steps and tasks.
 struct TutorialProgress {
-    bool dismissed = false;  ///< true if the user dismissed the checklist of the first steps
+    bool dismissed = false;  ///< true if the user closed the checklist of the first steps
     QStringList firstSteps;
     QStringList practice;
 };
@@ -31,7 +31,8 @@ public:
     /// file  the settings file; empty: the default location
     explicit Settings(QString file = {});
 
-    /// Sets a function that is called after a failed write, and not again until a write has succeeded.
+    /// Sets a function to call after a failed write. After that, it is not called again until a write has
+    /// succeeded.
     void setWriteFailed(std::function<void(const Error&)> tell) { writeFailed_ = std::move(tell); }
 
     /// Remembered robots, newest first, without the simulated robot.
@@ -55,15 +56,15 @@ public:
 
     /// The arrangement of the plots in the format of PlotDock::arrangement(); empty if it was never changed.
     QByteArray plots() const;
-    /// Memory limit of the plot history [bytes]; 0 if it was never selected.
+    /// Memory limit of the plot history [bytes]; 0 if the user never selected a limit.
     std::size_t plotBudget() const;
     void setPlots(const QByteArray& arrangement, std::size_t budget);
 
     TutorialProgress learned() const;
     void setTutorialProgress(const TutorialProgress& learned);
 
-    // For the following values, each window writes only its own changes and preserves the other entries of
-    // the file.
+    // When writing the following values, each window writes only the changes it has made, and keeps the other
+    // entries of the file.
 
     /// Values of the settings page.
     Preferences preferences() const;
@@ -71,28 +72,28 @@ public:
 
     /// All values that may be transferred to another computer.
     SettingsBundle bundle() const;
-    /// Replaces these parts completely. First writes the current settings to a backup file in the same
-    /// folder. If that fails, nothing is changed.
+    /// Replaces these parts completely, after writing the current settings to a backup file in the same
+    /// folder. If the backup fails, nothing is changed.
     /// Returns  the path of the backup
     /// Errors   FileNotWritable, DiskFull
     Result<QString> replace(const SettingsBundle& bundle, const QSet<SettingsPart>& parts);
-    /// The user's perspectives in the order in which they were saved.
+    /// The user's perspectives in the order of saving.
     QVector<SavedPerspective> perspectives() const;
     /// Returns  all perspectives, including those of other windows
     QVector<SavedPerspective> setPerspectives(const QVector<SavedPerspective>& all);
-    /// The arrangement of the panels when the window was last closed.
+    /// The last saved arrangement of the panels.
     LastArrangement arrangement() const { return readArrangement(SettingsView(file_)); }
     void setArrangement(const LastArrangement& arrangement);
 
 private:
     QString backupPath() const;
-    /// Changes the current settings under a lock, so that no other window can write.
+    /// Changes the current settings under a lock, which prevents other windows from writing.
     Result<void> edit(const std::function<void(SettingsEdit&)>& change);
 
     QString file_;
     std::function<void(const Error&)> writeFailed_;
     bool failed_ = false;
-    // Values that this window last read or wrote. They are needed because only differences are written.
+    // Values that this window last read or wrote, for writing only the differences.
     mutable std::optional<SettingsMap> knownPreferences_;
     mutable std::optional<SettingsMap> knownIoNames_;
     mutable std::optional<TutorialProgress> knownTutorial_;

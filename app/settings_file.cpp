@@ -47,7 +47,7 @@ bool isKey(const QString& key) {
            std::all_of(key.begin(), key.end(), [](QChar c) { return c.isPrint() || c.isSurrogate(); });
 }
 
-/// Returns an empty optional for types that the format does not support.
+/// Returns an empty value for types that the format does not support.
 std::optional<QJsonValue> toJson(const QVariant& value) {
     switch (value.typeId()) {
         case QMetaType::Bool:
@@ -105,7 +105,7 @@ std::optional<QVariant> fromJson(const QJsonValue& value) {
             if (!std::isfinite(number)) {
                 return std::nullopt;
             }
-            // Keep integers, because readers of an index expect "1" instead of "1.0".
+            // Keep integers as integers, because readers of an index expect "1" instead of "1.0".
             const bool whole =
                 std::abs(number) <= std::numeric_limits<int>::max() && std::floor(number) == number;
             return whole ? QVariant(static_cast<int>(number)) : QVariant(number);
@@ -122,7 +122,7 @@ std::optional<QVariant> fromJson(const QJsonValue& value) {
     }
 }
 
-/// Returns the value as text, because settings read from a file have no numeric types.
+/// Returns the value as text for comparison, because settings read from a file have no numeric types.
 QStringList written(const QVariant& value) {
     return value.typeId() == QMetaType::QByteArray
                ? QStringList(QLatin1String(value.toByteArray().toBase64()))

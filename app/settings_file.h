@@ -2,8 +2,8 @@
 #pragma once
 
 // The settings as one JSON file with a format version, for transfer and backup. This module validates only
-// the structure: plausible sizes of keys and values, and supported types. The individual values are validated
-// where they are used.
+// the structure: plausible sizes of keys and values, and supported types. The code that uses a value
+// validates it.
 
 #include <QByteArray>
 #include <QMap>
@@ -15,7 +15,7 @@
 
 namespace tiller::app {
 
-/// A part of the settings. It is replaced completely or not at all.
+/// A part of the settings. An import replaces a part completely or not at all.
 enum class SettingsPart { Look, Motion, Keys, Devices, Robots, IoNames, Layout, Other };
 inline constexpr SettingsPart kSettingsParts[] = {
     SettingsPart::Look,   SettingsPart::Motion,  SettingsPart::Keys,   SettingsPart::Devices,
@@ -23,7 +23,7 @@ inline constexpr SettingsPart kSettingsParts[] = {
 
 /// key  key in QSettings, e.g. "look/density"
 SettingsPart partOf(const QString& key);
-/// False for values that apply only to this computer: recent files, window position, the lock of a
+/// False for values that apply only to this computer: recent files, window position, and the lock of a
 /// monitor-only PC.
 bool travels(const QString& key);
 
@@ -33,15 +33,15 @@ struct SettingsBundle {
     QMap<QString, QVariant> values;
 
     QMap<QString, QVariant> part(SettingsPart which) const;
-    /// True if both have equal values in this part. Numbers stored as text are equal to the same numbers.
+    /// True if both have equal values in this part. A number stored as text is equal to the same number.
     bool hasSameValues(const SettingsBundle& other, SettingsPart which) const;
 };
 
 inline constexpr int kSettingsFormatVersion = 1;
 
-/// Returns the content of the file. Values of unsupported types are omitted.
+/// Returns the content of the file. Omits values of unsupported types.
 QByteArray settingsToJson(const SettingsBundle& bundle);
-/// Errors  FileCorrupt with a complete sentence for users; VersionUnsupported for a file of a newer version
+/// Errors  FileCorrupt with a complete sentence for users; VersionUnsupported for a file from a newer version
 /// of Tiller
 Result<SettingsBundle> settingsFromJson(const QByteArray& bytes);
 

@@ -38,7 +38,7 @@ int keyRowHeight() {
     return std::max(40, keyHeight(currentDensity()) + 4);
 }
 
-/// Makes the page scroll, because with large rows its content exceeds the smallest screen.
+/// Makes the page scrollable, because with large rows its content exceeds the smallest screen.
 QWidget* scrolling(QWidget* page, const QString& name) {
     auto* area = new NoFocusScrollArea;
     area->setAccessibleName(name);
@@ -54,7 +54,7 @@ QWidget* scrolling(QWidget* page, const QString& name) {
 QLabel* note(const QString& text, const char* role) {
     auto* label = new QLabel(text);
     label->setWordWrap(true);
-    // Aligned with the field, because a row of the form may be taller than the text.
+    // Align with the field, because a row of the form may be higher than the text.
     label->setAlignment(Qt::AlignLeading | Qt::AlignTop);
     label->setProperty("role", QLatin1String(role));
     return label;
@@ -241,7 +241,7 @@ void SettingsPage::addCap(QFormLayout& form) {
 }
 
 QWidget* SettingsPage::buildLanguage() {
-    // Languages are listed by their native names, so that users who cannot read the current language find
+    // List the languages by their native names, so that users who cannot read the current language find
     // theirs.
     QStringList names{tr("System language: %1").arg(QString())};
     int current = 0;
@@ -317,7 +317,7 @@ void SettingsPage::changeEvent(QEvent* event) {
 void SettingsPage::showCap() {
     const bool raised = preferences_.speedCap > Preferences::kOrdinaryCap;
     capNote_->setProperty("role", raised ? QStringLiteral("warning") : QStringLiteral("secondary"));
-    // The change of the property takes effect only after the style sheet is set again.
+    // Set the style sheet again, so that the changed property takes effect.
     capNote_->setStyleSheet(capNote_->styleSheet());
     capNote_->setText(
         raised ? tr("▲ Above %1. Manual mode and the enabling device of the pendant do not limit jogging "
@@ -407,8 +407,8 @@ void SettingsPage::showShortcuts() {
         const QString id = action->objectName();
         connect(keys, &QKeySequenceEdit::editingFinished, this, [this, keys, id] {
             const QAction* edited = actions_.find(id);
-            // Use only the first key combination. A second key within a second would create a sequence of
-            // two.
+            // Use only the first key combination. The editor also records further keys pressed within a
+            // second.
             const QKeySequence chosen =
                 keys->keySequence().isEmpty() ? QKeySequence() : QKeySequence(keys->keySequence()[0]);
             if (edited != nullptr && chosen != edited->shortcut()) {

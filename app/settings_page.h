@@ -31,19 +31,19 @@ class SettingsPage : public QDialog {
 
 public:
     /// theme    "light" or "dark"
-    /// devices  the devices that can be configured
+    /// devices  the devices to be configured
     SettingsPage(const Preferences& preferences, const QString& theme, const ActionTable& actions,
                  DeviceJog& devices, QWidget* parent = nullptr);
 
     const Preferences& preferences() const { return preferences_; }
-    /// Assigns this shortcut to the command, like the shortcut editor. An empty sequence removes the
-    /// shortcut.
-    /// Returns  false if the key is in use or reserved; hint() then returns the reason
+    /// Assigns this shortcut to the command. The shortcut editor calls the same function. An empty sequence
+    /// removes the shortcut.
+    /// Returns  false if the key is in use or reserved; hint() then contains the reason
     bool setShortcut(const QString& id, const QKeySequence& keys);
     QString hint() const;
-    /// Sets the description of the active key-state check, if any.
+    /// Shows the description of the key-state check.
     void setHoldNote(const QString& text);
-    /// Shows that monitor only was set by the command line and cannot be changed.
+    /// Shows that the command line has enabled "monitor only", so that it cannot be changed.
     void lockMonitorOnly();
     /// Shows the reason why the window cannot be replaced at the moment.
     void refuseNewWindow(const QString& reason);
@@ -55,11 +55,11 @@ protected:
 Q_SIGNALS:
     void preferencesChanged(const tiller::app::Preferences& preferences);
     void themeChosen(const QString& theme);
-    /// The user wants to replace the window by one in the selected language.
+    /// The user wants to replace the window by a window in the selected language.
     void newWindowWanted();
-    /// The user wants to open the device test page in front of this page.
+    /// The user wants to open the device test page on top of this page.
     void trainerWanted();
-    /// The user wants to open the export dialog in front of this page.
+    /// The user wants to open the export dialog on top of this page.
     void exportWanted();
     void importWanted();
 

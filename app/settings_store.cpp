@@ -13,7 +13,7 @@ namespace tiller::app {
 namespace {
 
 constexpr qint64 kMaxSettingsBytes = 4 * 1024 * 1024;
-/// Types that QSettings writes as text and Tiller does not use. Their values are not changed.
+/// Types that QSettings writes as text and that Tiller does not use. Their values are kept unchanged.
 constexpr const char* kForeignKinds[] = {"@Variant(", "@Rect(", "@Size(", "@Point(", "@DateTime("};
 
 bool isForeignKind(const QString& text) {
@@ -72,13 +72,14 @@ bool isHexDigit(char c) {
     return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
 }
 
-/// binary  true if bytes from 0x80 on are not UTF-8
+/// binary  true if bytes from 0x80 on are not part of UTF-8 text
 QByteArray quoted(const QByteArray& bytes, bool binary) {
     QByteArray result = "\"";
     bool afterHex = false;
     for (const char c : bytes) {
         const auto code = static_cast<unsigned char>(c);
-        // A digit after an escape sequence would become part of the sequence.
+        // Escape a hexadecimal digit after an escape sequence. Otherwise, the digit would become part of the
+        // sequence.
         const bool hex =
             code < 0x20 || code == 0x7f || (binary && code >= 0x80) || (afterHex && isHexDigit(c));
         if (hex) {
@@ -124,7 +125,7 @@ QByteArray iniValue(const QVariant& value) {
     }
 }
 
-/// Splits the value of a line at commas and resolves quotes and escape sequences.
+/// Splits the value of a line at commas, and resolves quotes and escape sequences.
 class ValueParser {
 public:
     explicit ValueParser(const QByteArray& text) : text_(text) {}
@@ -279,7 +280,7 @@ QString settingsPath(const QString& file) {
         return file;
     }
 #if defined(Q_OS_UNIX) && !defined(Q_OS_DARWIN)
-    constexpr QSettings::Format kFormat = QSettings::NativeFormat;  // also an INI file on this platform
+    constexpr QSettings::Format kFormat = QSettings::NativeFormat;  // on this platform, also an INI file
 #else
     constexpr QSettings::Format kFormat = QSettings::IniFormat;
 #endif
@@ -302,7 +303,7 @@ SettingsView::SettingsView(const QString& file) {
         fallbacks_ = valuesOf(system);
 #if !defined(Q_OS_UNIX) || defined(Q_OS_DARWIN)
         if (!QFileInfo::exists(path)) {
-            // Location used by earlier versions: the registry or a property list.
+            // Earlier versions used the registry or a property list.
             QSettings before(QStringLiteral("Tiller"), QStringLiteral("Tiller"));
             values_ = valuesOf(before);
         }
@@ -372,7 +373,7 @@ Result<void> SettingsEdit::commit() {
         return guard_.error();
     }
     if (readError_.code != ErrorCode::None) {
-        // Content that cannot be read must not be overwritten.
+        // Do not overwrite content that could not be read.
         return Error{
             ErrorCode::FileNotWritable, path_,
             readError_.controllerMessage.isEmpty() ? readError_.context : readError_.controllerMessage};

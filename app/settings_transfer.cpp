@@ -23,8 +23,8 @@ QString filter() {
 }
 
 QString textOf(const Error& error) {
-    // For these codes the context is already a complete sentence. VersionUnsupported refers to the file
-    // instead of the robot software.
+    // For these codes, the context is a complete sentence. VersionUnsupported refers to the file instead of
+    // the robot software.
     return error.code == ErrorCode::FileCorrupt || error.code == ErrorCode::VersionUnsupported
                ? error.context
                : texts::errorText(error);
@@ -145,7 +145,7 @@ void ImportDialog::listParts(const SettingsBundle& found, const SettingsBundle& 
                                                     .arg(count));
         box->setObjectName(QStringLiteral("importSettings.part.%1").arg(static_cast<int>(part)));
         box->setProperty(kPart, static_cast<int>(part));
-        // A file with few settings must not delete the other settings by default.
+        // By default, do not delete settings that the file does not contain.
         box->setChecked(!same && !none);
         box->setEnabled(!same);
         connect(box, &QCheckBox::toggled, this, &ImportDialog::updateKey);
@@ -175,7 +175,7 @@ QSet<SettingsPart> ImportDialog::chosen() const {
 
 void ImportDialog::showFailure(const QString& text) {
     note_->setProperty("role", QStringLiteral("alarm"));
-    // The change of the property takes effect only after the style sheet is set again.
+    // Set the style sheet again, so that the changed property takes effect.
     note_->setStyleSheet(note_->styleSheet());
     note_->setText(text);
 }
@@ -214,7 +214,7 @@ void SettingsTransfer::exportTo(const QString& path) {
 void SettingsTransfer::importFrom(const QString& path, QWidget* over) {
     const Result<SettingsBundle> found = readSettingsFile(path);
     if (found) {
-        Q_EMIT upToDateWanted();  // the backup must contain the current settings
+        Q_EMIT upToDateWanted();  // save all values first, because the backup must contain them
     } else {
         Q_EMIT message(Severity::Error, tr("%1 was not imported. Nothing was changed. %2")
                                             .arg(QFileInfo(path).fileName(), textOf(found.error())));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Export and import of the settings: prompts for the file, shows what an import would replace, keeps a
-// backup, and reports errors in the file.
+// Export and import of the settings: prompts for the file, shows which parts an import would replace, writes
+// a backup, and reports errors in the file.
 
 #include <QDialog>
 #include <QObject>
@@ -53,11 +53,11 @@ public:
     void askToImport(QWidget* over);
     /// path  file path; the extension .json is added if there is no extension
     void exportTo(const QString& path);
-    /// Shows the parts that the file would replace. Replaces them after confirmation.
+    /// Shows the parts that the file would replace, and replaces them after confirmation.
     void importFrom(const QString& path, QWidget* over);
 
 Q_SIGNALS:
-    /// All current values of the window must be saved, as when it closes.
+    /// Requests that the window saves all current values, as when it closes.
     void upToDateWanted();
     /// The settings were replaced.
     void imported();

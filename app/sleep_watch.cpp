@@ -10,7 +10,7 @@ namespace tiller::app {
 SleepWatch::SleepWatch(QObject* parent) : QObject(parent) {
     setObjectName("sleepWatch");
 #ifdef TILLER_HAS_DBUS
-    // An empty path or service matches any sender. Without a bus, nothing is connected.
+    // An empty path or service matches any sender. Without a bus, connect() has no effect.
     QDBusConnection::systemBus().connect(
         QStringLiteral("org.freedesktop.login1"), {}, QStringLiteral("org.freedesktop.login1.Manager"),
         QStringLiteral("PrepareForSleep"), this, SLOT(onPrepareForSleep(bool)));

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Detects when this PC is about to sleep or its session is locked, because the arm is then unattended.
+// Detects that this PC is about to sleep or that its session is being locked, because the arm is then
+// unattended.
 
 #include <QObject>
 
@@ -11,16 +12,16 @@ class SleepWatch : public QObject {
     Q_OBJECT
 
 public:
-    /// Monitors the login manager and the screen saver, if available. On other systems, the deactivation of
-    /// the window and the timeout of the robot stop the arm.
+    /// Monitors the login manager and the screen saver, if available. On other systems, window deactivation
+    /// and the timeout of the robot stop the arm.
     explicit SleepWatch(QObject* parent = nullptr);
 
 public Q_SLOTS:
-    /// org.freedesktop.login1.Manager.PrepareForSleep
+    /// Connected to org.freedesktop.login1.Manager.PrepareForSleep.
     void onPrepareForSleep(bool begins);
-    /// org.freedesktop.login1.Session.Lock
+    /// Connected to org.freedesktop.login1.Session.Lock.
     void onLock();
-    /// org.freedesktop.ScreenSaver.ActiveChanged
+    /// Connected to org.freedesktop.ScreenSaver.ActiveChanged.
     void onScreenSaver(bool active);
 
 Q_SIGNALS:

@@ -39,7 +39,7 @@ StartProject startProject(const Settings& settings) {
     QDir().mkpath(projectFolder());
     start.path = QDir(projectFolder()).filePath(QLatin1String(kFirstName));
     if (start.missing == start.path) {
-        start.missing.clear();  // it was created there and never saved, so no data are lost
+        start.missing.clear();  // a new project at this path was never saved, so no data are missing
     }
     return start;
 }

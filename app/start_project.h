@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The project that is opened if no project is given on the command line.
+// The project to open if the command line does not specify one.
 
 #include <QString>
 
@@ -11,11 +11,11 @@ class Settings;
 
 struct StartProject {
     QString path;     ///< file to open or create; the file may not exist
-    QString missing;  ///< path of the last file if that file no longer exists; otherwise empty
+    QString missing;  ///< path of the last file if that file does not exist; otherwise empty
 };
 
-/// Returns the last file. If there is none, returns the file that earlier versions kept in the application
-/// data folder, otherwise "cell.tiller" in projectFolder(), which is created.
+/// Returns the last file. If there is none, returns the file of earlier versions in the application data
+/// folder. If that does not exist either, returns "cell.tiller" in projectFolder(), which is created.
 StartProject startProject(const Settings& settings);
 
 QString unsavedWorkFolder();

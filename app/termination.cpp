@@ -14,7 +14,7 @@
 namespace tiller::app {
 
 #ifdef _WIN32
-// Written according to the documentation of the console API. Not tested in this project's CI.
+// Follows the documentation of the console API. Not tested in this project's CI.
 
 namespace {
 std::binary_semaphore ended{0};
@@ -62,7 +62,7 @@ void waitForTermination() {
 bool waitForTermination(std::chrono::milliseconds atMost) {
     const sigset_t set = terminationSignals();
 #ifdef __APPLE__
-    // macOS has no sigtimedwait().
+    // Poll, because macOS has no sigtimedwait().
     std::this_thread::sleep_for(atMost);
     sigset_t pending;
     sigpending(&pending);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// tiller-cli provides the functions of Tiller that do not need a window. It does not link any widgets.
+// tiller-cli provides the functions of Tiller that need no window. It does not link to the widget libraries.
 
 #include <QCoreApplication>
 

@@ -15,8 +15,8 @@
 namespace tiller::app {
 namespace {
 
-// Force range for the task "record and measure" [N]. The forces are measurable and far below a protective
-// stop.
+// Force range for the task "record and measure" [N]. The forces are measurable and far below those that cause
+// a protective stop.
 constexpr int kMinHandForce = 25;
 constexpr int kMaxHandForce = 60;
 
@@ -63,7 +63,7 @@ Tutorial::~Tutorial() {
 
 void Tutorial::readAgain() {
     const TutorialProgress learned = settings_.learned();
-    // Restore the practice tasks first, because a change of the steps saves both.
+    // Restore the practice tasks first, because a change of the first steps saves both.
     practice_.setDone(learned.practice);
     steps_.setDone(learned.firstSteps);
 }
@@ -96,7 +96,7 @@ void Tutorial::showPractice() {
 
 void Tutorial::onState(const SessionState& state) {
     const bool here = simulator_.controllerOf(state) != nullptr;
-    // A gap between two packets is not a change of the robot.
+    // Keep the state during a gap between two packets.
     if (!here && state.link != LinkState::Disconnected && !state.hasData()) {
         return;
     }

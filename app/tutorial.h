@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Introduction for new users: the checklist of the first steps, which is shown until the user dismisses it,
-// and the practice tasks. Both require the simulated robot of this application.
+// Introduction for new users: the practice tasks, and the checklist of the first steps, which is shown until
+// the user closes it. Both require the simulated robot of this application.
 
 #include <QObject>
 
@@ -27,7 +27,7 @@ class Tutorial : public QObject {
     Q_OBJECT
 
 public:
-    /// All arguments must outlive the object. The cards are shown on top of `view`.
+    /// All arguments must outlive the object. The cards are overlays on `view`.
     Tutorial(RobotSession& session, ProjectDocument& document, LocalSimulator& simulator, Settings& settings,
              SceneView& view);
     ~Tutorial() override;

@@ -61,7 +61,7 @@ public:
     /// Sets a minimum width that fits the caption and this number of characters of the value. Longer values
     /// are elided.
     void setLeastCharacters(int characters);
-    /// Minimum width that fits the caption [px].
+    /// Minimum width with this caption for a value elided to the set number of characters [px].
     int leastRoom(const QString& caption) const;
     /// Sets a fixed width [px]. Texts that do not fit use a smaller font, then a second line, and are then
     /// elided.
