@@ -113,7 +113,6 @@ const Command& recordCommand();
 const Command& projectCommand();
 /// Runs a program in the simulator or on a robot.
 const Command& runProgramCommand();
-/// Tests programs in the simulator.
 const Command& testCommand();
 /// Prints a program as URScript.
 const Command& scriptCommand();

@@ -17,7 +17,7 @@ struct CommandLine {
     QString
         demoDirectory;    ///< folder for files of the scripted demonstration; if not empty, runs it and exits
     QString projectFile;  ///< project to open; empty: the last project
-    QStringList recordings;    ///< recordings to open
+    QStringList recordings;
     QString theme;             ///< "light", "dark", or empty for the last setting
     bool monitorOnly = false;  ///< blocks all changes on the robot, regardless of the settings
     bool showHelp = false;

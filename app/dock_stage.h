@@ -44,7 +44,6 @@ public:
     /// Moves every panel to its position in the plan. Until the user changes the arrangement, the proportions
     /// follow the window size.
     void arrange(const StagePlan& plan);
-    /// Moves a panel to this side of the other panels.
     void move(PanelDock& dock, StageSide side);
     void reveal(PanelDock& dock);
     QByteArray state() const;

@@ -15,7 +15,7 @@ namespace tiller::app {
 
 struct PreferenceRow {
     enum class Editor {
-        Custom,  ///< edited by special code of the page
+        Custom,  ///< the page contains specific code for this value
         Choice,  ///< a list with `titles`
         Number,  ///< an integer from `min` to `max`
         Flag,    ///< a check box

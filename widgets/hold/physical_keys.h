@@ -43,7 +43,6 @@ public:
     Change take(const QKeyEvent& event, int meaning);
 
     bool isDown(KeyCode code) const { return down_.contains(code); }
-    /// True if a key with this meaning is pressed.
     bool means(int meaning) const;
     /// The meaning of a pressed key, or `otherwise` if the key is not pressed.
     int meaningOf(KeyCode code, int otherwise = 0) const { return down_.value(code, otherwise); }

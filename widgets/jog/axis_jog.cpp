@@ -22,7 +22,7 @@ control::JogTarget deflectionTarget(const JogSelection& selection, const Deflect
         }
         return target;
     }
-    // Use the frame and the speeds of a pad button. Then replace the direction by that of the device.
+    // Use the frame and the speeds of a pad button, and replace the direction with that of the device.
     control::JogTarget target = cartesianJog(selection, {0, 1}, factor, limits);
     const auto held = [](const Eigen::Vector3d& wish, double most) -> Eigen::Vector3d {
         // Diagonal motion is not faster than motion along an axis.

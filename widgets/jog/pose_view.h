@@ -24,7 +24,6 @@ public:
     /// valid   if false, shows dashes
     /// stale   if true, shows grey values
     void setPose(const Pose& pose, bool moving, bool valid, bool stale);
-    /// Sets the name and pose of the selected frame.
     void setFrame(const QString& name, const Pose& T_base_frame);
     void setTcp(const Pose& offset);
     void setSpeed(const Twist& tcpSpeed);

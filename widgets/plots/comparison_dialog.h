@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Dialog for comparing a recording with the model of its arm: selects the model and the limits.
+// Dialog in which the user selects the model and the limits for comparing a recording with the model of its
+// arm.
 
 #include <QDialog>
 #include <optional>

@@ -102,7 +102,7 @@ private:
     std::optional<Task> task_;        ///< the last started task
     std::optional<Outcome> outcome_;  ///< result of the task; empty while the task is running
     bool again_ = false;              ///< true if another task must be started after the current task
-    CancelToken cancel_;              ///< cancels the current task
+    CancelToken cancel_;
     SerialExecutor worker_;  ///< last member, so that its jobs end before the other members are destroyed
 };
 

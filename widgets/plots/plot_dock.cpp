@@ -100,7 +100,6 @@ void keepWidth(QToolButton* key, const QStringList& texts) {
     key->setFixedWidth(width);
 }
 
-/// True for the name of a time column in a recording.
 bool isTime(const QString& column) {
     static const QStringList kNames{QStringLiteral("timestamp"), QStringLiteral("time"),
                                     QStringLiteral("seconds"), QStringLiteral("t")};

@@ -17,7 +17,7 @@ namespace tiller {
 
 struct PaneLayout {
     QStringList shown{};
-    QStringList hidden{};  ///< hidden signals
+    QStringList hidden{};
     int column = 0;
     double share = 1;  ///< height relative to the other plots of its column
 

@@ -26,7 +26,7 @@ class PlotPages : public QWidget {
 public:
     PlotPages(SignalStore& store, const StateLane& lane, PlotMarks& marks, QWidget* parent = nullptr);
 
-    PlotView& view() const;  ///< the view of the current page
+    PlotView& view() const;
     int count() const;
     int current() const;
     void setCurrent(int page);

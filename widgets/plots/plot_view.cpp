@@ -52,7 +52,7 @@ double niceTickStep(double span, double width) {
     return 28800;
 }
 
-// A curve that moves by fewer columns is repainted only every kCalmFrame seconds.
+// A curve that moves by fewer columns per frame is repainted only every kCalmFrame seconds.
 constexpr double kQuickColumns = 3;
 constexpr double kCalmFrame = 0.03;  // [s]
 constexpr double kGrab = 6;          // distance within which a cursor is grabbed [px]

@@ -52,7 +52,6 @@ public:
     /// page  if true, also copies the page
     void showLike(const PlotView& other, bool page);
 
-    // The current content of the page.
     PageLayout page() const;
     /// Returns  false, without any change, if the robot cannot send this number of signals
     bool setPage(const PageLayout& page);
@@ -238,7 +237,7 @@ private:
     double tickEnd_ = 0;
     QTimer sharpen_;              // active while more details of a recording can be loaded
     QHash<int, double> offsets_;  // offsets by signal; empty if not zeroed
-    QString name_;                // name of the page
+    QString name_;
     Drag drag_ = Drag::None;
     std::optional<int> legendPressed_;
     Target dropTarget_;

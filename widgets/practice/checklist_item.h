@@ -19,7 +19,6 @@ public:
     QString text() const;
     void setDone(bool done);
     bool isDone() const { return done_; }
-    /// Reserves the height for this number of lines.
     void reserveLines(int lines);
 
 protected:

@@ -2,8 +2,8 @@
 #pragma once
 
 // State of the practice tasks: the displayed task, whether the user can start it, and the check of the
-// current attempt. The functions in PracticeHooks change only the simulated controller. A real robot is never
-// affected.
+// current attempt. PracticeHooks provides access to the simulated controller and the project. A real robot is
+// never affected.
 
 #include <QObject>
 #include <QStringList>

@@ -33,7 +33,7 @@ private:
     ChecklistItem* check_;
     QPushButton* start_;
     QPushButton* done_;
-    int task_ = -1;  ///< the displayed task
+    int task_ = -1;
 };
 
 }  // namespace tiller

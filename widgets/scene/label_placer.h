@@ -12,7 +12,7 @@
 
 namespace tiller {
 
-/// A label with its position.
+/// A label and its rectangle in the image.
 struct PlacedLabel {
     QString text;
     QPointF mark;  ///< position of the labelled mark [px]
@@ -22,7 +22,7 @@ struct PlacedLabel {
 
 class LabelPlacer {
 public:
-    /// area  the area in which labels are placed
+    /// area  labels are placed within this rectangle [px]
     explicit LabelPlacer(const QRectF& area) : area_(area) {}
 
     /// Keeps this rectangle free.

@@ -170,7 +170,7 @@ private:
     std::vector<PathMark> paths_;
     SceneTrace trace_;
     std::unique_ptr<SceneBodies> bodies_;
-    QImage ground_;               ///< cached image of the ground
+    QImage ground_;
     Camera::Eye groundSeenFrom_;  ///< camera position for which ground_ was drawn
     std::optional<ColorScheme> groundScheme_;
     bool haveJoints_ = false;

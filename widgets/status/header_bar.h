@@ -41,7 +41,6 @@ class HeaderBar : public QWidget {
 
 public:
     explicit HeaderBar(HeaderPort port, QWidget* parent = nullptr);
-    /// Connects the header to this session.
     explicit HeaderBar(RobotSession& session, QWidget* parent = nullptr);
 
     /// The chip that opens the menu.

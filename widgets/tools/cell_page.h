@@ -93,7 +93,7 @@ private:
     SessionState state_;
     std::optional<Eigen::Vector3d> corner_;  ///< first corner of a new box, in the base frame [m]
     QPushButton* cornerKey_ = nullptr;
-    QWidget* selected_;  ///< widgets for the selected object
+    QWidget* selected_;
     QLabel* facts_;
     QCheckBox* enabled_;
     PoseEditor* pose_;
