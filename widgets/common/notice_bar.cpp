@@ -35,8 +35,8 @@ NoticeBar::NoticeBar(QWidget* parent)
     dismiss_->setObjectName(QStringLiteral("notice.dismiss"));
     dismiss_->setAccessibleName(tr("Dismiss"));
 
-    // The buttons of a notice are not at a common position. A click may open the next notice, and a double
-    // click must not close that notice unread.
+    // Keep the close button apart from the other buttons. The response to a notice may open the next notice,
+    // and a second click must not close that notice unread.
     auto* keys = new QHBoxLayout;
     keys->addWidget(dismiss_);
     keys->addStretch();

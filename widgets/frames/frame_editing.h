@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Creates, moves, duplicates and deletes frames, except for teaching points. Waypoints move with their frame.
-// Every step is an undoable edit of the document. Moving waypoints by a touch-up requires a confirmation.
+// Creates, moves, duplicates and deletes frames. FrameTeacher teaches their points. Waypoints move with their
+// frame. Every step is an undoable edit of the document. Moving waypoints by a touch-up requires a
+// confirmation.
 
 #include <QObject>
 

@@ -143,7 +143,7 @@ struct HoldRules::HoldRuleTable {
         if (!isEvent(n, QEvent::FocusOut) || n.watched != h.key_) {
             return StopCause::None;
         }
-        // A button loses the focus before it is disabled or hidden, so report the underlying reason.
+        // Disabling or hiding the button also removes its focus. Report the underlying reason.
         const Qt::FocusReason reason = static_cast<QFocusEvent*>(n.event)->reason();
         if (!h.key_->isEnabled()) {
             return StopCause::ControlLost;

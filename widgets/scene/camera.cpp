@@ -73,7 +73,8 @@ struct Camera::Room {
 };
 
 double Camera::focalLength() const {
-    // Use the width of a narrow image only if the arm would be cut off at the sides otherwise.
+    // The height determines the scale, except in a narrow image, which would otherwise cut off the arm at the
+    // sides.
     return kFocalLength * std::min(viewport_.height(), 0.9 * viewport_.width());
 }
 

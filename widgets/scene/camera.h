@@ -59,7 +59,7 @@ public:
     /// screen, Y up, Z towards the eye.
     const Eigen::Matrix3d& viewRotation() const { return R_base_view_; }
 
-    /// The camera in the form needed to project many points.
+    /// Parameters for projecting many points.
     struct Eye {
         Eigen::Matrix3d R_base_view = Eigen::Matrix3d::Identity();
         Eigen::Vector3d target = Eigen::Vector3d::Zero();  ///< target in the base frame [m]
