@@ -50,7 +50,7 @@ FramesTab::FramesTab(RobotSession& session, ProjectDocument& document, QWidget* 
 }
 
 FramesTab::~FramesTab() {
-    // The model of the table is destroyed first, and the document may no longer exist.
+    // The base class destroys the table after its model, and the document may already be destroyed.
     disconnect(table_, nullptr, this, nullptr);
 }
 

@@ -120,8 +120,7 @@ XcbKeyStateProbe::~XcbKeyStateProbe() {
 
 void XcbKeyStateProbe::wake() {
     const char token = 0;
-    [[maybe_unused]] const auto written =
-        ::write(wakeWrite_, &token, 1);  // full: a wake-up is already pending
+    [[maybe_unused]] const auto written = ::write(wakeWrite_, &token, 1);  // full: a wake-up is pending
 }
 
 void XcbKeyStateProbe::want(bool wanted) {

@@ -21,8 +21,7 @@ public:
     DeviceShape shape() const override {
         DeviceShape shape;
         static_cast<DeviceTuning&>(shape) = kSpaceMouseTuning;
-        shape.kind =
-            kSpaceMouseKind;  // keeps the default maxReportInterval, because it reports continuously while deflected
+        shape.kind = kSpaceMouseKind;  // default maxReportInterval: reports continuously while deflected
         shape.deadManName = QCoreApplication::translate("SpaceMouse", "left button");
         shape.directions =
             QCoreApplication::translate("SpaceMouse", "The tool follows the motion of the cap.");
