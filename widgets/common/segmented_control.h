@@ -22,8 +22,8 @@ public:
 
     int count() const { return static_cast<int>(segments_.size()); }
     int currentIndex() const { return current_; }
-    /// Selects a segment and emits currentChanged(), even if the segment is disabled. An invalid index is
-    /// ignored.
+    /// Selects a segment, even if it is disabled. Emits currentChanged() if the selection changes. An invalid
+    /// index is ignored.
     void setCurrentIndex(int index);
     QString text(int index) const;
     void setText(int index, const QString& text);

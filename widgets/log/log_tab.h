@@ -35,8 +35,8 @@ public:
     ~LogTab() override;
 
     LogModel& model() { return *model_; }
-    /// Shows the log of a recording, or the live log at a past time, and selects the row of that time. Empty:
-    /// live.
+    /// Shows the log of a recording, or the live log at a past time, and selects the row of that time. Empty
+    /// for live data.
     void setReplay(const Replay& moment);
     /// For tests: replaces the system clock.
     void setTimeSource(std::function<QDateTime()> now) { now_ = std::move(now); }

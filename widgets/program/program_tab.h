@@ -2,7 +2,7 @@
 #pragma once
 
 // The tab "Program". It shows the programs of the project, the steps of one program, the fields of the
-// selected step, and a preview in the simulated controller. For a robot, RunBar runs the program.
+// selected step, and a preview in the simulated controller. RunBar runs the program on a robot.
 
 #include <Eigen/Core>
 #include <QTimer>
