@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The buttons that run the program of the Program tab: "Run (hold)", "Move to start (hold)", and "Run", which also
-// stops a program that runs without hold-to-run. "Pause", "Step" and "Finish cycle" control the running
+// The buttons that run the program of the Program tab: "Run (hold)", "Move to start (hold)", and "Run", which
+// also stops a program that runs without hold-to-run. "Pause", "Step" and "Finish cycle" control the running
 // program. "Start from here" makes the selected step the first step. HoldRules determines when a held motion
 // ends.
 
