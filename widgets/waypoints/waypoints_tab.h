@@ -63,9 +63,6 @@ public:
 
     /// Shows the limit on the path to the selected waypoint next to "Go to (hold)"; empty if there is none.
     void setPathLimitText(const QString& text);
-    /// Sets the function that returns the speed limit for "Go to". It is called at each press; initially
-    /// none.
-    void setPathLimitText(const QString& text);
     /// Sets the function that returns the speed limit for "Go to". Each press calls it. Initially none.
     void setHeldSpeed(std::function<HeldSpeed()> speed);
     /// Sets the gripper used by "Run route". Initially none.
