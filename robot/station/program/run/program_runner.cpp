@@ -189,9 +189,9 @@ Result<RobotSession::MotionId> ProgramRunner::start(const RunPlan& plan, control
     expected_ = plan.expected;
     limits_ = plan.limits;
     gate_ = {permitted, false};
-    isAtBreakpoint_ = false;
+    const QSet<QUuid> breakpoints = holding == control::Holding::Free ? breakpoints_ : QSet<QUuid>();
     const auto begun =
-        session_.beginProgram(script_.gatedText(breakpoints_), holding, session_.stops(), gate_);
+        session_.beginProgram(script_.gatedText(breakpoints), holding, session_.stops(), gate_);
     if (!begun) {
         state_ = State::Idle;
         return begun.error();
