@@ -171,9 +171,13 @@ int compare(const CommandArguments& arguments) {
     read("lasting", 1, limits.lasting);
     read("from", 1, choice.from);
     read("until", 1, choice.until);
-    const auto opened = recording::openRecording(arguments.operands().constFirst());
+    const auto format = tableFormatOf(arguments);
+    if (!format) {
+        return wrongArguments(format.error().context);
+    }
+    const auto opened = recording::openRecording(arguments.operands().constFirst(), *format);
     if (!opened) {
-        return complain(opened.error().toString(), kFailed);
+        return complain(opened.error().toString(), exitCodeOf(opened.error()));
     }
     ProgressLine line(!arguments.isSet("quiet"));
     constexpr double kPercent = 100;
@@ -214,33 +218,33 @@ const Command& divergenceCommand() {
                          "follows the targets in the recording, and its motion is compared with the motion "
                          "of the real arm. The simulated arm carries the payload that is set on the "
                          "controller, and has neither contact nor friction"}},
-        .options = {{"model", "MODEL",
-                     "robot model, such as ur5e (default: the model named in the recording)"},
-                    {"joint",
-                     "DEGREES",
-                     "maximum permitted deviation of each joint (default 0.5); 0: not compared",
-                     "",
-                     {0, kMaxLimit}},
-                    {"tcp",
-                     "MM",
-                     "maximum permitted deviation of the TCP position (default 5); 0: not compared",
-                     "",
-                     {0, kMaxLimit}},
-                    {"current",
-                     "A",
-                     "maximum permitted deviation of each joint current (default 2); 0: not compared",
-                     "",
-                     {0, kMaxLimit}},
-                    {"force",
-                     "N",
-                     "maximum permitted deviation of the TCP force (default 30); 0: not compared",
-                     "",
-                     {0, kMaxLimit}},
-                    {"lasting", "SECONDS", "ignores shorter deviations (default 0.01)", "", {0, kMaxLimit}},
-                    {"from", "SECONDS", "start of the compared time range", "", {0, kMaxLimit}},
-                    {"until", "SECONDS", "end of the compared time range", "", {0, kMaxLimit}},
-                    {"json", "", "prints one JSON object instead of text"},
-                    {"quiet", "", "shows no progress on the terminal"}},
+        .options = withTableOptions(
+            {{"model", "MODEL", "robot model, such as ur5e (default: the model named in the recording)"},
+             {"joint",
+              "DEGREES",
+              "maximum permitted deviation of each joint (default 0.5); 0: not compared",
+              "",
+              {0, kMaxLimit}},
+             {"tcp",
+              "MM",
+              "maximum permitted deviation of the TCP position (default 5); 0: not compared",
+              "",
+              {0, kMaxLimit}},
+             {"current",
+              "A",
+              "maximum permitted deviation of each joint current (default 2); 0: not compared",
+              "",
+              {0, kMaxLimit}},
+             {"force",
+              "N",
+              "maximum permitted deviation of the TCP force (default 30); 0: not compared",
+              "",
+              {0, kMaxLimit}},
+             {"lasting", "SECONDS", "ignores shorter deviations (default 0.01)", "", {0, kMaxLimit}},
+             {"from", "SECONDS", "start of the compared time range", "", {0, kMaxLimit}},
+             {"until", "SECONDS", "end of the compared time range", "", {0, kMaxLimit}},
+             {"json", "", "prints one JSON object instead of text"},
+             {"quiet", "", "shows no progress on the terminal"}}),
         .notes =
             "Exit code: 0 the arm and the model agree, 1 the arm and the model differ or cannot be compared, "
             "2 invalid arguments.",

@@ -34,12 +34,16 @@ int episodes(const CommandArguments& arguments) {
         choice.observations = namesIn(arguments.value("observations"));
     }
     choice.action = arguments.value("action").toStdString();
+    const auto format = tableFormatOf(arguments);
+    if (!format) {
+        return wrongArguments(format.error().context);
+    }
     std::vector<std::unique_ptr<recording::Recording>> opened;
     std::vector<const recording::Recording*> recordings;
     for (const QString& path : arguments.operands()) {
-        auto file = recording::openRecording(path);
+        auto file = recording::openRecording(path, *format);
         if (!file) {
-            return complain(file.error().toString(), kFailed);
+            return complain(file.error().toString(), exitCodeOf(file.error()));
         }
         opened.push_back(std::move(file).value());
         recordings.push_back(opened.back().get());
@@ -67,7 +71,7 @@ const Command& episodesCommand() {
         .title = "cuts recordings into demonstrations for imitation learning",
         .usage = {"FILE... --out FILE.h5 [options]"},
         .operandRows = {{"FILE...", "recordings (.mcap, .h5 or .csv)"}},
-        .options =
+        .options = withTableOptions(
             {{"out", "FILE",
               "HDF5 file in robomimic layout: /data/demo_0 with obs, next_obs, actions, rewards and dones"},
              {"cut", "HOW",
@@ -80,7 +84,7 @@ const Command& episodesCommand() {
              {"observations", "A,B",
               "observed fields (default actual_q,actual_qd,actual_TCP_pose,actual_TCP_force)"},
              {"action", "FIELD", "field with the commanded values (default %1)", "target_q"},
-             {"force", "", "replaces an existing file"}},
+             {"force", "", "replaces an existing file"}}),
         .notes =
             "Exit code: 0 the file was written, 1 the file was not written or no episode was found, 2 "
             "invalid arguments.",

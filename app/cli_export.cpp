@@ -41,9 +41,13 @@ int exportFile(const CommandArguments& arguments) {
         arguments.value("decimal").size() == 1 ? arguments.value("decimal").at(0).toLatin1() : '\0';
     style.unitsLine = arguments.isSet("units");
 
-    auto opened = recording::openRecording(source);
+    const auto format = tableFormatOf(arguments);
+    if (!format) {
+        return wrongArguments(format.error().context);
+    }
+    auto opened = recording::openRecording(source, *format);
     if (!opened) {
-        return complain(opened.error().toString(), kFailed);
+        return complain(opened.error().toString(), exitCodeOf(opened.error()));
     }
     const recording::Recording& file = *opened.value();
     recording::ExportChoice choice;
@@ -85,26 +89,26 @@ const Command& exportCommand() {
         .title = "exports a recording or a part of it for other programs",
         .usage = {"FILE --out FILE [options]"},
         .operandRows = {{"FILE", "recording (.mcap, .h5 or .csv); the format is detected from the content"}},
-        .options = {{"out", "FILE",
-                     "FILE.csv, FILE.h5 (also .hdf5) for h5py, MATLAB and Octave, or FILE.mcap"},
-                    {"columns", "A,B,...",
-                     "exports only these columns and the time column; the name of a field selects "
-                     "all its columns"},
-                    {"from",
-                     "SECONDS",
-                     "start of the exported time range, relative to the first row",
-                     "0",
-                     {-1e12, 1e12}},
-                    {"until",
-                     "SECONDS",
-                     "end of the exported time range, relative to the first row",
-                     "1e12",
-                     {-1e12, 1e12}},
-                    {"separator", "CHAR", "column separator of a .csv file: , ; or tab (default %1)", ","},
-                    {"decimal", "CHAR", "decimal sign of a .csv file: . or , (default %1)", "."},
-                    {"units", "", "adds a line of units below the header of a .csv file"},
-                    {"force", "", "replaces an existing file"},
-                    {"quiet", "", "shows no progress on the terminal"}},
+        .options = withTableOptions(
+            {{"out", "FILE", "FILE.csv, FILE.h5 (also .hdf5) for h5py, MATLAB and Octave, or FILE.mcap"},
+             {"columns", "A,B,...",
+              "exports only these columns and the time column; the name of a field selects "
+              "all its columns"},
+             {"from",
+              "SECONDS",
+              "start of the exported time range, relative to the first row",
+              "0",
+              {-1e12, 1e12}},
+             {"until",
+              "SECONDS",
+              "end of the exported time range, relative to the first row",
+              "1e12",
+              {-1e12, 1e12}},
+             {"separator", "CHAR", "column separator of a .csv file: , ; or tab (default %1)", ","},
+             {"decimal", "CHAR", "decimal sign of a .csv file: . or , (default %1)", "."},
+             {"units", "", "adds a line of units below the header of a .csv file"},
+             {"force", "", "replaces an existing file"},
+             {"quiet", "", "shows no progress on the terminal"}}),
         .notes =
             "Numbers are written with the fewest digits that read back exactly; values "
             "that the robot did not send are empty cells. Exit code: 0 everything was "

@@ -7,6 +7,7 @@
 #include <QTimeZone>
 
 #include "app/cli_command.h"
+#include "app/cli_options.h"
 #include "robot/recording/formats/open_recording.h"
 
 namespace tiller::app {
@@ -17,6 +18,11 @@ double lengthOf(const recording::Recording& file) {
     const auto last = file.rows() == 0 ? Result<std::vector<double>>(std::vector<double>{0.0})
                                        : file.times({file.rows() - 1, 1});
     return last && !last.value().empty() ? last.value().front() : 0;
+}
+
+QJsonValue timeColumnOf(const recording::Recording& file) {
+    const auto column = file.timeColumn();
+    return column ? QJsonValue(QString::fromStdString(file.columns()[*column].name)) : QJsonValue();
 }
 
 QString startOf(const recording::Recording& file) {
@@ -57,6 +63,7 @@ QJsonObject toJson(const recording::Recording& file) {
             {"seconds", lengthOf(file)},
             {"start", startOf(file)},
             {"period", file.period()},
+            {"time_column", timeColumnOf(file)},
             {"columns", columns},
             {"gaps", gaps},
             {"facts", facts},
@@ -72,6 +79,9 @@ void print(const recording::Recording& file) {
                  .arg(lengthOf(file), 0, 'f', 3);
     if (const QString start = startOf(file); !start.isEmpty()) {
         out() << "started " << start << '\n';
+    }
+    if (const auto time = file.timeColumn()) {
+        out() << "time: column " << QString::fromStdString(file.columns()[*time].name) << '\n';
     }
     for (const auto& [key, value] : file.facts()) {
         out() << QString::fromStdString(key) << ": " << QString::fromStdString(value) << '\n';
@@ -110,9 +120,13 @@ int info(const CommandArguments& arguments) {
     if (arguments.operands().size() != 1) {
         return wrongArguments(QStringLiteral("info: exactly one file is required"));
     }
-    auto opened = recording::openRecording(arguments.operands().constFirst());
+    const auto format = tableFormatOf(arguments);
+    if (!format) {
+        return wrongArguments(format.error().context);
+    }
+    auto opened = recording::openRecording(arguments.operands().constFirst(), *format);
     if (!opened) {
-        return complain(opened.error().toString(), kFailed);
+        return complain(opened.error().toString(), exitCodeOf(opened.error()));
     }
     const recording::Recording& file = *opened.value();
     // Damaged parts are detected only when they are read.
@@ -145,7 +159,7 @@ const Command& infoCommand() {
         .title = "describes the content of a recording",
         .usage = {"FILE [options]"},
         .operandRows = {{"FILE", "recording (.mcap, .h5 or .csv); the format is detected from the content"}},
-        .options = {{"json", "", "prints one JSON object instead of text"}},
+        .options = withTableOptions({{"json", "", "prints one JSON object instead of text"}}),
         .notes =
             "Exit code: 0 the whole file was read, 1 the file or a part of the file could not be read, 2 "
             "invalid arguments.",

@@ -3,6 +3,8 @@
 
 #include <QStringList>
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 namespace tiller::app {
 
@@ -22,6 +24,79 @@ bool isHostName(const QString& text) {
     };
     return !text.isEmpty() && text.size() <= kMaxLength && !text.startsWith(QLatin1Char('-')) &&
            std::all_of(text.begin(), text.end(), isAllowed);
+}
+
+std::vector<CommandOption> withTableOptions(std::vector<CommandOption> options) {
+    const std::vector<CommandOption> table = {
+        {"time-column", "NAME",
+         "time column of a table that Tiller did not write; none: it has no time, see --table-rate"},
+        {"time-unit", "UNIT", "unit of this column: s, ms, us or ns"},
+        {"table-rate", "HZ", "rows per second of a table without time", "", {1e-6, 1e9}},
+        {"table-separator", "CHAR", "column separator of the table: , ; | tab or space"},
+        {"table-decimal", "CHAR", "decimal sign of the table: . or ,"},
+        {"no-header", "",
+         "the first row of the table is data, and its columns are named column 1, column 2, ..."}};
+    for (const CommandOption& option : table) {
+        options.push_back(option);
+    }
+    return options;
+}
+
+namespace {
+
+/// '\0' if the option has none of these values.
+char characterOf(const QString& text, const char* allowed) {
+    const char found = text == QLatin1String("tab") || text == QLatin1String("\\t") ? '\t'
+                       : text == QLatin1String("space")                             ? ' '
+                       : text.size() == 1                                           ? text.at(0).toLatin1()
+                                                                                    : '\0';
+    return std::string_view(allowed).find(found) == std::string_view::npos ? '\0' : found;
+}
+
+}  // namespace
+
+Result<recording::TableFormat> tableFormatOf(const CommandArguments& arguments) {
+    using recording::TimeUnit;
+    recording::TableFormat format;
+    const auto wrong = [&arguments](const char* option, const char* values) {
+        return Error{ErrorCode::InvalidArgument,
+                     QStringLiteral("--%1 must be %2, not '%3'")
+                         .arg(QLatin1String(option), QLatin1String(values), arguments.value(option)),
+                     {}};
+    };
+    if (arguments.isSet("time-column")) {
+        const QString name = arguments.value("time-column");
+        format.timeColumn = name == QLatin1String("none") ? std::string() : name.toStdString();
+    }
+    if (arguments.isSet("time-unit")) {
+        const qsizetype unit = QStringList{"s", "ms", "us", "ns"}.indexOf(arguments.value("time-unit"));
+        if (unit < 0) {
+            return wrong("time-unit", "s, ms, us or ns");
+        }
+        format.timeUnit = std::array{TimeUnit::Seconds, TimeUnit::Milliseconds, TimeUnit::Microseconds,
+                                     TimeUnit::Nanoseconds}[static_cast<std::size_t>(unit)];
+    }
+    if (arguments.isSet("table-separator")) {
+        format.separator = characterOf(arguments.value("table-separator"), ",;|\t ");
+        if (*format.separator == '\0') {
+            return wrong("table-separator", "a comma, ;, |, tab or space");
+        }
+    }
+    if (arguments.isSet("table-decimal")) {
+        format.decimal = characterOf(arguments.value("table-decimal"), ".,");
+        if (*format.decimal == '\0') {
+            return wrong("table-decimal", "a point or a comma");
+        }
+    }
+    if (arguments.isSet("no-header")) {
+        format.hasHeader = false;
+    }
+    format.rate = arguments.number("table-rate");
+    return format;
+}
+
+ExitCode exitCodeOf(const Error& error) {
+    return error.code == ErrorCode::InvalidArgument ? kWrongArguments : kFailed;
 }
 
 }  // namespace tiller::app

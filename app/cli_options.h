@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "app/cli_command.h"
+#include "robot/recording/recording.h"
+#include "robot/recording/table_format.h"
 
 namespace tiller::app {
 
@@ -18,5 +20,14 @@ std::vector<std::string> namesIn(const QString& list);
 /// True if the text can be an address or a host name: letters, digits and ".-_:%", at most 255 characters,
 /// and not an option. Such a text is safe to use, e.g. in a file name.
 bool isHostName(const QString& text);
+
+/// Options of all commands that open a recording, for tables of other programs.
+/// options  the other options of the command
+std::vector<CommandOption> withTableOptions(std::vector<CommandOption> options);
+/// The format that the table options select.
+/// Errors   InvalidArgument with the option and its value
+Result<recording::TableFormat> tableFormatOf(const CommandArguments& arguments);
+/// Exit code after an error of openRecording(): options that must be set are wrong arguments.
+ExitCode exitCodeOf(const Error& error);
 
 }  // namespace tiller::app

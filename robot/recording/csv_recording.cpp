@@ -2,6 +2,7 @@
 #include "robot/recording/csv_recording.h"
 
 #include <QFile>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -9,6 +10,7 @@
 #include "robot/core/file_reading.h"
 #include "robot/recording/detail/column_knowledge.h"
 #include "robot/recording/detail/csv_notes.h"
+#include "robot/recording/detail/time_axis.h"
 #include "robot/recording/table_recording.h"
 
 namespace tiller::recording {
@@ -21,6 +23,9 @@ constexpr std::size_t kMaxColumns = 20'000;
 constexpr std::size_t kMaxLineLength = 16u << 20;
 constexpr int kMaxProblems = 20;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t kMaxSampledLines = 40;
+constexpr char kBlanks = ' ';        // separator: any number of blanks
+constexpr char kNoSeparator = '\0';  // a single column
 
 std::string_view withoutBlanks(std::string_view cell) {
     const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
@@ -74,8 +79,9 @@ std::vector<std::string_view> blankSeparated(std::string_view line) {
     return cells;
 }
 
+/// The most frequent separator in a line.
 char separatorOf(std::string_view heading) {
-    char best = ',';
+    char best = kNoSeparator;
     std::ptrdiff_t most = 0;
     for (const char candidate : {',', ';', '\t', '|'}) {
         std::ptrdiff_t count = 0;
@@ -96,9 +102,9 @@ bool hasControlCharacters(std::string_view line) {
     return std::any_of(line.begin(), line.end(), [](char c) { return c >= 0 && c < ' ' && c != '\t'; });
 }
 
-/// Accepts "0.5", "+3", "1e-3", and "0,5" if the comma does not separate cells. An empty cell, "nan" and
-/// similar become NaN.
-bool numberOf(std::string_view cell, bool commaMayBePoint, double& value) {
+/// decimal  '\0': point or comma. The first number with one of them decides, so that the same file cannot have
+///          thousands separators. A number with the other sign is not accepted.
+bool numberOf(std::string_view cell, char& decimal, double& value) {
     if (cell.empty()) {
         value = kNone;
         return true;
@@ -109,13 +115,22 @@ bool numberOf(std::string_view cell, bool commaMayBePoint, double& value) {
     const char* const last = cell.data() + cell.size();
     auto [end, failure] = std::from_chars(cell.data(), last, value);
     if (failure == std::errc() && end == last) {
+        if (decimal != '.' && cell.find('.') != std::string_view::npos) {
+            decimal = decimal == '\0' ? '.' : decimal;
+            return decimal == '.';
+        }
         return true;
     }
-    if (commaMayBePoint && cell.size() < 64 && std::count(cell.begin(), cell.end(), ',') == 1) {
+    if (decimal != '.' && cell.size() < 64 && std::count(cell.begin(), cell.end(), ',') == 1 &&
+        cell.find('.') == std::string_view::npos) {
         char text[64];
         std::replace_copy(cell.begin(), cell.end(), text, ',', '.');
         const auto again = std::from_chars(text, text + cell.size(), value);
-        return again.ec == std::errc() && again.ptr == text + cell.size();
+        if (again.ec == std::errc() && again.ptr == text + cell.size()) {
+            decimal = ',';
+            return true;
+        }
+        return false;
     }
     if (cell == "True" || cell == "true" || cell == "False" || cell == "false") {
         value = cell.front() == 'T' || cell.front() == 't' ? 1 : 0;
@@ -140,19 +155,197 @@ RecordedColumn columnFrom(std::string_view heading) {
     return column;
 }
 
+/// Splits with any separator, including blanks and none.
+std::vector<std::string_view> cellsOf(std::string_view line, char separator) {
+    if (separator == kBlanks) {
+        return blankSeparated(line);
+    }
+    std::vector<std::string_view> cells;
+    if (separator == kNoSeparator) {
+        cells.push_back(withoutBlanks(line));
+    } else {
+        splitLine(line, separator, [&cells](std::string_view cell) { cells.push_back(cell); });
+    }
+    return cells;
+}
+
+/// Octave, gnuplot and numpy write comments; "%time" is a heading of ROS.
+bool isComment(std::string_view line) {
+    return line.starts_with('#') || line.starts_with("% ") || line.starts_with("%%");
+}
+
+std::string_view withoutLineEnd(std::string_view line) {
+    if (!line.empty() && line.back() == '\r') {
+        line.remove_suffix(1);
+    }
+    return line;
+}
+
+bool isNumber(std::string_view cell) {
+    char decimal = '\0';
+    double value = 0;
+    DateKind kind{};
+    return !cell.empty() && (numberOf(cell, decimal, value) || parseDate(cell, value, kind));
+}
+
+/// The form of a text table, found in its first lines.
+struct TextLayout {
+    char separator = kNoSeparator;
+    char decimal = '\0';  ///< '\0': the first number with a decimal sign decides
+    bool hasHeader = true;
+    std::string headingInComment{};  ///< header in a comment line; `hasHeader` is false then
+};
+
+class LayoutFinder {
+public:
+    LayoutFinder(std::string_view text, const QString& path, const TableFormat& format)
+        : path_(path), format_(format) {
+        std::string_view comment;
+        for (std::size_t begin = 0; begin < text.size() && lines_.size() < kMaxSampledLines;) {
+            const std::size_t end = text.find('\n', begin);
+            const std::string_view line = withoutLineEnd(text.substr(begin, end - begin));
+            begin = end == std::string_view::npos ? text.size() : end + 1;
+            if (isComment(line)) {
+                comment = line.substr(std::min(line.find_first_not_of("#%"), line.size()));
+            } else if (line.size() == 5 && line.starts_with("sep=") && lines_.empty()) {
+                layout_.separator = line.back();  // a line for spreadsheet programs
+            } else if (!withoutBlanks(line).empty()) {
+                comment_ = lines_.empty() ? comment : comment_;
+                lines_.push_back(line);
+            }
+        }
+    }
+
+    Result<TextLayout> run() {
+        layout_.separator = format_.separator.value_or(
+            layout_.separator != kNoSeparator || lines_.empty() ? layout_.separator : separatorOfLines());
+        layout_.decimal = format_.decimal.value_or(layout_.separator == ',' ? '.' : '\0');
+        findHeader();
+        if (!layout_.hasHeader && layout_.headingInComment.empty() && isCommaUnclear()) {
+            return Error{
+                ErrorCode::InvalidArgument, path_,
+                QStringLiteral("the comma in \"%1\" may separate two columns or be a decimal sign. Decided "
+                               "by: --table-separator, or --table-decimal")
+                    .arg(QString::fromUtf8(lines_.front().data(),
+                                           static_cast<qsizetype>(lines_.front().size())))};
+        }
+        return layout_;
+    }
+
+private:
+    /// The separator that gives the most lines the number of cells of the first one, and the most numbers.
+    char separatorOfLines() const {
+        if (lines_.size() == 1 &&
+            !isNumber(lines_.front().substr(0, lines_.front().find_first_of(",;\t| ")))) {
+            return separatorOf(lines_.front());
+        }
+        char best = kNoSeparator;
+        double bestScore = 0;
+        for (const char candidate : {'\t', ';', '|', ',', kBlanks}) {
+            if (format_.decimal && candidate == *format_.decimal) {
+                continue;
+            }
+            const std::size_t count = cellsOf(lines_.front(), candidate).size();
+            std::size_t alike = 0;
+            std::size_t numbers = 0;
+            std::size_t cells = 0;
+            for (std::size_t i = lines_.size() > 1 ? 1 : 0; i < lines_.size(); ++i) {
+                const auto row = cellsOf(lines_[i], candidate);
+                alike += row.size() == count ? 1 : 0;
+                cells += row.size();
+                numbers +=
+                    static_cast<std::size_t>(std::count_if(row.begin(), row.end(), [](std::string_view cell) {
+                        return cell.empty() || isNumber(cell);
+                    }));
+            }
+            // Numbers weigh more than a damaged line.
+            const double score = count < 2 || alike == 0 || cells == 0
+                                     ? 0
+                                     : static_cast<double>(alike) / static_cast<double>(lines_.size()) +
+                                           2 * static_cast<double>(numbers) / static_cast<double>(cells);
+            if (score > bestScore) {
+                best = candidate;
+                bestScore = score;
+            }
+        }
+        // A comma in numbers below a single heading is a decimal sign.
+        const char fallback = separatorOf(lines_.front());
+        return best != kNoSeparator ? best : fallback == format_.decimal ? kNoSeparator : fallback;
+    }
+
+    void findHeader() {
+        if (format_.hasHeader) {
+            layout_.hasHeader = *format_.hasHeader;
+            return;
+        }
+        if (lines_.empty()) {
+            layout_.headingInComment = std::string(comment_);
+            return;
+        }
+        const auto first = cellsOf(lines_.front(), layout_.separator);
+        std::vector<bool> isText(first.size());
+        bool hasNumber = false;
+        for (std::size_t i = 0; i < first.size(); ++i) {
+            isText[i] = !first[i].empty() && !isNumber(first[i]);
+            hasNumber = hasNumber || isNumber(first[i]);
+        }
+        layout_.hasHeader = !hasNumber;
+        for (std::size_t line = 1; line < lines_.size() && !layout_.hasHeader; ++line) {
+            const auto cells = cellsOf(lines_[line], layout_.separator);
+            for (std::size_t i = 0; i < cells.size() && i < isText.size(); ++i) {
+                layout_.hasHeader = layout_.hasHeader || (isText[i] && isNumber(cells[i]));
+            }
+        }
+        if (!layout_.hasHeader) {
+            const bool fits = cellsOf(comment_, layout_.separator).size() == first.size() ||
+                              blankSeparated(comment_).size() == first.size();
+            layout_.headingInComment = fits && first.size() > 1 ? std::string(comment_) : std::string();
+        }
+    }
+
+    /// Numbers such as "1,5" without a header.
+    bool isCommaUnclear() const {
+        return layout_.separator == ',' && !format_.separator && !format_.decimal &&
+               std::all_of(lines_.begin(), lines_.end(), [](std::string_view line) {
+                   return std::count(line.begin(), line.end(), ',') == 1 &&
+                          line.find_first_not_of("0123456789,-+") == std::string_view::npos;
+               });
+    }
+
+    const QString& path_;
+    const TableFormat& format_;
+    std::vector<std::string_view> lines_;
+    std::string_view comment_;
+    TextLayout layout_;
+};
+
 class CsvParser {
 public:
-    explicit CsvParser(const QString& path) { table_.path = path; }
+    CsvParser(const QString& path, const TableFormat& format) : format_(format) { table_.path = path; }
 
     Result<std::unique_ptr<Recording>> parse(QFile& file) {
         table_.format = QStringLiteral("CSV");
         std::string rest;
+        bool isFirst = true;
         while (!file.atEnd()) {
             const QByteArray part = file.read(kReadAtOnce);
             if (part.isEmpty()) {
                 break;
             }
             rest.append(part.constData(), static_cast<std::size_t>(part.size()));
+            if (isFirst) {
+                isFirst = false;
+                constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+                rest.erase(0, rest.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0);
+                auto layout = LayoutFinder(rest, table_.path, format_).run();
+                if (!layout) {
+                    return layout.error();
+                }
+                layout_ = *std::move(layout);
+                if (!layout_.headingInComment.empty()) {
+                    takeHeading(layout_.headingInComment);
+                }
+            }
             std::size_t begin = 0;
             for (std::size_t end = rest.find('\n'); end != std::string::npos; end = rest.find('\n', begin)) {
                 takeLine(std::string_view(rest).substr(begin, end - begin));
@@ -176,10 +369,12 @@ public:
         if (table_.columns.empty()) {
             return failure(QStringLiteral("the file has no header"));
         }
-        if (rows_ == 0 && number_ > (isHeaded_ ? 2u : 1u)) {
+        if (rows_ == 0 && contentLines_ > (isHeaded_ ? 1u : 0u)) {
             return failure(QStringLiteral("the file contains no numbers below the header"));
         }
-        finish();
+        if (const Result<void> finished = finish(); !finished) {
+            return finished.error();
+        }
         table_.notes = readCsvNotes(table_.path);
         return std::unique_ptr<Recording>(std::make_unique<TableRecording>(std::move(table_)));
     }
@@ -195,32 +390,45 @@ private:
         }
     }
 
+    bool toNumber(std::string_view cell, double& value) {
+        const std::size_t column = row_.size();
+        if (column < dates_.size() && dates_[column] != DateKind::None) {
+            value = kNone;
+            return cell.empty() || parseDate(cell, value, dates_[column]);
+        }
+        if (numberOf(cell, layout_.decimal, value)) {
+            return true;
+        }
+        // The first row decides whether a column contains dates.
+        return rows_ == 0 && column < dates_.size() && parseDate(cell, value, dates_[column]);
+    }
+
     void takeLine(std::string_view line) {
         ++number_;
-        if (!line.empty() && line.back() == '\r') {
-            line.remove_suffix(1);
-        }
-        // Text files contain no control characters. Only the first line is checked.
+        line = withoutLineEnd(line);
+        // Text files contain no control characters. Only the first lines are checked.
         if (rows_ == 0 && hasControlCharacters(line)) {
             isBinary_ = true;
             return;
         }
-        if (table_.columns.empty()) {
+        const bool isSeparatorLine = line.size() == 5 && line.starts_with("sep=") && table_.columns.empty();
+        if (isComment(line) || withoutBlanks(line).empty() || isSeparatorLine) {
+            return;
+        }
+        if (table_.columns.empty() && layout_.hasHeader) {
             takeHeading(line);
             return;
         }
-        if (withoutBlanks(line).empty() || line.front() == '#') {
-            return;
+        if (table_.columns.empty()) {
+            nameColumns(cellsOf(line, layout_.separator).size());
         }
-        if (rows_ == 0 && table_.columns.size() == 1) {
-            separateByBlanks(line);
-        }
+        ++contentLines_;
         row_.clear();
         std::size_t numbers = 0;
         wrong_.clear();
         const auto takeCell = [&](std::string_view cell) {
             double value = kNone;
-            if (numberOf(cell, separator_ != ',', value)) {
+            if (toNumber(cell, value)) {
                 numbers += cell.empty() ? 0 : 1;
             } else {
                 wrong_.push_back(row_.size());
@@ -228,10 +436,10 @@ private:
             }
             row_.push_back(value);
         };
-        if (separator_ == ' ') {
-            std::ranges::for_each(blankSeparated(line), takeCell);
+        if (layout_.separator == kBlanks || layout_.separator == kNoSeparator) {
+            std::ranges::for_each(cellsOf(line, layout_.separator), takeCell);
         } else {
-            splitLine(line, separator_, takeCell);
+            splitLine(line, layout_.separator, takeCell);
         }
         if (numbers == 0 && rows_ == 0 && !isHeaded_ && !wrong_.empty()) {
             takeUnits(line);
@@ -257,54 +465,60 @@ private:
         ++rows_;
     }
 
-    void takeHeading(std::string_view line) {
-        constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-        if (number_ == 1 && line.starts_with(kByteOrderMark)) {
-            line.remove_prefix(kByteOrderMark.size());
+    void nameColumns(std::size_t count) {
+        for (std::size_t i = table_.columns.size(); i < count; ++i) {
+            table_.columns.push_back({"column " + std::to_string(i + 1), {}, false});
         }
-        if (withoutBlanks(line).empty()) {
-            return;
-        }
-        if (line.front() == '#') {
-            line.remove_prefix(1);
-        }
-        separator_ = separatorOf(line);
-        heading_ = line;
-        splitLine(line, separator_,
-                  [&](std::string_view cell) { table_.columns.push_back(columnFrom(cell)); });
         table_.values.resize(table_.columns.size());
         notNumbers_.resize(table_.columns.size());
+        dates_.resize(table_.columns.size());
     }
 
-    /// Cells are separated by blanks if the header and the first row have the same number of blank-separated
-    /// parts, at least two.
-    void separateByBlanks(std::string_view line) {
-        const auto headings = blankSeparated(heading_);
-        if (headings.size() < 2 || blankSeparated(line).size() != headings.size()) {
-            return;
+    void takeHeading(std::string_view line) {
+        auto cells = cellsOf(line, layout_.separator);
+        // A comment may separate its names by blanks although the numbers have another separator.
+        if (!layout_.headingInComment.empty() && cells.size() < 2) {
+            cells = blankSeparated(line);
         }
-        separator_ = ' ';
-        table_.columns.clear();
-        for (const std::string_view cell : headings) {
+        for (const std::string_view cell : cells) {
             table_.columns.push_back(columnFrom(cell));
+            if (cell.empty()) {
+                table_.columns.back().name = "column " + std::to_string(table_.columns.size());
+            }
         }
-        table_.values.resize(headings.size());
-        notNumbers_.resize(headings.size());
+        nameColumns(cells.size());
     }
 
     void takeUnits(std::string_view line) {
         isHeaded_ = true;
         std::size_t column = 0;
-        splitLine(line, separator_, [&](std::string_view cell) {
+        for (const std::string_view cell : cellsOf(line, layout_.separator)) {
             if (column < table_.columns.size()) {
                 table_.columns[column++].unit = cell == "-" ? std::string() : std::string(cell);
             }
-        });
+        }
     }
 
-    void finish() {
+    Result<void> finish() {
+        const TimeSource source{
+            table_.columns, dates_,
+            [this](std::size_t column) -> Result<std::vector<double>> { return table_.values[column]; }};
+        const auto axis = chooseTimeAxis(table_.path, source, format_);
+        if (!axis) {
+            return axis.error();
+        }
+        table_.axis = *axis;
+        if (axis->column && table_.columns[*axis->column].unit.empty()) {
+            table_.columns[*axis->column].unit = axis->factor == 1      ? "s"
+                                                 : axis->factor == 1e-3 ? "ms"
+                                                 : axis->factor == 1e-6 ? "us"
+                                                                        : "ns";
+        }
         for (std::size_t i = 0; i < table_.columns.size(); ++i) {
             addKnowledge(table_.columns[i]);
+            if (dates_[i] != DateKind::None) {
+                table_.columns[i].unit = "s";
+            }
             if (notNumbers_[i] > 0) {
                 problem(QStringLiteral("Column \"%1\": %2 cells are not numbers.")
                             .arg(QString::fromStdString(table_.columns[i].name))
@@ -314,29 +528,32 @@ private:
         if (unsaid_ > 0) {
             table_.problems << QStringLiteral("There are %1 more problems of this kind.").arg(unsaid_);
         }
+        return {};
     }
 
     RecordedTable table_;
-    char separator_ = ',';
-    std::string heading_{};
-    std::size_t number_ = 0;  ///< line number
+    const TableFormat& format_;
+    TextLayout layout_;
+    std::size_t number_ = 0;        ///< line number
+    std::size_t contentLines_ = 0;  ///< without the header and comments
     std::size_t rows_ = 0;
     bool isHeaded_ = false;  ///< true after the line of units
     bool isBinary_ = false;
     std::vector<double> row_;
     std::vector<std::size_t> wrong_;
     std::vector<std::size_t> notNumbers_;
+    std::vector<DateKind> dates_;
     std::size_t unsaid_ = 0;
 };
 
 }  // namespace
 
-Result<std::unique_ptr<Recording>> openCsv(const Text& path) {
+Result<std::unique_ptr<Recording>> openCsv(const Text& path, const TableFormat& format) {
     QFile file;
     if (const Result<void> opened = openForReading(file, path); !opened) {
         return opened.error();
     }
-    return CsvParser(path).parse(file);
+    return CsvParser(path, format).parse(file);
 }
 
 }  // namespace tiller::recording

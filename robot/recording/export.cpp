@@ -107,7 +107,7 @@ Result<std::vector<std::size_t>> chooseColumns(const Recording& recording,
 }
 
 std::optional<std::size_t> timeColumn(const Recording& recording) {
-    return timeColumnOf(recording.columns());
+    return recording.timeColumn();
 }
 
 Result<std::vector<std::size_t>> columnsWithTime(const Recording& recording,
@@ -198,12 +198,21 @@ Result<ExportReport> exportCsv(const Recording& recording, const ExportChoice& c
     if (const Result<void> opened = file.open(); !opened) {
         return opened.error();
     }
-    std::string heading;
-    std::string units;
+    // Times that are not in a column of the recording.
+    const bool hasOwnTime = !recording.timeColumn();
+    // Other programs write time stamps in other units, so the unit of a time is written unless the file is
+    // recognized as that of a robot.
+    const bool isRobotTable = std::any_of(columns->begin(), columns->end(), [&recording](std::size_t column) {
+        return isOfRobot(recording.columns()[column]);
+    });
+    std::string heading = hasOwnTime ? style.unitsLine ? "time" : "time [s]" : "";
+    std::string units = hasOwnTime ? "s" : "";
     for (const std::size_t column : columns.value()) {
         const RecordedColumn& described = recording.columns()[column];
+        const bool needsUnit = !style.unitsLine && !isRobotTable && column == recording.timeColumn();
         heading += (heading.empty() ? "" : std::string(1, style.separator)) +
-                   csvCell(described.name, style.separator);
+                   csvCell(needsUnit ? described.name + " [" + described.unit + ']' : described.name,
+                           style.separator);
         // An empty cell would look like a missing number.
         const std::string unit = described.unit.empty() ? "-" : described.unit;
         units += (units.empty() ? "" : std::string(1, style.separator)) + csvCell(unit, style.separator);
@@ -222,7 +231,7 @@ Result<ExportReport> exportCsv(const Recording& recording, const ExportChoice& c
     for (const std::size_t column : columns.value()) {
         whole.push_back(recording.columns()[column].whole ? 1 : 0);
     }
-    const std::size_t longestRow = count * (kMaxNumber + 1) + 1;
+    const std::size_t longestRow = (count + 1) * (kMaxNumber + 1) + 1;
     const auto text = std::make_unique_for_overwrite<char[]>(longestRow * kRowsAtOnce);
     std::vector<const double*> values(count);
     for (std::uint64_t done = 0; done < rows.value().count; done += kRowsAtOnce) {
@@ -232,13 +241,19 @@ Result<ExportReport> exportCsv(const Recording& recording, const ExportChoice& c
         }
         const RowRange part{rows.value().first + done, std::min(kRowsAtOnce, rows.value().count - done)};
         const auto read = recording.read(columns.value(), part);
-        if (!read) {
-            return read.error();
+        const auto times =
+            hasOwnTime ? recording.times(part) : Result<std::vector<double>>(std::vector<double>());
+        if (!read || !times) {
+            return read ? times.error() : read.error();
         }
         std::transform(read->begin(), read->end(), values.begin(),
                        [](const std::vector<double>& column) { return column.data(); });
         char* at = text.get();
         for (std::size_t row = 0; row < part.count; ++row) {
+            if (hasOwnTime) {
+                at = putNumber(at, (*times)[row], false, style.decimal);
+                *at++ = style.separator;
+            }
             for (std::size_t i = 0; i < count; ++i) {
                 at = putNumber(at, values[i][row], whole[i] != 0, style.decimal);
                 *at++ = style.separator;

@@ -20,7 +20,7 @@ struct ExportChoice {
     Text path = {};  ///< an existing file is replaced atomically
     /// Names of columns, or of fields for all their components; empty: all. Text and MCAP files always
     /// contain the time column of the recording. If it is not listed, it becomes the first column. HDF5 files
-    /// contain `time`.
+    /// contain `time`, and so do text files if the recording has no time column.
     std::vector<std::string> columns = {};
     double from = 0;                                         ///< [s] on the time axis
     double until = std::numeric_limits<double>::infinity();  ///< [s]
@@ -43,7 +43,7 @@ struct ExportReport {
 /// Errors   FieldUnknown with all missing names
 Result<std::vector<std::size_t>> chooseColumns(const Recording& recording,
                                                const std::vector<std::string>& names);
-/// The time column of the recording: `timestamp`, or the first column named time, seconds or t.
+/// As Recording::timeColumn().
 std::optional<std::size_t> timeColumn(const Recording& recording);
 /// Like chooseColumns(), but adds the time column of the recording as the first column if it is missing.
 Result<std::vector<std::size_t>> columnsWithTime(const Recording& recording,

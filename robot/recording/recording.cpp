@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "robot/recording/detail/column_knowledge.h"
 #include "robot/recording/detail/summarize.h"
 
 namespace tiller::recording {
@@ -13,6 +14,10 @@ std::optional<std::size_t> Recording::indexOf(std::string_view column) const {
         std::find_if(columns().begin(), columns().end(), [&](const auto& c) { return c.name == column; });
     return found == columns().end() ? std::nullopt
                                     : std::optional(static_cast<std::size_t>(found - columns().begin()));
+}
+
+std::optional<std::size_t> Recording::timeColumn() const {
+    return timeColumnOf(columns());
 }
 
 const std::vector<RecordedEvent>& Recording::events() const {

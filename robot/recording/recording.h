@@ -72,9 +72,11 @@ public:
     virtual QString format() const = 0;                                 ///< "CSV", "MCAP", "HDF5"
     virtual const std::vector<RecordedColumn>& columns() const = 0;     ///< In file order.
     std::optional<std::size_t> indexOf(std::string_view column) const;  ///< Index of a column by its name.
-    virtual std::uint64_t rows() const = 0;                             ///< Number of rows, without headers.
-    virtual const std::vector<RecordedGap>& gaps() const = 0;           ///< In row order.
-    virtual const std::vector<RecordedEvent>& events() const;           ///< In time order.
+    /// Column with the time stamps; empty if times() are not from a column.
+    virtual std::optional<std::size_t> timeColumn() const;
+    virtual std::uint64_t rows() const = 0;                    ///< Number of rows, without headers.
+    virtual const std::vector<RecordedGap>& gaps() const = 0;  ///< In row order.
+    virtual const std::vector<RecordedEvent>& events() const;  ///< In time order.
     /// Usual interval between rows [s]; 0 if unknown.
     virtual double period() const = 0;
     /// Time of the first row [ns since 1970, UTC]; empty if not in the file.

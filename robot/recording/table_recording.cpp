@@ -7,98 +7,53 @@
 
 #include "robot/recording/detail/column_knowledge.h"
 #include "robot/recording/detail/ranges.h"
-#include "robot/recording/detail/restart_note.h"
+#include "robot/recording/detail/time_axis.h"
 #include "robot/recording/recorder.h"
 
 namespace tiller::recording {
 
-namespace {
-
-constexpr double kUsualPeriod = 0.002;  // [s]
-// An unsorted table has a step back in about every second row.
-constexpr std::size_t kMaxRestarts = 100;
-// Number of rows for determining the usual interval.
-constexpr std::size_t kRowsForPeriod = 1000;
-
-/// Median of the intervals; 0 without intervals.
-double medianStep(std::span<const double> times) {
-    std::vector<double> steps;
-    for (std::size_t i = 1; i < times.size() && steps.size() < kRowsForPeriod; ++i) {
-        if (times[i] > times[i - 1]) {
-            steps.push_back(times[i] - times[i - 1]);
-        }
-    }
-    if (steps.empty()) {
-        return 0;
-    }
-    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-    std::nth_element(steps.begin(), middle, steps.end());
-    return *middle;
-}
-
-}  // namespace
-
 TableRecording::TableRecording(RecordedTable table) : table_(std::move(table)) {
     findTimes();
-    findGaps();
     addNotes();
 }
 
 void TableRecording::findTimes() {
-    const std::size_t rowCount = table_.values.empty() ? 0 : table_.values.front().size();
-    const std::optional<std::size_t> axis = timeColumnOf(table_.columns);
-    times_.resize(rowCount);
-    if (!axis) {
-        for (std::size_t i = 0; i < rowCount; ++i) {
-            times_[i] = static_cast<double>(i) * kUsualPeriod;
-        }
-        period_ = rowCount > 1 ? kUsualPeriod : 0;
-        return;
+    if (!table_.axis) {
+        table_.axis.emplace();
+        table_.axis->column = timeColumnOf(table_.columns);
+        table_.axis->isController =
+            table_.axis->column && table_.columns[*table_.axis->column].name == "timestamp";
     }
-    const std::vector<double>& stamps = table_.values[*axis];
-    period_ = medianStep(stamps);
-    // Only the time stamps of a robot restart at zero with its controller.
-    const bool isRobotTime = table_.columns[*axis].name == "timestamp";
-    double shift = 0;
-    double previous = 0;
-    double last = 0;  // time stamp of the robot
-    bool first = true;
-    for (std::size_t i = 0; i < rowCount; ++i) {
-        double time = previous;
-        if (std::isfinite(stamps[i])) {
-            if (first) {
-                shift = -stamps[i];
-                first = false;
-            } else if (stamps[i] + shift < previous) {
-                shift = previous + period_ - stamps[i];
-                if (isRobotTime && events_.size() < kMaxRestarts) {
-                    events_.push_back({previous + period_, kRestartLevel, QLatin1String(kRestartSource),
-                                       restartText(last, stamps[i])});
-                }
-            }
-            time = stamps[i] + shift;
-            last = stamps[i];
-        }
-        times_[i] = time;
-        previous = time;
-    }
+    const TimeAxis& axis = *table_.axis;
+    const auto valuesOf = [this](const std::optional<std::size_t>& column) {
+        return column ? std::span<const double>(table_.values[*column]) : std::span<const double>();
+    };
+    TimeLine line = timeLine(axis, valuesOf(axis.column), valuesOf(axis.nanoseconds),
+                             table_.values.empty() ? 0 : table_.values.front().size());
+    times_ = std::move(line.seconds);
+    period_ = line.period;
+    events_ = std::move(line.restarts);
+    findGaps(line.breaks);
 }
 
 void TableRecording::addNotes() {
     for (const auto& [row, note] : table_.notes) {
         events_.push_back(note);
         events_.back().seconds =
-            times_.empty() ? 0 : times_[std::min(static_cast<std::size_t>(row), times_.size() - 1)];
+            rows() == 0 ? 0 : times_[std::min(static_cast<std::size_t>(row), times_.size() - 1)];
     }
     std::stable_sort(events_.begin(), events_.end(),
                      [](const RecordedEvent& a, const RecordedEvent& b) { return a.seconds < b.seconds; });
 }
 
-void TableRecording::findGaps() {
+void TableRecording::findGaps(const std::vector<RecordedGap>& breaks) {
     const auto lost = indexOf(kLostColumn);
+    auto segment = breaks.begin();
     for (std::size_t i = 1; i < times_.size(); ++i) {
         const double step = times_[i] - times_[i - 1];
-        if (lost) {
+        if (segment != breaks.end() && segment->row == i) {
+            gaps_.push_back(*segment++);
+        } else if (lost) {
             if (const double packets = table_.values[*lost][i]; packets >= 1 && packets < 1e15) {
                 gaps_.push_back({i, static_cast<std::uint64_t>(packets), step});
             }

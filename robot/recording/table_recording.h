@@ -3,9 +3,11 @@
 
 // A recording with all values in memory, e.g. read from a text file.
 
+#include <optional>
 #include <utility>
 
 #include "robot/recording/recording.h"
+#include "robot/recording/table_format.h"
 
 namespace tiller::recording {
 
@@ -18,12 +20,13 @@ struct RecordedTable {
     QStringList problems{};
     /// Each note with the number of rows before it, which determines its time.
     std::vector<std::pair<std::uint64_t, RecordedEvent>> notes{};
+    /// Empty: the column `timestamp`, or the first column named time, seconds or t, in seconds.
+    std::optional<TimeAxis> axis{};
 };
 
-/// The time axis is the column `timestamp`, or the first column named time, seconds or t. Without such a
-/// column, rows are assumed to be 2 ms apart. If the clock was reset, the time continues from its last value,
-/// and events() reports the reset. Gaps are taken from the column `packages_lost`, or detected where two rows
-/// are more than one and a half periods apart.
+/// If the clock was reset, the time continues from its last value, and events() reports it. Gaps are taken from
+/// the column `packages_lost`, or detected where two rows are more than one and a half periods apart. A gap of an
+/// unknown number of packages separates two segments.
 class TableRecording : public Recording {
 public:
     explicit TableRecording(RecordedTable table);
@@ -35,6 +38,8 @@ public:
     const std::vector<RecordedGap>& gaps() const override { return gaps_; }
     const std::vector<RecordedEvent>& events() const override { return events_; }
     double period() const override { return period_; }
+    std::optional<std::size_t> timeColumn() const override { return table_.axis->column; }
+    std::optional<std::int64_t> startUtcNs() const override { return table_.axis->startUtcNs; }
     const QStringList& problems() const override { return table_.problems; }
     Result<std::vector<double>> times(RowRange rows) const override;
     // As in Recording.
@@ -43,14 +48,14 @@ public:
 
 private:
     void findTimes();
-    void findGaps();
+    void findGaps(const std::vector<RecordedGap>& breaks);
     void addNotes();
 
     RecordedTable table_;
     std::vector<double> times_;
+    double period_ = 0;
     std::vector<RecordedGap> gaps_;
     std::vector<RecordedEvent> events_;
-    double period_ = 0;
 };
 
 }  // namespace tiller::recording

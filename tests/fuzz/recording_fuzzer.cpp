@@ -36,6 +36,28 @@ void readAll(const recording::Recording& recording) {
     static_cast<void>(divergence::compare(recording, choice));
 }
 
+/// One of the formats that a user can select.
+recording::TableFormat formatOf(std::uint8_t choice) {
+    recording::TableFormat format;
+    if ((choice & 1) != 0) {
+        format.timeColumn = (choice & 2) != 0 ? "" : "t";
+    }
+    if ((choice & 4) != 0) {
+        format.timeUnit = recording::TimeUnit::Milliseconds;
+    }
+    if ((choice & 8) != 0) {
+        format.separator = (choice & 16) != 0 ? ' ' : ';';
+    }
+    if ((choice & 32) != 0) {
+        format.decimal = ',';
+    }
+    if ((choice & 64) != 0) {
+        format.hasHeader = false;
+    }
+    format.rate = (choice & 128) != 0 ? 100 : 0;
+    return format;
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -49,8 +71,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     file.close();
     if (auto recording = recording::openMcap(path)) {
         readAll(*recording.value());
-    } else if (auto text = recording::openCsv(path)) {
-        readAll(*text.value());
+        return 0;
+    }
+    // The last byte selects the format.
+    for (const recording::TableFormat& format :
+         {recording::TableFormat{}, formatOf(size > 0 ? data[size - 1] : 0)}) {
+        if (auto text = recording::openCsv(path, format)) {
+            readAll(*text.value());
+        }
     }
     return 0;
 }

@@ -35,6 +35,14 @@ std::optional<std::size_t> timeColumnOf(const std::vector<RecordedColumn>& colum
     });
 }
 
+bool isOfRobot(const RecordedColumn& column) {
+    const std::string_view name = column.name;
+    const std::size_t bar = name.rfind('_');
+    return name != "timestamp" && (name == kLostColumn || rtde::findOutput(name) != nullptr ||
+                                   (bar != std::string_view::npos && bar + 2 == name.size() &&
+                                    rtde::findOutput(name.substr(0, bar)) != nullptr));
+}
+
 std::string unitOf(std::string_view name, std::size_t component) {
     const rtde::Field* field = rtde::findOutput(name);
     const std::string_view unit = field == nullptr ? "" : field->unit;

@@ -32,7 +32,7 @@ const std::vector<FileFormat>& fileFormats() {
         {.name = QStringLiteral("MCAP"),
          .suffixes = {QStringLiteral("mcap")},
          .magic = "\x89MCAP",
-         .open = &openMcap,
+         .open = [](const Text& path, const TableFormat&) { return openMcap(path); },
          .write = [](const Recording& recording, const ExportChoice& choice,
                      const CsvStyle&) { return exportMcap(recording, choice); },
          .recorder = [](const McapFormatOptions& extras) { return mcapFormat(extras); },

@@ -15,6 +15,7 @@
 #include "robot/recording/mcap/mcap_format.h"
 #include "robot/recording/recording.h"
 #include "robot/recording/recording_format.h"
+#include "robot/recording/table_format.h"
 
 namespace tiller::recording {
 
@@ -23,7 +24,7 @@ struct FileFormat {
     QStringList suffixes;  ///< lower case, without the period; new files get the first suffix
     QByteArray magic;      ///< first bytes of a file; empty: any file that matches no other row
     /// Errors and threads: same as openRecording().
-    Result<std::unique_ptr<Recording>> (*open)(const Text& path);
+    Result<std::unique_ptr<Recording>> (*open)(const Text& path, const TableFormat& format);
     /// Errors and threads: same as exportRecording(). `style` only affects CSV.
     Result<ExportReport> (*write)(const Recording& recording, const ExportChoice& choice,
                                   const CsvStyle& style);

@@ -9,7 +9,7 @@
 
 namespace tiller::recording {
 
-Result<std::unique_ptr<Recording>> openRecording(const Text& path) {
+Result<std::unique_ptr<Recording>> openRecording(const Text& path, const TableFormat& format) {
     QFile file;
     if (const Result<void> opened = openForReading(file, path); !opened) {
         return opened.error();
@@ -17,14 +17,14 @@ Result<std::unique_ptr<Recording>> openRecording(const Text& path) {
     const QByteArray begin = file.read(8);
     file.close();
     const std::vector<FileFormat>& rows = fileFormats();
-    auto row = std::find_if(rows.begin(), rows.end(), [&begin](const FileFormat& format) {
-        return !format.magic.isEmpty() && begin.startsWith(format.magic);
+    auto row = std::find_if(rows.begin(), rows.end(), [&begin](const FileFormat& each) {
+        return !each.magic.isEmpty() && begin.startsWith(each.magic);
     });
     if (row == rows.end()) {
         row = std::find_if(rows.begin(), rows.end(),
-                           [](const FileFormat& format) { return format.magic.isEmpty(); });
+                           [](const FileFormat& each) { return each.magic.isEmpty(); });
     }
-    return row->open(path);
+    return row->open(path, format);
 }
 
 Result<std::shared_ptr<const RecordingFormat>> formatForPath(const Text& path) {

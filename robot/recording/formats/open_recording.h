@@ -8,13 +8,16 @@
 #include "robot/core/text.h"
 #include "robot/recording/recording.h"
 #include "robot/recording/recording_format.h"
+#include "robot/recording/table_format.h"
 
 namespace tiller::recording {
 
 /// Opens a recording. The format is detected from the first bytes of the file.
-/// Errors   FileNotReadable; FileCorrupt with the reason
+/// format   for tables that other programs wrote
+/// Errors   FileNotReadable; FileCorrupt with the reason; InvalidArgument with the members of `format` that the
+///          file needs
 /// Threads  any. Blocks: depends on the format
-Result<std::unique_ptr<Recording>> openRecording(const Text& path);
+Result<std::unique_ptr<Recording>> openRecording(const Text& path, const TableFormat& format = {});
 
 /// Format for RecorderOptions::format, selected by the extension of the path: .csv or .mcap
 /// (case-insensitive).

@@ -9,6 +9,7 @@
 #include "robot/core/file_reading.h"
 #include "robot/recording/detail/column_knowledge.h"
 #include "robot/recording/detail/ranges.h"
+#include "robot/recording/detail/time_axis.h"
 #include "robot/recording/hdf5/detail/hdf5_handle.h"
 
 namespace tiller::recording {
@@ -27,6 +28,7 @@ struct DataSet {
     std::uint64_t rows = 0;
     std::size_t numbers = 1;
     bool whole = false;
+    bool isTransposed = false;  ///< one row of the data set per column
     std::optional<double> missing;
 };
 
@@ -35,9 +37,30 @@ herr_t collectName(hid_t, const char* name, const H5L_info_t*, void* names) {
     return static_cast<std::vector<std::string>*>(names)->size() < kMaxColumns ? 0 : 1;
 }
 
+/// A group that Octave writes for a variable: its type, and its value in column order.
+bool isOctaveVariable(hid_t file, const std::string& group) {
+    return H5Lexists(file, (group + "/type").c_str(), H5P_DEFAULT) > 0 &&
+           H5Lexists(file, (group + "/value").c_str(), H5P_DEFAULT) > 0;
+}
+
+bool isGroup(hid_t file, const std::string& name) {
+    return static_cast<bool>(Handle(H5Gopen2(file, name.c_str(), H5P_DEFAULT), H5Gclose));
+}
+
+bool isEmptyGroup(hid_t file, const std::string& name) {
+    H5G_info_t info{};
+    return H5Gget_info_by_name(file, name.c_str(), &info, H5P_DEFAULT) >= 0 && info.nlinks == 0;
+}
+
 std::optional<DataSet> openSet(hid_t file, const std::string& name) {
     DataSet out;
     out.name = name;
+    if (const std::size_t slash = name.rfind("/value"); slash != std::string::npos &&
+                                                        slash + 6 == name.size() &&
+                                                        isOctaveVariable(file, name.substr(0, slash))) {
+        out.name = name.substr(0, slash);
+        out.isTransposed = true;
+    }
     out.set = Handle(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose);
     if (!out.set) {  // a group, or a broken link
         return std::nullopt;
@@ -54,11 +77,18 @@ std::optional<DataSet> openSet(hid_t file, const std::string& name) {
     }
     std::array<hsize_t, 2> extent{0, 1};
     H5Sget_simple_extent_dims(space.get(), extent.data(), nullptr);
-    if (extent[0] > kMaxRows || extent[1] > kMaxColumns || extent[1] == 0) {
+    out.isTransposed = rank == 2 && (out.isTransposed || H5Aexists(out.set.get(), "MATLAB_class") > 0);
+    out.rows = extent[out.isTransposed ? 1 : 0];
+    out.numbers = rank == 2 ? static_cast<std::size_t>(extent[out.isTransposed ? 0 : 1]) : 1;
+    // Octave and MATLAB write a vector as one row or as one column.
+    if (out.isTransposed && out.rows == 1) {
+        out.rows = out.numbers;
+        out.numbers = 1;
+        out.isTransposed = false;
+    }
+    if (out.rows > kMaxRows || out.numbers > kMaxColumns || out.numbers == 0) {
         return std::nullopt;
     }
-    out.rows = extent[0];
-    out.numbers = rank == 2 ? static_cast<std::size_t>(extent[1]) : 1;
     out.whole = kind == H5T_INTEGER;
     out.missing = takeNumber(out.set.get(), "missing");
     return out;
@@ -66,7 +96,7 @@ std::optional<DataSet> openSet(hid_t file, const std::string& name) {
 
 class Hdf5Recording : public Recording {
 public:
-    explicit Hdf5Recording(const QString& path) : path_(path) {}
+    Hdf5Recording(const QString& path, const TableFormat& format) : path_(path), format_(format) {}
 
     Result<void> open() {
         // Check this first, because the HDF5 library would block on a pipe.
@@ -82,10 +112,18 @@ public:
                          QStringLiteral("the file is not a complete HDF5 file")};
         }
         std::vector<std::string> names;
-        H5Literate(file_.get(), H5_INDEX_NAME, H5_ITER_INC, nullptr, collectName, &names);
+        H5Lvisit(file_.get(), H5_INDEX_NAME, H5_ITER_INC, collectName, &names);
         std::vector<DataSet> sets;
         for (const std::string& name : names) {
-            if (auto set = openSet(file_.get(), name)) {
+            if (isGroup(file_.get(), name)) {
+                if (isEmptyGroup(file_.get(), name)) {
+                    problems_ << QStringLiteral("\"%1\" is skipped: it is empty.").arg(Text(name));
+                }
+            } else if (const std::size_t end = name.rfind('/');
+                       end != std::string::npos && name.substr(end) == "/type" &&
+                       isOctaveVariable(file_.get(), name.substr(0, end))) {
+                continue;
+            } else if (auto set = openSet(file_.get(), name)) {
                 sets.push_back(std::move(*set));
             } else {
                 problems_
@@ -94,8 +132,7 @@ public:
         }
         chooseSets(std::move(sets));
         if (columns_.empty()) {
-            return Error{ErrorCode::FileCorrupt, path_,
-                         QStringLiteral("its top level contains no tables of numbers")};
+            return Error{ErrorCode::FileCorrupt, path_, QStringLiteral("it contains no tables of numbers")};
         }
         readAttributes();
         return readAxis();
@@ -106,19 +143,20 @@ public:
     const std::vector<RecordedColumn>& columns() const override { return columns_; }
     std::uint64_t rows() const override { return rows_; }
     const std::vector<RecordedGap>& gaps() const override { return gaps_; }
+    const std::vector<RecordedEvent>& events() const override { return line_.restarts; }
     double period() const override { return period_; }
+    std::optional<std::size_t> timeColumn() const override {
+        return isOwn_ ? Recording::timeColumn() : timeColumn_;
+    }
     std::optional<std::int64_t> startUtcNs() const override { return start_; }
     const std::map<std::string, std::string>& facts() const override { return facts_; }
     const QStringList& problems() const override { return problems_; }
 
     Result<std::vector<double>> times(RowRange range) const override {
         const RowRange part = within(range, rows_);
-        if (!time_) {
-            std::vector<double> out(static_cast<std::size_t>(part.count));
-            for (std::size_t i = 0; i < out.size(); ++i) {
-                out[i] = static_cast<double>(part.first + i) * period_;
-            }
-            return out;
+        if (!isOwn_) {
+            const auto first = line_.seconds.begin() + static_cast<std::ptrdiff_t>(part.first);
+            return std::vector<double>(first, first + static_cast<std::ptrdiff_t>(part.count));
         }
         auto out = numbers(*time_, 0, part);
         if (out) {
@@ -155,9 +193,11 @@ private:
             return out;
         }
         const Handle there(H5Dget_space(set.set.get()), H5Sclose);
-        const hsize_t start[2] = {range.first, number};
-        const hsize_t count[2] = {range.count, 1};
-        const Handle here(H5Screate_simple(1, count, nullptr), H5Sclose);
+        const bool isTransposed = set.isTransposed;
+        const hsize_t start[2] = {isTransposed ? number : range.first, isTransposed ? range.first : number};
+        const hsize_t count[2] = {isTransposed ? 1 : range.count, isTransposed ? range.count : 1};
+        const hsize_t total = range.count;
+        const Handle here(H5Screate_simple(1, &total, nullptr), H5Sclose);
         if (H5Sselect_hyperslab(there.get(), H5S_SELECT_SET, start, nullptr, count, nullptr) < 0 ||
             H5Dread(set.set.get(), H5T_NATIVE_DOUBLE, here.get(), there.get(), H5P_DEFAULT, out.data()) < 0) {
             return Error{ErrorCode::FileCorrupt, path_,
@@ -199,7 +239,7 @@ private:
     }
 
     void addColumns(DataSet set) {
-        const std::string unit = takeText(set.set.get(), "unit").value_or("");
+        const std::string unit = unitOfSet(set);
         for (std::size_t i = 0; i < set.numbers && columns_.size() < kMaxColumns; ++i) {
             RecordedColumn column;
             column.name = set.numbers > 1 ? set.name + '_' + std::to_string(i) : set.name;
@@ -234,8 +274,10 @@ private:
         if (const auto start = takeNumber(file_.get(), "start_utc_ns"); start && std::abs(*start) < 9e18) {
             start_ = static_cast<std::int64_t>(*start);
         }
-        period_ = takeNumber(file_.get(), "period").value_or(0);
-        period_ = std::isfinite(period_) && period_ > 0 ? period_ : 0.002;
+        const auto period = takeNumber(file_.get(), "period");
+        hasPeriod_ = period.has_value();
+        period_ = period.value_or(0);
+        period_ = std::isfinite(period_) && period_ > 0 ? period_ : 0;
         for (const char* key : {"model", "serial_number", "software", "robot", "written_by"}) {
             if (auto text = takeText(file_.get(), key)) {
                 facts_[key] = std::move(*text);
@@ -244,32 +286,84 @@ private:
     }
 
     Result<void> readAxis() {
-        if (!time_) {
-            for (std::size_t i = 0; i < columns_.size(); ++i) {
-                if (columns_[i].name == "timestamp") {
-                    time_ = openSet(file_.get(), "timestamp");
+        // Files of exportHdf5() have a period, and their time is read on demand.
+        isOwn_ = hasPeriod_ && time_ && format_ == TableFormat{};
+        if (isOwn_) {
+            if (rows_ > 0) {
+                const auto first = numbers(*time_, 0, {0, 1});
+                if (!first) {
+                    return first.error();
                 }
+                timeStart_ = std::isfinite(first.value().front()) ? first.value().front() : 0;
             }
+            return {};
         }
-        if (time_ && rows_ > 0) {
-            const auto first = numbers(*time_, 0, {0, 1});
-            if (!first) {
-                return first.error();
+        if (rows_ > kMaxPerRequest) {
+            return Error{ErrorCode::FileCorrupt, path_, QStringLiteral("it has too many rows")};
+        }
+        // The data set `time` is not one of the columns, but it can be the time.
+        std::vector<RecordedColumn> candidates = columns_;
+        if (time_) {
+            candidates.push_back({"time", unitOfSet(*time_), false});
+        }
+        const auto valuesOf = [this](std::size_t column) -> Result<std::vector<double>> {
+            const RowRange all{0, rows_};
+            if (column == columns_.size()) {
+                return numbers(*time_, 0, all);
             }
-            timeStart_ = std::isfinite(first.value().front()) ? first.value().front() : 0;
+            const auto& [set, number] = places_[column];
+            return numbers(sets_[set], number, all);
+        };
+        TableFormat format = format_;
+        if (!format.timeColumn && format.rate == 0 && period_ > 0) {
+            format.rate = 1 / period_;
+        }
+        const std::vector<DateKind> dates(candidates.size());
+        const auto axis = chooseTimeAxis(path_, {candidates, dates, valuesOf}, format);
+        if (!axis) {
+            return axis.error();
+        }
+        std::vector<double> stamps;
+        std::vector<double> nanoseconds;
+        for (const auto& [column, values] :
+             {std::pair(axis->column, &stamps), std::pair(axis->nanoseconds, &nanoseconds)}) {
+            auto read = column ? valuesOf(*column) : Result<std::vector<double>>(std::vector<double>());
+            if (!read) {
+                return read.error();
+            }
+            *values = std::move(read).value();
+        }
+        line_ = timeLine(*axis, stamps, nanoseconds, static_cast<std::size_t>(rows_));
+        period_ = line_.period;
+        gaps_.insert(gaps_.end(), line_.breaks.begin(), line_.breaks.end());
+        std::stable_sort(gaps_.begin(), gaps_.end(),
+                         [](const RecordedGap& a, const RecordedGap& b) { return a.row < b.row; });
+        start_ = start_ ? start_ : axis->startUtcNs;
+        if (axis->column && *axis->column < columns_.size()) {
+            timeColumn_ = axis->column;
         }
         return {};
     }
 
+    static std::string unitOfSet(const DataSet& set) {
+        const auto unit = takeText(set.set.get(), "unit");
+        return unit ? *unit : takeText(set.set.get(), "units").value_or("");
+    }
+
     QString path_;
+    const TableFormat format_;
     Handle file_;
     std::vector<DataSet> sets_;
     std::optional<DataSet> time_;
     double timeStart_ = 0;
+    bool hasPeriod_ = false;
+    bool isOwn_ = false;
+    TimeLine line_;                            ///< times of a file of another program
+    std::optional<std::size_t> timeColumn_{};  ///< the same
     std::vector<RecordedColumn> columns_;
     std::vector<std::pair<std::size_t, std::size_t>> places_;  ///< data set and component within the data set
     std::uint64_t rows_ = 0;
-    double period_ = 0.002;
+    double period_ = 0;
     std::optional<std::int64_t> start_;
     std::map<std::string, std::string> facts_;
     std::vector<RecordedGap> gaps_;
@@ -278,8 +372,8 @@ private:
 
 }  // namespace
 
-Result<std::unique_ptr<Recording>> openHdf5(const Text& path) {
-    auto recording = std::make_unique<Hdf5Recording>(path);
+Result<std::unique_ptr<Recording>> openHdf5(const Text& path, const TableFormat& format) {
+    auto recording = std::make_unique<Hdf5Recording>(path, format);
     if (auto opened = recording->open(); !opened) {
         return opened.error();
     }

@@ -63,6 +63,7 @@ private Q_SLOTS:
     void aKilledRecorderLosesAtMostHalfASecond();
     void exportsATimeRangeAndColumns();
     void findsThePushThatCausedAStop();
+    void tablesOfOtherProgramsNeedOptions();
     void wrongArgumentsAreReported_data();
     void wrongArgumentsAreReported();
     void unreadableFilesAreReported();
@@ -223,6 +224,36 @@ void TestCliRecording::findsThePushThatCausedAStop() {
     QVERIFY2(other.out.contains("Arm and model differ from the first sample"), qPrintable(other.out));
 }
 
+void TestCliRecording::tablesOfOtherProgramsNeedOptions() {
+    QFile file(path("foreign.csv"));
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write("tick|F\n0|1,5\n20|2,5\n") > 0);
+    file.close();
+    for (const QStringList& command : {QStringList{"info"},
+                                       {"export", "--out", path("foreign_out.csv")},
+                                       {"divergence"},
+                                       {"episodes", "--out", path("foreign.h5")}}) {
+        const Answer refused = run(command + QStringList{file.fileName()});
+        QCOMPARE(refused.code, 2);
+        QVERIFY2(refused.err.contains("--time-column NAME") && refused.err.contains("--table-rate"),
+                 qPrintable(refused.err));
+    }
+    const QStringList options{"--time-column",     "tick", "--time-unit",     "ms",
+                              "--table-separator", "|",    "--table-decimal", ","};
+    const Answer told = run(QStringList{"info", "--json", file.fileName()} + options);
+    QCOMPARE(told.code, 0);
+    const QJsonObject info = QJsonDocument::fromJson(told.out.toUtf8()).object();
+    QCOMPARE(info["period"].toDouble(), 0.02);
+    QCOMPARE(info["time_column"].toString(), QStringLiteral("tick"));
+    QCOMPARE(run(QStringList{"export", "--out", path("foreign_out.csv"), "--columns", "F", file.fileName()} +
+                 options)
+                 .code,
+             0);
+    QCOMPARE(readCsv(path("foreign_out.csv")).value().columns, (std::vector<std::string>{"tick [ms]", "F"}));
+    const Answer noTime =
+        run({"info", "--json", file.fileName(), "--time-column", "none", "--table-rate", "4"});
+    QCOMPARE(QJsonDocument::fromJson(noTime.out.toUtf8()).object()["period"].toDouble(), 0.25);
+}
+
 void TestCliRecording::wrongArgumentsAreReported_data() {
     QTest::addColumn<QStringList>("arguments");
     QTest::addColumn<QString>("said");
@@ -245,6 +276,10 @@ void TestCliRecording::wrongArgumentsAreReported_data() {
     QTest::newRow("divergence of no arm") << QStringList{"divergence", "a.mcap", "--model", "kr6"} << "UR5e";
     QTest::newRow("divergence by no limit")
         << QStringList{"divergence", "a.mcap", "--joint", "-1"} << "--joint";
+    QTest::newRow("time in an unknown unit")
+        << QStringList{"info", "a.csv", "--time-unit", "min"} << "--time-unit";
+    QTest::newRow("unknown separator")
+        << QStringList{"info", "a.csv", "--table-separator", "x"} << "--table-separator";
     QTest::newRow("export to a picture") << QStringList{"export", "a.mcap", "--out", "a.png"} << ".h5";
 }
 

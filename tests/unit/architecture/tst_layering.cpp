@@ -53,7 +53,7 @@ const QList<Folder>& folders() {
          kGui},
         {"robot/recording/hdf5",
          {"robot/core", "robot/recording", "robot/rtde/fields.h", "robot/recording/detail/column_knowledge.h",
-          "robot/recording/detail/ranges.h"},
+          "robot/recording/detail/ranges.h", "robot/recording/detail/time_axis.h"},
          kGui},
         {"robot/recording/formats",
          {"robot/core", "robot/recording", "robot/recording/mcap", "robot/recording/hdf5"},

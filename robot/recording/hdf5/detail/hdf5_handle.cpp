@@ -2,6 +2,7 @@
 #include "robot/recording/hdf5/detail/hdf5_handle.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace tiller::recording::hdf5 {
 
@@ -42,9 +43,18 @@ std::optional<std::string> takeText(hid_t object, const char* name) {
     const Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
     const Handle type(attribute ? H5Aget_type(attribute.get()) : -1, H5Tclose);
     const Handle space(attribute ? H5Aget_space(attribute.get()) : -1, H5Sclose);
-    if (!type || !space || H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) != 0 ||
+    if (!type || !space || H5Tget_class(type.get()) != H5T_STRING ||
         H5Sget_simple_extent_npoints(space.get()) != 1) {
         return std::nullopt;
+    }
+    if (H5Tis_variable_str(type.get()) > 0) {  // a text of h5py
+        char* read = nullptr;
+        if (H5Aread(attribute.get(), type.get(), &read) < 0 || read == nullptr) {
+            return std::nullopt;
+        }
+        std::string text(read, strnlen(read, kMaxTextLength));
+        H5free_memory(read);
+        return text;
     }
     const std::size_t size = H5Tget_size(type.get());
     if (size > kMaxTextLength) {

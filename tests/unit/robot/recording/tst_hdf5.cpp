@@ -46,6 +46,9 @@ private Q_SLOTS:
     void cancelledExportKeepsTheExistingFile();
     void brokenFilesAreReported();
     void filesOfOtherProgramsAreRead();
+    void theTimeOfOtherProgramsIsRead_data();
+    void theTimeOfOtherProgramsIsRead();
+    void timesWithoutAColumnAreExported();
     void episodesByProgram();
     void episodesByNotes();
     void anExportWithoutEpisodesIsAnError();
@@ -186,6 +189,74 @@ void TestHdf5::filesOfOtherProgramsAreRead() {
     QCOMPARE(recording->problems().size(), 3);
 }
 
+// Each file has three rows that are 10 ms apart, and the forces 1.5, -2.5 and 3.5, unless an error is expected.
+void TestHdf5::theTimeOfOtherProgramsIsRead_data() {
+    QTest::addColumn<QString>("script");
+    QTest::addColumn<QString>("force");
+    QTest::addColumn<QString>("error");
+    const auto row = [](const char* name, const char* script, const char* force, const char* error = "") {
+        QTest::newRow(name) << QString(script) << QString(force) << QString(error);
+    };
+    row("time in a group", "f['run/t_ms'] = [5000, 5010, 5020]; f['run/force'] = F", "run/force");
+    row("unit in an attribute",
+        "f['time'] = [5000, 5010, 5020]; f['time'].attrs['units'] = 'ms'; f['force'] = F", "force");
+    row("Unix nanoseconds",
+        "f['a/stamp'] = [1716969600100000000 + i * 10000000 for i in range(3)]; f['a/force'] = F", "a/force");
+    row("Octave",
+        "f['t/type'] = numpy.bytes_('matrix'); f['t/value'] = numpy.array([[0, 0.01, 0.02]])\n"
+        "f['force/type'] = numpy.bytes_('matrix'); f['force/value'] = numpy.array([F, [0, 0, 0]])",
+        "force_0");
+    row("MATLAB",
+        "f['t'] = numpy.array([[0, 0.01, 0.02]]).T; f['force'] = numpy.array([F, [0, 0, 0]])\n"
+        "f['t'].attrs['MATLAB_class'] = f['force'].attrs['MATLAB_class'] = numpy.bytes_('double')",
+        "force_0");
+    row("no time", "f['force'] = F", "", "time-column");
+    row("two times", "f['a/t'] = [0, 0.01, 0.02]; f['b/t'] = [0, 0.01, 0.02]; f['force'] = F", "", "a/t");
+    row("no unit", "f['time'] = [5000, 5010, 5020]; f['force'] = F", "", "time-unit");
+}
+
+void TestHdf5::theTimeOfOtherProgramsIsRead() {
+    if (QProcess::execute("/usr/bin/python3", {"-c", "import h5py"}) != 0) {
+        QSKIP("h5py is not installed (python3-h5py)");
+    }
+    QFETCH(QString, script);
+    QFETCH(QString, force);
+    QFETCH(QString, error);
+    script = "import h5py, numpy, sys\nF = [1.5, -2.5, 3.5]\nf = h5py.File(sys.argv[1], 'w')\n" + script;
+    QCOMPARE(QProcess::execute("/usr/bin/python3", {"-c", script, path("t.h5")}), 0);
+    const auto opened = openRecording(path("t.h5"));
+    if (!error.isEmpty()) {
+        QVERIFY(!opened.ok());
+        QCOMPARE(opened.error().code, ErrorCode::InvalidArgument);
+        QVERIFY2(opened.error().controllerMessage.contains(error), qPrintable(opened.error().toString()));
+        return;
+    }
+    QVERIFY2(opened.ok(), opened.ok() ? "" : qPrintable(opened.error().toString()));
+    const Recording& recording = **opened;
+    QVERIFY2(recording.problems().isEmpty(), qPrintable(recording.problems().join(' ')));
+    QCOMPARE(recording.rows(), std::uint64_t(3));
+    const auto column = recording.indexOf(force.toStdString());
+    QVERIFY(column);
+    QCOMPARE(recording.read(std::vector{*column}, {0, 3}).value().front(), (std::vector{1.5, -2.5, 3.5}));
+    const std::vector<double> times = recording.times({1, 2}).value();
+    QVERIFY(std::abs(times[0] - 0.01) < 1e-6 && std::abs(times[1] - 0.02) < 1e-6);
+}
+
+// The time of an HDF5 export is not one of its columns. A text file of it must contain the time nevertheless.
+void TestHdf5::timesWithoutAColumnAreExported() {
+    const auto source = made(path("n.mcap"));
+    exportHdf5(*source, {.path = path("n.h5"), .columns = {"actual_q"}}).value();
+    const auto table = openRecording(path("n.h5")).value();
+    QVERIFY(!table->timeColumn());
+    exportCsv(*table, {.path = path("n.csv"), .columns = {"actual_q_0"}, .from = 0.5}).value();
+    const auto back = openRecording(path("n.csv")).value();
+    QCOMPARE(back->columns().size(), std::size_t(2));
+    QCOMPARE(back->columns().front().name, std::string("time"));
+    const auto times = table->times({250, 2}).value();
+    QCOMPARE(back->read(std::vector<std::size_t>{0}, {0, 2}).value().front(), times);
+    QCOMPARE(back->times({0, 2}).value(), (std::vector{0, times[1] - times[0]}));
+}
+
 void TestHdf5::episodesByProgram() {
     // Two programs of 200 rows each, with pauses of 100 rows.
     MadeSamples samples;
@@ -292,7 +363,8 @@ void TestHdf5::aTextExportAlwaysHasTheTimeColumn() {
 
 void TestHdf5::headingsAreQuoted() {
     const std::string name = "|F| = norm({a \"b\".csv/x}, {c})";
-    test::writeFile(path("from.csv"), "timestamp,\"|F| = norm({a \"\"b\"\".csv/x}, {c})\"\n1,2\n3,4\n");
+    test::writeFile(path("from.csv"),
+                    "timestamp [s],\"|F| = norm({a \"\"b\"\".csv/x}, {c})\"\n1.5,2\n3.75,4\n");
     const auto source = openRecording(path("from.csv")).value();
     QCOMPARE(source->columns().size(), std::size_t(2));
     QCOMPARE(source->columns().back().name, name);

@@ -1793,7 +1793,7 @@ private Q_SLOTS:
         QTemporaryDir folder;
         QFile file(folder.filePath("other;tool.csv"));
         QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write("time;pressure\n0;1\n1;4\n2;2\n");
+        file.write("time [s];pressure\n0;1\n1;4\n2;2\n");
         file.close();
         dock.openRecording(file.fileName());
         QTRY_COMPARE_WITH_TIMEOUT(dock.pages().count(), 2, 60'000);
