@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Python module tiller._native: direct bindings of the C++ library. tiller/*.py adds the public API with
 // names, arrays and docstrings.
+
+#include <map>
 #include <numeric>
+#include <optional>
 #include <sstream>
 
 #include "robot/python/native_objects.h"
@@ -69,13 +72,45 @@ struct NativeRecorder : ProcessOwned {
     recording::Recorder recorder;
 };
 
-/// Reads a complete recording as {column: numbers}.
-py::dict readRecording(const std::string& path) {
+recording::TableFormat tableFormat(const std::optional<std::string>& timeColumn,
+                                   const std::optional<std::string>& timeUnit, double rate,
+                                   const std::optional<char>& separator, const std::optional<char>& decimal,
+                                   bool noHeader) {
+    using recording::TimeUnit;
+    recording::TableFormat format;
+    format.timeColumn = timeColumn == "none" ? std::string() : timeColumn;
+    if (timeUnit) {
+        const std::map<std::string, TimeUnit> units{{"s", TimeUnit::Seconds},
+                                                    {"ms", TimeUnit::Milliseconds},
+                                                    {"us", TimeUnit::Microseconds},
+                                                    {"ns", TimeUnit::Nanoseconds}};
+        const auto unit = units.find(*timeUnit);
+        if (unit == units.end()) {
+            raise({ErrorCode::InvalidArgument, QStringLiteral("read_recording()"),
+                   QStringLiteral("time_unit: must be s, ms, us or ns")});
+        }
+        format.timeUnit = unit->second;
+    }
+    format.rate = rate;
+    format.separator = separator;
+    format.decimal = decimal;
+    format.hasHeader = noHeader ? std::optional(false) : std::nullopt;
+    return format;
+}
+
+/// Reads a complete recording as {column: numbers}. "seconds" is added if the time column is not `timestamp`.
+py::dict readRecording(const std::string& path, const std::optional<std::string>& timeColumn,
+                       const std::optional<std::string>& timeUnit, double rate,
+                       const std::optional<char>& separator, const std::optional<char>& decimal,
+                       bool noHeader) {
+    const recording::TableFormat format =
+        tableFormat(timeColumn, timeUnit, rate, separator, decimal, noHeader);
     std::unique_ptr<recording::Recording> file;
     std::vector<std::vector<double>> values;
+    std::vector<double> seconds;
     const auto read = [&]() -> Result<void> {
         const GilReleased released;
-        auto opened = recording::openRecording(path);
+        auto opened = recording::openRecording(path, format);
         if (!opened) {
             return opened.error();
         }
@@ -87,10 +122,19 @@ py::dict readRecording(const std::string& path) {
             return numbers.error();
         }
         values = std::move(numbers).value();
+        auto times = file->times({0, file->rows()});
+        if (!times) {
+            return times.error();
+        }
+        seconds = std::move(times).value();
         return {};
     };
     taken(read());
     py::dict columns;
+    const auto time = file->timeColumn();
+    if ((!time || file->columns()[*time].name != "timestamp") && !file->indexOf("seconds")) {
+        columns["seconds"] = py::array_t<double>(static_cast<py::ssize_t>(seconds.size()), seconds.data());
+    }
     for (std::size_t i = 0; i < values.size(); ++i) {
         columns[py::str(file->columns()[i].name)] =
             py::array_t<double>(static_cast<py::ssize_t>(values[i].size()), values[i].data());
@@ -99,7 +143,10 @@ py::dict readRecording(const std::string& path) {
 }
 
 void defineRecorder(py::module_& module) {
-    module.def("read_recording", &readRecording, py::arg("path"));
+    module.def("read_recording", &readRecording, py::arg("path"), py::arg("time_column") = py::none(),
+               py::arg("time_unit") = py::none(), py::arg("table_rate") = 0.0,
+               py::arg("table_separator") = py::none(), py::arg("table_decimal") = py::none(),
+               py::arg("no_header") = false);
     py::class_<NativeRecorder, std::unique_ptr<NativeRecorder, OwnDeleter>>(module, "Recorder")
         .def(py::init([](std::shared_ptr<NativeReceiver> receiver, const std::string& path,
                          std::vector<std::string> fields) {

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Common mistakes and faults: wrong arguments, a lost connection, fields that are not received. Each must raise a clear
 error."""
+import pathlib
+import tempfile
 import time
 import traceback
 import unittest
@@ -118,6 +120,33 @@ class TestLink(unittest.TestCase):
         self.assertEqual(steps[0], "Look")
         self.assertEqual(steps[-1], "Done")
         self.assertEqual(self.simulator.truth["robot_mode"], "RUNNING")
+
+
+class TestTables(unittest.TestCase):
+    """Tables of other programs."""
+
+    def read(self, text, **options):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "table.csv")
+            path.write_text(text, encoding="utf-8")
+            return tiller.read_recording(path, **options)
+
+    def test_the_arguments_describe_a_table(self):
+        frame = self.read("tick|F\n0|1,5\n20|2,5\n", time_column="tick", time_unit="ms", table_separator="|", table_decimal=",")
+        self.assertEqual(list(frame.columns), ["seconds", "tick", "F"])
+        self.assertEqual(frame["seconds"].tolist(), [0, 0.02])
+        self.assertEqual(frame["F"].tolist(), [1.5, 2.5])
+        frame = self.read("1;2\n3;4\n", no_header=True, time_column="none", table_rate=4)
+        self.assertEqual(frame["seconds"].tolist(), [0, 0.25])
+        self.assertEqual(frame["column 2"].tolist(), [2, 4])
+
+    def test_an_undecided_table_is_refused(self):
+        with self.assertRaisesRegex(errors.InvalidArgument, "time-column"):
+            self.read("tick;F\n0;1,5\n20;2,5\n", time_unit="ms")
+        with self.assertRaisesRegex(errors.InvalidArgument, "time_unit"):
+            self.read("t,F\n0,1\n20,2\n", time_unit="min")
+        # Without arguments, pandas reads the file and does not look for a time.
+        self.assertEqual(list(self.read("tick,F\n0,1\n20,2\n").columns), ["tick", "F"])
 
 
 if __name__ == "__main__":

@@ -6,7 +6,7 @@ import os
 from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager
 from types import TracebackType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
@@ -236,18 +236,33 @@ class Recording:
         return f"<tiller.Recording {self.path}, {self.rows} rows>"
 
 
-def read_recording(path: str | os.PathLike[str]) -> pandas.DataFrame:
+def read_recording(path: str | os.PathLike[str], *, time_column: str | None = None,
+                   time_unit: Literal["s", "ms", "us", "ns"] | None = None, table_rate: float | None = None,
+                   table_separator: str | None = None, table_decimal: str | None = None,
+                   no_header: bool = False) -> pandas.DataFrame:
     """Reads a recording (CSV, MCAP or HDF5, detected from its first bytes) as a pandas DataFrame with one row per
     packet and one column per number (timestamp, actual_q_0 ...); in CSV recordings also packages_lost, the number of
     packets missing before the row.
 
-    Raises OSError (including FileNotReadable) and FileCorrupt.
+    The keyword arguments describe a CSV or HDF5 table that another program wrote. With any of them, and for HDF5
+    tables without `timestamp`, the column `seconds` is the time since the first row [s]. Without any of them, a CSV
+    file is read by pandas.read_csv(), which does not look for the time. Arguments:
+    time_column      name of the time column; "none": the table has no time
+    time_unit        unit of this column: "s", "ms", "us" or "ns"
+    table_rate       rows per second of a table without time [Hz]
+    table_separator  comma, ";", "|", tab, or a space for any number of blanks
+    table_decimal    decimal sign: "." or ","
+    no_header        the first row is data; columns are named "column 1", "column 2", ...
+
+    Raises OSError (including FileNotReadable), FileCorrupt, and InvalidArgument with the arguments that decide if the
+    time of a table, its unit or its separator cannot be detected.
     """
     import pandas
 
     name = os.fspath(path)
+    options = (time_column, time_unit, table_rate or 0.0, table_separator, table_decimal, no_header)
     with open(name, "rb") as file:
         is_text = not file.read(8).startswith((b"\x89MCAP", b"\x89HDF"))
-    if is_text:
+    if is_text and options == (None, None, 0.0, None, None, False):
         return pandas.read_csv(name)
-    return pandas.DataFrame(_native.read_recording(name))
+    return pandas.DataFrame(_native.read_recording(name, *options))
