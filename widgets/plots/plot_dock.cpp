@@ -207,9 +207,9 @@ PlotDock::PlotDock(RobotSession& session, QWidget* parent)
     connect(pages_, &PlotPages::noteWanted, this, &PlotDock::askForNote);
     connect(marks_.get(), &PlotMarks::thresholdsChanged, this, &PlotDock::arrangementChanged);
     connect(marks_.get(), &PlotMarks::crossed, this, [this](const Threshold& threshold, double time) {
-        Q_EMIT session_.message(
-            Severity::Warning,
-            tr("%1, at %2 s on the time axis").arg(marks_->words(threshold), format::number(time, 3)));
+        Q_EMIT session_.message(Severity::Warning, tr("%1, at %2 s on the time axis")
+                                                       .arg(marks_->words(threshold),
+                                                            format::number(store_->controllerTime(time), 3)));
     });
     connect(pages_, &PlotPages::zeroChanged, this, &PlotDock::updateHeader);
     connect(pages_, &PlotPages::arrangementChanged, this, [this] {
