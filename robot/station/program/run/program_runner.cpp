@@ -312,7 +312,11 @@ void ProgramRunner::follow() {
 }
 
 void ProgramRunner::finish(const Result<control::MotionProgress>& progress) {
-    if (!progress) {
+    if (!progress && log_.lastStep() > 0 && !allowsMotion(session_.state().safety())) {
+        // The safety system stopped the program, and control cannot be taken again yet.
+        end_ = End::Stopped;
+        cause_ = control::StopCause::UnsafeMode;
+    } else if (!progress) {
         end_ = End::Failed;
         error_ = progress.error();
     } else if (progress->cause != control::StopCause::Completed) {

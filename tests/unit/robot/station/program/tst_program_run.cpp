@@ -251,6 +251,9 @@ private Q_SLOTS:
         QVERIFY(linked ? bench.awaitEnd() : bench.awaitEndWithoutLink());
         QVERIFY(bench.runner.end() == ProgramRunner::End::Stopped ||
                 bench.runner.end() == ProgramRunner::End::Failed);
+        if (stop == "protective stop") {
+            QVERIFY2(bench.runner.isStoppedInLastStep(), qPrintable(bench.runner.endText(bench.project)));
+        }
         QVERIFY2(bench.runner.endText(bench.project).contains("MoveL"),
                  qPrintable(bench.runner.endText(bench.project)));
         QVERIFY((linked ? bench.standstill() : bench.standstillWithoutLink()) == 0);
@@ -423,6 +426,7 @@ private Q_SLOTS:
         QVERIFY(reach(4));
         // A single step, the end with the cycle and a pause do not continue the program.
         bench.runner.step();
+        QVERIFY(bench.reachStep(3));
         QVERIFY(reach(3));
         bench.runner.setEndsWithCycle(true);
         bench.runner.setEndsWithCycle(false);
