@@ -173,6 +173,9 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     keyboard_ = new KeyboardJog(jog_->axisJog(), *this, this);
     keyboard_->setClock(clock);
     jog_->addHoldKeys(*keyboard_);
+    connect(session_.get(), &RobotSession::stateChanged, keyboard_, [this](const SessionState& state) {
+        keyboard_->followControl(state.control == ControlState::InControl);
+    });
     connect(keyboard_, &KeyboardJog::armedChanged, this, [this](bool armed) {
         Q_EMIT session_->message(
             Severity::Info,

@@ -164,6 +164,20 @@ private Q_SLOTS:
         key.click();
         QVERIFY(bench.window.findChild<QWidget*>("armedFrame") == nullptr);
         QCOMPARE(bench.warnings->size(), 1);
+        // A loss of control disarms the keyboard. Otherwise, a key could move the arm right after control is taken.
+        bench.window.session().takeControl();
+        QVERIFY(bench.within([&] { return bench.window.session().state().canMove(); }));
+        key.click();
+        QVERIFY(key.isChecked() && bench.window.findChild<QWidget*>("armedFrame") != nullptr);
+        QVERIFY(bench.cell.robot.inject("link lost").ok());
+        for (int ms = 0; ms < 1500; ms += 16) {
+            bench.clock.advanceNs(16 * kNsPerMs);
+            bench.window.session().refresh();
+            QTest::qWait(1);
+        }
+        QVERIFY(bench.window.session().state().control != ControlState::InControl);
+        QVERIFY(!key.isChecked());
+        QVERIFY(bench.window.findChild<QWidget*>("armedFrame") == nullptr);
     }
     // Another program moved the arm, so the window does not report a missing stop.
     void lostDataDuringAForeignProgramAreNotReportedAsOwnStop() {

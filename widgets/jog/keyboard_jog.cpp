@@ -172,6 +172,12 @@ void KeyboardJog::setArmed(bool armed) {
     Q_EMIT armedChanged(armed);
 }
 
+void KeyboardJog::followControl(bool isInControl) {
+    if (armed_ && !isInControl && !isMoving()) {
+        setArmed(false);
+    }
+}
+
 void KeyboardJog::followWindow() {
     if (frame_) {
         frame_->setGeometry(window_.rect());

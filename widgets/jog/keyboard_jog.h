@@ -48,6 +48,9 @@ public:
     /// why  the reason why the keyboard cannot be armed, as a sentence; empty if it can be armed
     void setLock(const QString& why);
     bool isArmed() const { return armed_; }
+    /// Disarms the keyboard after a loss of control, so that a key cannot move the arm right after control is taken
+    /// again. A motion that is still active ends first, with its own cause.
+    void followControl(bool isInControl);
     /// Checks the timeout of 30 s. Called by a timer every second.
     void checkIdle();
 
