@@ -342,7 +342,7 @@ private Q_SLOTS:
         QCOMPARE(loop.ended.error().code, ErrorCode::Stopped);
         const QString why = loop.ended.error().controllerMessage;
         const auto match =
-            QRegularExpression(QStringLiteral("callback took (\\d+)\\.\\d ms.* period of 2 ms.* \\d+ "
+            QRegularExpression(QStringLiteral("callback call took (\\d+)\\.\\d ms.* period of 2 ms.* \\d+ "
                                               "of \\d+ calls took longer than a period"))
                 .match(why);
         QVERIFY2(match.hasMatch(), qPrintable(why));
@@ -370,7 +370,7 @@ private Q_SLOTS:
         }
         cell.clock.advanceNs(kNsPerSecond);
         loop.letEnd();
-        QVERIFY2(loop.ended.error().controllerMessage.contains("a call of the callback took 120.0 ms"),
+        QVERIFY2(loop.ended.error().controllerMessage.contains("a callback call took 120.0 ms"),
                  qPrintable(loop.ended.error().toString()));
     }
 
