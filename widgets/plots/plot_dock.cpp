@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plots/plot_dock.h"
+#include "widgets/plots/open_table_dialog.h"
 
 #include <QAction>
 #include <QApplication>
@@ -469,26 +470,37 @@ Result<void> PlotDock::openArrangement(const QString& path) {
     return {};
 }
 
-void PlotDock::openRecording(const QString& path, std::optional<double> at) {
+void PlotDock::openRecording(const QString& path, std::optional<double> at,
+                             const recording::TableFormat& format) {
     if (isOpen(path, at)) {
         return;
     }
-    files_.post(this, [this, path, at](const CancelToken&) {
+    files_.post(this, [this, path, at, format](const CancelToken&) {
         using File = std::unique_ptr<recording::Recording>;
-        auto opened = std::make_shared<Result<File>>(recording::openRecording(path));
+        auto opened = std::make_shared<Result<File>>(recording::openRecording(path, format));
         std::optional<double> incident;
         if (*opened) {
             const auto moment = recording::incidentMoment(***opened);
             incident = moment ? *moment : std::nullopt;
         }
-        return std::function<void()>([this, opened, incident, at] {
+        return std::function<void()>([this, opened, incident, path, at, format] {
             if (*opened) {
                 showRecording(std::move(**opened), incident, at);
+            } else if (opened->error().code == ErrorCode::InvalidArgument) {
+                askForFormat(path, at, format);
             } else {
                 Q_EMIT session_.message(Severity::Error, texts::errorText(opened->error()));
             }
         });
     });
+}
+
+void PlotDock::askForFormat(const QString& path, std::optional<double> moment,
+                            const recording::TableFormat& format) {
+    auto* dialog = new OpenTableDialog(path, format, this);
+    connect(dialog, &QDialog::accepted, this,
+            [this, dialog, path, moment] { openRecording(path, moment, dialog->format()); });
+    dialog->open();
 }
 
 bool PlotDock::isOpen(const QString& path, std::optional<double> moment) {

@@ -14,6 +14,7 @@
 
 #include "robot/core/result.h"
 #include "robot/recording/recording.h"
+#include "robot/recording/table_format.h"
 #include "robot/station/executor/serial_executor.h"
 #include "robot/station/history/replay_moment.h"
 #include "robot/station/link/recording_choice.h"
@@ -73,7 +74,9 @@ public:
     /// recording is placed at the time of the incident if the history of its robot includes that time, and
     /// cursor A is set to the stop. The file is read in the background, and the result is shown to the user.
     /// moment  position of cursor A on the time axis of the recording [s]; if empty, as described above
-    void openRecording(const QString& path, std::optional<double> moment = {});
+    /// format  for a table of another program. If the table needs more of it, a dialog asks.
+    void openRecording(const QString& path, std::optional<double> moment = {},
+                       const recording::TableFormat& format = {});
     /// The time of cursor A while the cursor is in a recording or in a paused history.
     const Replay& replay() const;
     void closeRecordings();
@@ -152,6 +155,8 @@ private:
     QString picturesTitle() const;
     QString historyText() const;
     void askForRecording();
+    void askForFormat(const QString& path, std::optional<double> moment,
+                      const recording::TableFormat& format);
     void showRecording(std::unique_ptr<recording::Recording> file, std::optional<double> incident,
                        std::optional<double> moment);
     void goTo(const QString& recording, std::optional<double> moment);

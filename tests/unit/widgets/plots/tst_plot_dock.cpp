@@ -13,6 +13,8 @@
 #include <QMenu>
 #include <QMimeData>
 #include <QPainter>
+#include <QPlainTextEdit>
+#include <QPointer>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QScopeGuard>
@@ -1694,6 +1696,40 @@ private Q_SLOTS:
         b.view().follow();
         b.runTo(61);
         QVERIFY(near(b.view().window().end(), 61, 0.003));
+    }
+
+    void aTableWithoutAClearTimeIsOpenedWithTheChosenFormat() {
+        Bench b;
+        QTemporaryDir folder;
+        const QString path = folder.filePath("lab.csv");
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("stamp,b\n");
+        for (int i = 0; i < 100; ++i) {
+            file.write(QByteArray::number(10 * i) + ',' + QByteArray::number(i) + '\n');
+        }
+        file.close();
+        const auto dialog = [&] { return b.dock.findChild<QDialog*>("plots.table.dialog"); };
+        const auto open = [&] {
+            QTest::mouseClick(dialog()->findChild<QPushButton*>("plots.table.open"), Qt::LeftButton);
+        };
+        b.dock.openRecording(path);
+        QTRY_VERIFY_WITH_TIMEOUT(dialog() != nullptr, 60'000);
+        QVERIFY(
+            dialog()->findChild<QPlainTextEdit*>("plots.table.preview")->toPlainText().startsWith("stamp,b"));
+        // The unit is still unknown, so the dialog opens again.
+        dialog()->findChild<QComboBox*>("plots.table.time")->setCurrentText("stamp");
+        QPointer<QDialog> first = dialog();
+        open();
+        QTRY_VERIFY_WITH_TIMEOUT(first.isNull() && dialog() != nullptr, 60'000);
+        QCOMPARE(dialog()->findChild<QComboBox*>("plots.table.time")->currentText(), QString("stamp"));
+        auto* unit = dialog()->findChild<QComboBox*>("plots.table.unit");
+        unit->setCurrentIndex(unit->findText("ms"));
+        open();
+        QTRY_COMPARE_WITH_TIMEOUT(b.dock.pages().count(), 2, 60'000);
+        QVERIFY(near(
+            b.dock.store().timesOf("lab.csv")->lastTime() - b.dock.store().timesOf("lab.csv")->firstTime(),
+            0.99, 1e-6));
     }
 
     void aRecordingIsComparedWithTheModelOfItsArm() {

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/plots/open_table_dialog.h"
+
+#include <QDialogButtonBox>
+#include <QFile>
+#include <QFileInfo>
+#include <QFontDatabase>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <initializer_list>
+#include <optional>
+#include <utility>
+
+#include "robot/core/file_reading.h"
+#include "widgets/common/choice_box.h"
+#include "widgets/common/decimal_spin_box.h"
+
+namespace tiller {
+
+namespace {
+
+constexpr int kWidth = 480;  // [px]
+constexpr int kPreviewHeight = 110;
+constexpr int kPreviewLines = 5;
+constexpr qint64 kMaxLine = 2000;  // longer lines are truncated
+
+/// The first lines of a text file; empty for a binary file.
+QStringList firstLines(const QString& path) {
+    QFile file;
+    QStringList lines;
+    if (!openForReading(file, path)) {
+        return lines;
+    }
+    while (lines.size() < kPreviewLines && !file.atEnd()) {
+        const QByteArray line = file.readLine(kMaxLine).trimmed();
+        if (line.contains('\0')) {
+            return {};
+        }
+        lines << QString::fromUtf8(line);
+    }
+    return lines;
+}
+
+QStringList headingsOf(const QStringList& lines) {
+    static const QRegularExpression kSeparators(QStringLiteral("[,;\\t|]"));
+    for (const QString& line : lines) {
+        if (!line.isEmpty() && !line.startsWith(QLatin1Char('#'))) {
+            QStringList names = line.split(kSeparators);
+            for (QString& name : names) {
+                name = name.trimmed().remove(QLatin1Char('"'));
+            }
+            names.removeAll(QString());
+            return names;
+        }
+    }
+    return {};
+}
+
+template <class Value>
+void choose(ChoiceBox& box, const std::optional<Value>& value) {
+    box.setCurrentIndex(value ? std::max(box.findData(static_cast<int>(*value)), 0) : 0);
+}
+
+template <class Value>
+std::optional<Value> chosen(const ChoiceBox& box) {
+    return box.currentData().isValid() ? std::optional(static_cast<Value>(box.currentData().toInt()))
+                                       : std::nullopt;
+}
+
+}  // namespace
+
+OpenTableDialog::OpenTableDialog(const QString& path, const recording::TableFormat& format, QWidget* parent)
+    : QDialog(parent) {
+    setObjectName(QStringLiteral("plots.table.dialog"));
+    setWindowTitle(tr("Open table"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    auto* words =
+        new QLabel(tr("Tiller cannot determine the times of the rows in %1. Select how to read the table.")
+                       .arg(QFileInfo(path).fileName()));
+    words->setWordWrap(true);
+    words->setMinimumWidth(kWidth);
+    const QStringList lines = firstLines(path);
+    auto* preview = new QPlainTextEdit(lines.join(QLatin1Char('\n')));
+    preview->setObjectName(QStringLiteral("plots.table.preview"));
+    preview->setAccessibleName(tr("First lines of the file"));
+    preview->setReadOnly(true);
+    preview->setLineWrapMode(QPlainTextEdit::NoWrap);
+    preview->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+    preview->setFixedHeight(kPreviewHeight);
+    preview->setVisible(!lines.isEmpty());
+
+    auto* form = new QFormLayout;
+    time_ = box("time", tr("Time column"));
+    time_->setEditable(true);
+    time_->addItem(tr("No time column"));
+    time_->addItems(headingsOf(lines));
+    if (format.timeColumn && !format.timeColumn->empty()) {
+        time_->setCurrentText(QString::fromStdString(*format.timeColumn));
+    } else {
+        time_->setCurrentIndex(0);
+    }
+    using recording::TimeUnit;
+    unit_ = box("unit", tr("Unit of the time"));
+    unit_->addItem(tr("Detect"));
+    for (const auto& [unit, name] :
+         {std::pair{TimeUnit::Seconds, "s"}, std::pair{TimeUnit::Milliseconds, "ms"},
+          std::pair{TimeUnit::Microseconds, "µs"}, std::pair{TimeUnit::Nanoseconds, "ns"}}) {
+        unit_->addItem(QString::fromUtf8(name), static_cast<int>(unit));
+    }
+    choose(*unit_, format.timeUnit);
+    rate_ = new DecimalSpinBox;
+    rate_->setObjectName(QStringLiteral("plots.table.rate"));
+    rate_->setAccessibleName(tr("Rows per second"));
+    rate_->setRange(0.001, 1e6);
+    rate_->setDecimals(3);
+    rate_->setValue(format.rate > 0 ? format.rate : 500);
+    separator_ = box("separator", tr("Column separator"));
+    separator_->addItem(tr("Detect"));
+    for (const auto& [name, sign] : {std::pair{tr("Comma"), ','}, std::pair{tr("Semicolon"), ';'},
+                                     std::pair{tr("Tab"), '\t'}, std::pair{tr("Space"), ' '}}) {
+        separator_->addItem(name, static_cast<int>(sign));
+    }
+    choose(*separator_, format.separator);
+    decimal_ = box("decimal", tr("Decimal separator"));
+    decimal_->addItem(tr("Detect"));
+    decimal_->addItem(tr("Point"), static_cast<int>('.'));
+    decimal_->addItem(tr("Comma"), static_cast<int>(','));
+    choose(*decimal_, format.decimal);
+    header_ = box("header", tr("First row"));
+    header_->addItem(tr("Detect"));
+    header_->addItem(tr("Column names"), 1);
+    header_->addItem(tr("Data"), 0);
+    choose(*header_, format.hasHeader);
+    for (QWidget* each :
+         std::initializer_list<QWidget*>{time_, unit_, rate_, separator_, decimal_, header_}) {
+        form->addRow(each->accessibleName(), each);
+    }
+    const auto follow = [this] {
+        const bool hasTime = time_->currentText() != time_->itemText(0);
+        unit_->setEnabled(hasTime);
+        rate_->setEnabled(!hasTime);
+    };
+    connect(time_, &QComboBox::currentTextChanged, this, follow);
+    follow();
+
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel);
+    buttons->button(QDialogButtonBox::Open)->setObjectName(QStringLiteral("plots.table.open"));
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(words);
+    layout->addWidget(preview);
+    layout->addLayout(form);
+    layout->addWidget(buttons);
+}
+
+ChoiceBox* OpenTableDialog::box(const char* name, const QString& text) {
+    auto* box = new ChoiceBox;
+    box->setObjectName(QStringLiteral("plots.table.") + QLatin1String(name));
+    box->setAccessibleName(text);
+    return box;
+}
+
+recording::TableFormat OpenTableDialog::format() const {
+    recording::TableFormat format;
+    if (time_->currentText() == time_->itemText(0)) {
+        format.timeColumn = std::string();
+        format.rate = rate_->value();
+    } else {
+        format.timeColumn = time_->currentText().toStdString();
+        format.timeUnit = chosen<recording::TimeUnit>(*unit_);
+    }
+    format.separator = chosen<char>(*separator_);
+    format.decimal = chosen<char>(*decimal_);
+    format.hasHeader = chosen<bool>(*header_);
+    return format;
+}
+
+}  // namespace tiller
+
+#include "moc_open_table_dialog.cpp"

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Asks how to read a table of another program whose time cannot be determined with certainty. Shows the first
+// lines of the file.
+
+#include <QDialog>
+
+#include "robot/recording/table_format.h"
+
+namespace tiller {
+
+class ChoiceBox;
+class DecimalSpinBox;
+
+class OpenTableDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    OpenTableDialog(const QString& path, const recording::TableFormat& format, QWidget* parent = nullptr);
+
+    recording::TableFormat format() const;
+
+private:
+    ChoiceBox* box(const char* name, const QString& text);
+
+    ChoiceBox* time_;
+    ChoiceBox* unit_;
+    DecimalSpinBox* rate_;
+    ChoiceBox* separator_;
+    ChoiceBox* decimal_;
+    ChoiceBox* header_;
+};
+
+}  // namespace tiller
