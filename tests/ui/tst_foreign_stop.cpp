@@ -444,15 +444,22 @@ private Q_SLOTS:
         QVERIFY(bench.startMoving());
         const auto question = [&] { return bench.window.findChild<QMessageBox*>("changeQuestion"); };
         const auto isOn = [&](int output) { return (bench.cell.truth().digitalOutputs >> output & 1U) != 0; };
+        RobotSession& session = bench.window.session();
+        const auto set = [&session](int output) {
+            const auto change = [&session, output] { session.outputs().setDigitalOutput(output, true); };
+            if (!session.asksBeforeChange(QStringLiteral("DO %1").arg(output), change)) {
+                change();
+            }
+        };
         for (const int output : {1, 2}) {
-            bench.window.session().outputs().setDigitalOutput(output, true);
+            set(output);
             QVERIFY2(question() != nullptr, qPrintable(QString::number(output)));
             const bool last = output == 2;
             question()->findChild<QCheckBox*>("changeQuestion.option")->setChecked(last);
             question()->findChild<QPushButton*>("changeQuestion.take")->click();
             QVERIFY(bench.within([&] { return isOn(output) && question() == nullptr; }));
         }
-        bench.window.session().outputs().setDigitalOutput(3, true);
+        set(3);
         QVERIFY(question() == nullptr);
         QVERIFY(bench.within([&] { return isOn(3); }));
         QVERIFY(bench.runs());
