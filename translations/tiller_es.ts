@@ -6897,6 +6897,81 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
     </message>
 </context>
 <context>
+    <name>tiller::OpenTableDialog</name>
+    <message>
+        <source>Open table</source>
+        <translation>Abrir tabla</translation>
+    </message>
+    <message>
+        <source>Tiller cannot determine the times of the rows in %1. Select how to read the table.</source>
+        <translation>Tiller no puede determinar los tiempos de las filas de %1. Seleccione cómo leer la tabla.</translation>
+    </message>
+    <message>
+        <source>First lines of the file</source>
+        <translation>Primeras líneas del archivo</translation>
+    </message>
+    <message>
+        <source>Time column</source>
+        <translation>Columna de tiempo</translation>
+    </message>
+    <message>
+        <source>No time column</source>
+        <translation>Sin columna de tiempo</translation>
+    </message>
+    <message>
+        <source>Time unit</source>
+        <translation>Unidad de tiempo</translation>
+    </message>
+    <message>
+        <source>Detect</source>
+        <translation>Detectar</translation>
+    </message>
+    <message>
+        <source>Rows per second</source>
+        <translation>Filas por segundo</translation>
+    </message>
+    <message>
+        <source>Column separator</source>
+        <translation>Separador de columnas</translation>
+    </message>
+    <message>
+        <source>Comma</source>
+        <translation>Coma</translation>
+    </message>
+    <message>
+        <source>Semicolon</source>
+        <translation>Punto y coma</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tabulador</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Espacio</translation>
+    </message>
+    <message>
+        <source>Decimal separator</source>
+        <translation>Separador decimal</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punto</translation>
+    </message>
+    <message>
+        <source>First row</source>
+        <translation>Primera fila</translation>
+    </message>
+    <message>
+        <source>Column names</source>
+        <translation>Nombres de columnas</translation>
+    </message>
+    <message>
+        <source>Data</source>
+        <translation>Datos</translation>
+    </message>
+</context>
+<context>
     <name>tiller::PartModel</name>
     <message>
         <source>Name</source>

@@ -6897,6 +6897,81 @@ Clic droit ou F2 pour renommer.</translation>
     </message>
 </context>
 <context>
+    <name>tiller::OpenTableDialog</name>
+    <message>
+        <source>Open table</source>
+        <translation>Ouvrir un tableau</translation>
+    </message>
+    <message>
+        <source>Tiller cannot determine the times of the rows in %1. Select how to read the table.</source>
+        <translation>Tiller ne peut pas déterminer les temps des lignes de %1. Choisissez comment lire le tableau.</translation>
+    </message>
+    <message>
+        <source>First lines of the file</source>
+        <translation>Premières lignes du fichier</translation>
+    </message>
+    <message>
+        <source>Time column</source>
+        <translation>Colonne de temps</translation>
+    </message>
+    <message>
+        <source>No time column</source>
+        <translation>Aucune colonne de temps</translation>
+    </message>
+    <message>
+        <source>Time unit</source>
+        <translation>Unité de temps</translation>
+    </message>
+    <message>
+        <source>Detect</source>
+        <translation>Détecter</translation>
+    </message>
+    <message>
+        <source>Rows per second</source>
+        <translation>Lignes par seconde</translation>
+    </message>
+    <message>
+        <source>Column separator</source>
+        <translation>Séparateur de colonnes</translation>
+    </message>
+    <message>
+        <source>Comma</source>
+        <translation>Virgule</translation>
+    </message>
+    <message>
+        <source>Semicolon</source>
+        <translation>Point-virgule</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tabulation</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Espace</translation>
+    </message>
+    <message>
+        <source>Decimal separator</source>
+        <translation>Séparateur décimal</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Point</translation>
+    </message>
+    <message>
+        <source>First row</source>
+        <translation>Première ligne</translation>
+    </message>
+    <message>
+        <source>Column names</source>
+        <translation>Noms de colonnes</translation>
+    </message>
+    <message>
+        <source>Data</source>
+        <translation>Données</translation>
+    </message>
+</context>
+<context>
     <name>tiller::PartModel</name>
     <message>
         <source>Name</source>

@@ -6888,6 +6888,81 @@ Right-click or press F2 to rename it.</source>
     </message>
 </context>
 <context>
+    <name>tiller::OpenTableDialog</name>
+    <message>
+        <source>Open table</source>
+        <translation>表を開く</translation>
+    </message>
+    <message>
+        <source>Tiller cannot determine the times of the rows in %1. Select how to read the table.</source>
+        <translation>%1 の各行の時刻を判別できません。表の読み取り方法を選択してください。</translation>
+    </message>
+    <message>
+        <source>First lines of the file</source>
+        <translation>ファイルの先頭行</translation>
+    </message>
+    <message>
+        <source>Time column</source>
+        <translation>時刻の列</translation>
+    </message>
+    <message>
+        <source>No time column</source>
+        <translation>時刻の列なし</translation>
+    </message>
+    <message>
+        <source>Time unit</source>
+        <translation>時刻の単位</translation>
+    </message>
+    <message>
+        <source>Detect</source>
+        <translation>自動検出</translation>
+    </message>
+    <message>
+        <source>Rows per second</source>
+        <translation>毎秒の行数</translation>
+    </message>
+    <message>
+        <source>Column separator</source>
+        <translation>列の区切り</translation>
+    </message>
+    <message>
+        <source>Comma</source>
+        <translation>コンマ</translation>
+    </message>
+    <message>
+        <source>Semicolon</source>
+        <translation>セミコロン</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>タブ</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>スペース</translation>
+    </message>
+    <message>
+        <source>Decimal separator</source>
+        <translation>小数点</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>ピリオド</translation>
+    </message>
+    <message>
+        <source>First row</source>
+        <translation>最初の行</translation>
+    </message>
+    <message>
+        <source>Column names</source>
+        <translation>列名</translation>
+    </message>
+    <message>
+        <source>Data</source>
+        <translation>データ</translation>
+    </message>
+</context>
+<context>
     <name>tiller::PartModel</name>
     <message>
         <source>Name</source>

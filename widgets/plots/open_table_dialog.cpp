@@ -105,7 +105,7 @@ OpenTableDialog::OpenTableDialog(const QString& path, const recording::TableForm
         time_->setCurrentIndex(0);
     }
     using recording::TimeUnit;
-    unit_ = box("unit", tr("Unit of the time"));
+    unit_ = box("unit", tr("Time unit"));
     unit_->addItem(tr("Detect"));
     for (const auto& [unit, name] :
          {std::pair{TimeUnit::Seconds, "s"}, std::pair{TimeUnit::Milliseconds, "ms"},
