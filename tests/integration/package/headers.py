@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Compiles every header of a folder as the first and only header that a file includes.
+"""Compiles every installed header of a folder as the first and only header that a file includes.
 
 Two optimizations give the same result with less work. Headers are compiled in chains. Each header in a chain follows a
 header that it includes anyway, directly or indirectly, so that the chain provides nothing that the header does not
@@ -129,12 +129,12 @@ def weight(prelude):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--top", type=pathlib.Path, required=True, help="what the headers' names begin behind")
+    parser.add_argument("--installed", type=pathlib.Path, required=True, help="folder with the installed headers")
     parser.add_argument("--folder", required=True, help="of the headers, from the top")
-    parser.add_argument("--leave", default="^$", help="names not to look at, a regular expression")
     parser.add_argument("command", nargs="+", help="the compiler and its options")
     options = parser.parse_args()
-    names = sorted(str(path.relative_to(options.top)) for path in (options.top / options.folder).rglob("*.h"))
-    names = [name for name in names if not re.search(options.leave, name)]
+    names = sorted(str(path.relative_to(options.installed))
+                   for path in (options.installed / options.folder).rglob("*.h"))
     headers = Headers(names, options.top)
     preludes = headers.preludes()
     kinds = {name: headers.fitting(name, preludes) for name in names}
