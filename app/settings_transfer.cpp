@@ -43,7 +43,7 @@ QString titleOf(SettingsPart part) {
         case SettingsPart::Robots:
             return ImportDialog::tr("Robots and their grippers");
         case SettingsPart::IoNames:
-            return ImportDialog::tr("Names and scales of inputs and outputs");
+            return ImportDialog::tr("I/O names and scales");
         case SettingsPart::Layout:
             return ImportDialog::tr("Window layout");
         case SettingsPart::Other:

@@ -11771,7 +11771,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Roboter und ihre Greifer</translation>
     </message>
     <message>
-        <source>Names and scales of inputs and outputs</source>
+        <source>I/O names and scales</source>
         <translation>Namen und Skalen der Ein- und Ausgänge</translation>
     </message>
     <message>

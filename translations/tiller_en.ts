@@ -3604,9 +3604,9 @@
     </message>
     <message numerus="yes">
         <source>The recording has gaps: %n packets are missing.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>The recording has gaps: %n packet is missing.</numerusform>
+            <numerusform>The recording has gaps: %n packets are missing.</numerusform>
         </translation>
     </message>
     <message>
@@ -11755,7 +11755,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Names and scales of inputs and outputs</source>
+        <source>I/O names and scales</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -11771,7 +11771,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Robots y sus pinzas</translation>
     </message>
     <message>
-        <source>Names and scales of inputs and outputs</source>
+        <source>I/O names and scales</source>
         <translation>Nombres y escalas de entradas y salidas</translation>
     </message>
     <message>

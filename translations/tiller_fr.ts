@@ -11771,7 +11771,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Robots et leurs pinces</translation>
     </message>
     <message>
-        <source>Names and scales of inputs and outputs</source>
+        <source>I/O names and scales</source>
         <translation>Noms et échelles des entrées et sorties</translation>
     </message>
     <message>

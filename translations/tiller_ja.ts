@@ -11731,7 +11731,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>ロボットとそのグリッパー</translation>
     </message>
     <message>
-        <source>Names and scales of inputs and outputs</source>
+        <source>I/O names and scales</source>
         <translation>入出力の名前とスケール</translation>
     </message>
     <message>

@@ -11731,7 +11731,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>机器人及其夹爪</translation>
     </message>
     <message>
-        <source>Names and scales of inputs and outputs</source>
+        <source>I/O names and scales</source>
         <translation>输入输出的名称和比例</translation>
     </message>
     <message>
