@@ -24,10 +24,10 @@ namespace tiller {
 
 namespace {
 
-constexpr int kWidth = 480;  // [px]
+constexpr int kTextWidth = 480;  // [px]
 constexpr int kPreviewHeight = 110;
 constexpr int kPreviewLines = 5;
-constexpr qint64 kMaxLine = 2000;  // longer lines are truncated
+constexpr qint64 kMaxPreviewLine = 2000;  // longer lines are truncated
 
 /// The first lines of a text file; empty for a binary file.
 QStringList firstLines(const QString& path) {
@@ -37,7 +37,7 @@ QStringList firstLines(const QString& path) {
         return lines;
     }
     while (lines.size() < kPreviewLines && !file.atEnd()) {
-        const QByteArray line = file.readLine(kMaxLine).trimmed();
+        const QByteArray line = file.readLine(kMaxPreviewLine).trimmed();
         if (line.contains('\0')) {
             return {};
         }
@@ -83,7 +83,7 @@ OpenTableDialog::OpenTableDialog(const QString& path, const recording::TableForm
         new QLabel(tr("Tiller cannot determine the times of the rows in %1. Select how to read the table.")
                        .arg(QFileInfo(path).fileName()));
     words->setWordWrap(true);
-    words->setMinimumWidth(kWidth);
+    words->setMinimumWidth(kTextWidth);
     const QStringList lines = firstLines(path);
     auto* preview = new QPlainTextEdit(lines.join(QLatin1Char('\n')));
     preview->setObjectName(QStringLiteral("plots.table.preview"));
