@@ -373,7 +373,9 @@ public:
             return failure(QStringLiteral("the file contains no numbers below the header"));
         }
         if (const Result<void> finished = finish(); !finished) {
-            return finished.error();
+            // A first line without rows is only a table if it has the time column of a recording.
+            return rows_ == 0 ? failure(QStringLiteral("the file is not a table of numbers"))
+                              : finished.error();
         }
         table_.notes = readCsvNotes(table_.path);
         return std::unique_ptr<Recording>(std::make_unique<TableRecording>(std::move(table_)));
