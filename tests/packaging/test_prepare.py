@@ -40,6 +40,12 @@ tiller_configure release
 tiller_build release tiller
 echo "worked=$tiller_worked"
 """
+PROJECT = """cmake_minimum_required(VERSION 3.25)
+project(cached CXX)
+set(CMAKE_UNITY_BUILD ON)
+add_library(cached OBJECT cached.cpp)
+target_precompile_headers(cached PRIVATE once.h)
+"""
 
 
 class TestPrepare(unittest.TestCase):
@@ -129,6 +135,23 @@ class TestPrepare(unittest.TestCase):
         self.assertNotEqual(ran.returncode, 0)
         self.assertIn("arm.cpp:7: error: no such joint", ran.stdout)
         self.assertNotIn("worked", ran.stdout)
+
+    @unittest.skipUnless(shutil.which("ccache"), "There is no ccache")
+    def test_a_changed_comment_in_a_header_does_not_break_a_cached_build(self):
+        settings = subprocess.run(["bash", "-c", 'source packaging/prepare; echo "$tiller_ccache"'], cwd=self.folder,
+                                  text=True, stdout=subprocess.PIPE, check=True).stdout.strip()
+        self.write("CMakeLists.txt", PROJECT)
+        for version in ("old", "new"):
+            self.write("once.h", f"#pragma once\n// A comment of the {version} version.\nstruct Once {{}};\n")
+            self.write("cached.cpp", f'#include "once.h"\nOnce {version}Value;\n')
+            environment = dict(os.environ, CCACHE_DIR=f"{self.folder}/cache")
+            shutil.rmtree(f"{self.folder}/built", ignore_errors=True)
+            for command in (["cmake", "-S", ".", "-B", "built", "-G", "Ninja",
+                             f"-DCMAKE_CXX_COMPILER_LAUNCHER=env;{settings};ccache"],
+                            ["cmake", "--build", "built"]):
+                ran = subprocess.run(command, cwd=self.folder, env=environment, text=True, stdout=subprocess.PIPE,
+                                     stderr=subprocess.STDOUT, check=False)
+                self.assertEqual(ran.returncode, 0, ran.stdout)
 
 
 if __name__ == "__main__":
