@@ -137,8 +137,9 @@ void print(const divergence::Report& report) {
                  .arg(first->seconds, 0, 'f', 3)
                  .arg(placeOf(*first), amountOf(*first), QLatin1String(spellingOf(first->quantity).name));
     if (report.partedFromStart()) {
-        out() << "Arm and model differ from the first sample on: check --model and the payload set on the "
-                 "robot, and that nothing touches the arm.\n";
+        out() << "The arm deviates from the model from the start of the recording. Check --model, the "
+                 "payload set on the "
+                 "robot, and whether something was touching the arm.\n";
     }
 }
 

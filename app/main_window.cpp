@@ -1147,15 +1147,15 @@ void MainWindow::addPanelActions(PanelDock& dock) {
     toggle->setObjectName("view.toggle." + name);
     toggle->setText(tr("Show or hide %1").arg(dock.windowTitle()));
     actions_->adopt("view", toggle);
-    QAction* floats =
-        actions_->add({"view.float." + name,
-                       tr("Float %1").arg(dock.windowTitle()),
-                       tr("Moves the panel to a separate window, e.g. for a second screen, or back."),
-                       {},
-                       [&dock] {
-                           dock.show();
-                           dock.setFloating(!dock.isFloating());
-                       }});
+    QAction* floats = actions_->add(
+        {"view.float." + name,
+         tr("Float %1").arg(dock.windowTitle()),
+         tr("Moves the panel to a separate window, e.g. on a second screen, or back to the main window."),
+         {},
+         [&dock] {
+             dock.show();
+             dock.setFloating(!dock.isFloating());
+         }});
     dock.menu().addActions({floats, toggle});
     dock.menu().addSeparator();
     const auto move = [&](const char* where, const QString& text, StageSide side) {

@@ -45,7 +45,7 @@ void PanelActions::addPlots(ActionTable& table, PlotDock& plots) {
                {},
                [&plots] { plots.askExport(); }});
     table.add({"plots.action.signals",
-               tr("Search signals for the plots"),
+               tr("Search plot signals"),
                tr("Opens the list of all signals. To add a signal to a plot, drag it, double-click it or "
                   "press Return."),
                {},
@@ -80,17 +80,17 @@ void PanelActions::addIo(ActionTable& table, IoTab& io, const std::function<void
                }});
     table.add({"io.action.rename",
                tr("Rename selected input or output"),
-               tr("Renames the input or output in the focused row of the I/O tab."),
+               tr("Renames the input or output in the selected row of the I/O tab."),
                {},
                [&io] { io.renameChosen(); }});
     table.add({"io.action.switch",
                tr("Switch selected output"),
-               tr("Switches the focused output of the I/O tab on or off."),
+               tr("Switches the selected output on the I/O tab on or off."),
                {},
                [&io] { io.switchChosen(); }});
     table.add({"io.action.pulse",
                tr("Pulse selected output"),
-               tr("Switches the focused output of the I/O tab on for 0.5 s, then off."),
+               tr("Switches the selected output on the I/O tab on for 0.5 s, then off."),
                {},
                [&io] { io.pulseChosen(); }});
 }
@@ -119,7 +119,7 @@ void PanelActions::addLog(ActionTable& table, LogTab& log, const std::function<v
     }
     table.add({"log.action.copy",
                tr("Copy the log"),
-               tr("Copies the selected entries, or all visible entries."),
+               tr("Copies the selected entries. If no entry is selected, copies all visible entries."),
                {},
                [&log] { log.copy(); }});
     table.add(

@@ -77,10 +77,10 @@ PreferenceRow densityRow() {
 PreferenceRow lengthsRow() {
     return choiceRow(
         {.key = "look/lengths",
-         .manual = "units of length",
+         .manual = "length unit",
          .words = {"mm", "inch"},
-         .label = QT_TRANSLATE_NOOP("tiller::app::SettingsPage", "Lengths"),
-         .name = QT_TRANSLATE_NOOP("tiller::app::SettingsPage", "Lengths"),
+         .label = QT_TRANSLATE_NOOP("tiller::app::SettingsPage", "Length unit"),
+         .name = QT_TRANSLATE_NOOP("tiller::app::SettingsPage", "Length unit"),
          .titles = {QT_TRANSLATE_NOOP("tiller::app::SettingsPage", "Millimetres"),
                     QT_TRANSLATE_NOOP("tiller::app::SettingsPage", "Inches")}},
         [](auto& preferences) -> auto& { return preferences.notation.length; });
@@ -89,17 +89,16 @@ PreferenceRow lengthsRow() {
 PreferenceRow rotationsRow() {
     return choiceRow(
         {.key = "look/rotations",
-         .manual = "notation of rotations",
+         .manual = "orientation format",
          .words = {"rpy", "vector"},
-         .label = QT_TRANSLATE_NOOP("tiller::app::SettingsPage", "Orientations"),
-         .name = QT_TRANSLATE_NOOP("tiller::app::SettingsPage", "Orientations"),
+         .label = QT_TRANSLATE_NOOP("tiller::app::SettingsPage", "Orientation format"),
+         .name = QT_TRANSLATE_NOOP("tiller::app::SettingsPage", "Orientation format"),
          .titles = {QT_TRANSLATE_NOOP("tiller::app::SettingsPage", "Roll, pitch, yaw in degrees"),
                     QT_TRANSLATE_NOOP("tiller::app::SettingsPage",
                                       "Rotation vector in radians, as in scripts")},
-         .note = QT_TRANSLATE_NOOP(
-             "tiller::app::SettingsPage",
-             "Units for displaying and entering lengths, TCP speeds and orientations. Plots and files "
-             "always use metres, millimetres and degrees.")},
+         .note = QT_TRANSLATE_NOOP("tiller::app::SettingsPage",
+                                   "Units for displaying and entering lengths, TCP speeds and orientations. "
+                                   "The units in plots and files do not change.")},
         [](auto& preferences) -> auto& { return preferences.notation.rotation; });
 }
 

@@ -113,7 +113,7 @@ void RecordingSettings::build() {
     keepFree_->setRange(0, RecordingChoice::kMaxKeptFree);
     keepFree_->setSuffix(tr(" MB"));
     keepFree_->setToolTip(
-        tr("A recording stops and is completed before the free disk space falls below this value."));
+        tr("Recording stops, and the file is saved, before the free disk space falls below this value."));
     keepFree_->setValue(choice_.keepFree);
 
     search_->setObjectName(QStringLiteral("settings.recording.search"));
@@ -205,8 +205,8 @@ void RecordingSettings::showExample() {
     }
     const QString file =
         QFileInfo(recordingPath(typed, tr("Lab UR5e"), QDateTime::currentDateTime())).fileName();
-    example_->setText(problem.isEmpty() ? tr("For example %1. {date}, {time}, {robot} and {number} are "
-                                             "replaced. Existing files are never overwritten.")
+    example_->setText(problem.isEmpty() ? tr("Example: %1. {date}, {time}, {robot} and {number} are "
+                                             "placeholders. Existing files are never overwritten.")
                                               .arg(file)
                                         : QStringLiteral("▲ ") + problem);
     rate_->setText(

@@ -118,7 +118,7 @@ void RobotActions::addPower(ActionTable& table, RobotSession& session, const Rob
                }});
     table.add({"power.recover",
                tr("Recover…"),
-               tr("Shows what stopped the arm and the recovery steps."),
+               tr("Shows the cause of the stop and the recovery steps."),
                {},
                hooks.showRecovery,
                [](const SessionState& s) {

@@ -55,7 +55,7 @@ protected:
 Q_SIGNALS:
     void preferencesChanged(const tiller::app::Preferences& preferences);
     void themeChosen(const QString& theme);
-    /// The user wants to replace the window by a window in the selected language.
+    /// The user wants to reopen the window in the selected language.
     void newWindowWanted();
     /// The user wants to open the device test page on top of this page.
     void trainerWanted();

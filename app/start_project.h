@@ -14,8 +14,8 @@ struct StartProject {
     QString missing;  ///< path of the last file if that file does not exist; otherwise empty
 };
 
-/// Returns the last file. If there is none, returns the file of earlier versions in the application data
-/// folder. If that does not exist either, returns "cell.tiller" in projectFolder(), which is created.
+/// Returns the most recently used project file that exists. Without one, returns cell.tiller in the application
+/// data folder (used by earlier versions) if it exists, otherwise in projectFolder(), and creates that folder.
 StartProject startProject(const Settings& settings);
 
 QString unsavedWorkFolder();

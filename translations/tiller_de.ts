@@ -301,8 +301,8 @@
         <translation>Kein Vergleich möglich: Der Arm war während der gesamten Aufzeichnung ausgeschaltet oder wurde von Hand geführt.</translation>
     </message>
     <message>
-        <source>Arm and model differ from the first sample on. Check the payload and the robot model, and make sure that nothing touches the arm.</source>
-        <translation>Arm und Modell weichen ab dem ersten Messwert ab: Prüfen Sie die Nutzlast, das Robotermodell und ob etwas den Arm berührt.</translation>
+        <source>The arm deviates from the model from the start of the recording. Check the payload and the robot model, and check whether something was touching the arm.</source>
+        <translation>Arm und Modell weichen vom Beginn der Aufzeichnung an voneinander ab. Prüfen Sie die Nutzlast, das Robotermodell und ob etwas den Arm berührt hat.</translation>
     </message>
     <message>
         <source>From this time on, the arm was pushed or held, its payload differed, or a joint did not follow its target.</source>
@@ -1359,8 +1359,8 @@
         <translation>Der Arm kann einige Millimeter absacken. Halten Sie Abstand.</translation>
     </message>
     <message>
-        <source>Shows what stopped the arm, the last five seconds, and the recovery steps. The arm does not move.</source>
-        <translation>Zeigt, was den Arm gestoppt hat, die letzten fünf Sekunden und die Schritte zur Wiederherstellung. Der Arm bewegt sich nicht.</translation>
+        <source>Shows the cause of the stop, the five seconds before it, and the recovery steps. The arm does not move.</source>
+        <translation>Zeigt die Ursache des Stopps, die fünf Sekunden davor und die Schritte zur Wiederherstellung. Der Arm bewegt sich nicht.</translation>
     </message>
     <message>
         <source>Data late</source>
@@ -1634,8 +1634,8 @@
         <translation>Programm stoppt</translation>
     </message>
     <message>
-        <source>The program on the robot is ending.</source>
-        <translation>Das Programm auf dem Roboter endet.</translation>
+        <source>The program on the robot is stopping.</source>
+        <translation>Das Programm auf dem Roboter stoppt.</translation>
     </message>
     <message>
         <source>No program</source>
@@ -1800,24 +1800,24 @@
         <translation>Gewählten Ein- oder Ausgang umbenennen</translation>
     </message>
     <message>
-        <source>Renames the input or output in the focused row of the I/O tab.</source>
-        <translation>Benennt den Eingang oder Ausgang in der fokussierten Zeile des Registers E/A um.</translation>
+        <source>Renames the input or output in the selected row of the I/O tab.</source>
+        <translation>Benennt den Eingang oder Ausgang in der gewählten Zeile des Registers E/A um.</translation>
     </message>
     <message>
         <source>Switch selected output</source>
         <translation>Gewählten Ausgang schalten</translation>
     </message>
     <message>
-        <source>Switches the focused output of the I/O tab on or off.</source>
-        <translation>Schaltet den Ausgang mit Fokus im Register E/A ein oder aus.</translation>
+        <source>Switches the selected output on the I/O tab on or off.</source>
+        <translation>Schaltet den gewählten Ausgang im Register E/A ein oder aus.</translation>
     </message>
     <message>
         <source>Pulse selected output</source>
         <translation>Gewählten Ausgang pulsen</translation>
     </message>
     <message>
-        <source>Switches the focused output of the I/O tab on for 0.5 s, then off.</source>
-        <translation>Schaltet den Ausgang mit Fokus im Register E/A für 0,5 s ein, dann aus.</translation>
+        <source>Switches the selected output on the I/O tab on for 0.5 s, then off.</source>
+        <translation>Schaltet den gewählten Ausgang im Register E/A für 0,5 s ein, dann aus.</translation>
     </message>
     <message>
         <source>Search the log</source>
@@ -1848,7 +1848,7 @@
         <translation>Protokoll kopieren</translation>
     </message>
     <message>
-        <source>Copies the selected entries, or all visible entries.</source>
+        <source>Copies the selected entries. If no entry is selected, copies all visible entries.</source>
         <translation>Kopiert die gewählten oder alle sichtbaren Einträge.</translation>
     </message>
     <message>
@@ -1860,7 +1860,7 @@
         <translation>Schreibt die sichtbaren Einträge in eine Datei.</translation>
     </message>
     <message>
-        <source>Search signals for the plots</source>
+        <source>Search plot signals</source>
         <translation>Signale für die Diagramme suchen</translation>
     </message>
     <message>
@@ -1911,8 +1911,8 @@
         <translation>%1 verbergen</translation>
     </message>
     <message>
-        <source>Show %1 at the cursors</source>
-        <translation>%1 an den Cursorn anzeigen</translation>
+        <source>Show values of %1 at the cursors</source>
+        <translation>Werte von %1 an den Cursorn anzeigen</translation>
     </message>
     <message>
         <source>Move %1 to a separate plot</source>
@@ -2106,7 +2106,7 @@
         <translation>Drücken Sie „Start“, um an der aktuellen Position des Arms einen Wegpunkt „Teil“ hinzuzufügen. Danach verschiebt sich das Teil um %1 in X+ der Basis. Fahren Sie dorthin, wählen Sie den Wegpunkt und teachen Sie ihn nach (U).</translation>
     </message>
     <message>
-        <source>Jog outwards, away from the base, until a limit reduces the speed to half. The line below the pad names the limit and how to leave it. Then jog back by %1.</source>
+        <source>Jog outwards, away from the base, until a limit halves the speed. The line below the pad shows the limit and how to move away from it. Then jog back by %1.</source>
         <translation>Fahren Sie nach außen, weg von der Basis, bis eine Grenze die Geschwindigkeit halbiert. Die Zeile unter dem Tastenfeld nennt die Grenze und wie Sie sie verlassen. Fahren Sie dann um %1 zurück.</translation>
     </message>
     <message>
@@ -2941,8 +2941,8 @@
         <translation>Ein Register hätte einen anderen Wert.</translation>
     </message>
     <message>
-        <source>The value of the variable “%1” is not saved.</source>
-        <translation>Der Wert der Variablen „%1“ ist nicht gespeichert.</translation>
+        <source>The variable “%1” would have a different value.</source>
+        <translation>Die Variable „%1“ hätte einen anderen Wert.</translation>
     </message>
     <message>
         <source>The TCP or the payload would differ.</source>
@@ -3278,7 +3278,7 @@
         <translation>Wiederherstellen…</translation>
     </message>
     <message>
-        <source>Shows what stopped the arm and the recovery steps.</source>
+        <source>Shows the cause of the stop and the recovery steps.</source>
         <translation>Zeigt, was den Arm gestoppt hat, und die Schritte zur Wiederherstellung.</translation>
     </message>
     <message>
@@ -3812,8 +3812,8 @@
         <translation>Positionsabweichung, Verhältnis zur Grenze</translation>
     </message>
     <message>
-        <source>Collision measure, ratio to limit</source>
-        <translation>Kollisionsmaß, Verhältnis zur Grenze</translation>
+        <source>Collision detection, ratio to limit</source>
+        <translation>Kollisionserkennung, Verhältnis zur Grenze</translation>
     </message>
     <message>
         <source>Joint modes</source>
@@ -4499,8 +4499,8 @@
         <translation>Nur beobachten: Dieses Fenster ändert am Roboter nichts. Schalten Sie „Nur beobachten“ in den Einstellungen aus, oder starten Sie Tiller ohne --monitor-only.</translation>
     </message>
     <message>
-        <source>The control connection does not respond.</source>
-        <translation>Die Steuerverbindung antwortet nicht.</translation>
+        <source>No current data from the robot. Check the network connection to the robot.</source>
+        <translation>Keine aktuellen Daten vom Roboter. Prüfen Sie die Netzwerkverbindung zum Roboter.</translation>
     </message>
     <message>
         <source>selection or modifier key changed</source>
@@ -6139,8 +6139,8 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Ein Dialog oder Menü ist offen. Schließen Sie es zuerst.</translation>
     </message>
     <message>
-        <source>Another button or key is already held.</source>
-        <translation>Eine andere Taste wird bereits gehalten.</translation>
+        <source>Another button or key is already held. Release it first.</source>
+        <translation>Eine andere Taste wird bereits gehalten. Lassen Sie sie zuerst los.</translation>
     </message>
     <message>
         <source>The display server does not respond, so Tiller cannot detect the release of a button or key. Release the button or key, then try again.</source>
@@ -6371,8 +6371,8 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Pose oder Gelenke</translation>
     </message>
     <message>
-        <source>The arm has not moved yet.</source>
-        <translation>Der Arm hat sich noch nicht bewegt.</translation>
+        <source>There is no path to retrace. Jog the arm first.</source>
+        <translation>Es gibt keine Bahn zum Zurückfahren. Verfahren Sie zuerst den Arm.</translation>
     </message>
     <message>
         <source>release and press again</source>
@@ -6419,8 +6419,8 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Endet in %1 s</translation>
     </message>
     <message>
-        <source>Another button or key is already held.</source>
-        <translation>Eine andere Taste wird bereits gehalten.</translation>
+        <source>Another button or key is already held. Release it first.</source>
+        <translation>Eine andere Taste wird bereits gehalten. Lassen Sie sie zuerst los.</translation>
     </message>
     <message>
         <source>Last stop: %1, standstill after %2 ms, %3</source>
@@ -7184,7 +7184,7 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Reihe für Reihe</translation>
     </message>
     <message>
-        <source>Meander</source>
+        <source>Zigzag</source>
         <translation>Mäander</translation>
     </message>
     <message>
@@ -7235,7 +7235,7 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         </translation>
     </message>
     <message>
-        <source>%1 All cells are within reach.</source>
+        <source>%1 All of them are within reach.</source>
         <translation>%1 Alle sind in Reichweite.</translation>
     </message>
     <message>
@@ -7647,7 +7647,7 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>Dieser Bereich enthält keine Werte. Wählen Sie einen anderen Bereich.</translation>
     </message>
     <message>
-        <source>Samples are missing in this range. Place the cursors A and B around a range without gaps.</source>
+        <source>Samples are missing in this range. Place cursors A and B around a range without gaps.</source>
         <translation>In diesem Bereich fehlen Messwerte: Setzen Sie die Cursor A und B so, dass keine Lücke dazwischenliegt.</translation>
     </message>
     <message>
@@ -7681,8 +7681,8 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>%1 · %2 … %3 s</translation>
     </message>
     <message>
-        <source>These signals are from different recordings. Place the cursors A and B around a shorter range.</source>
-        <translation>Diese Signale stammen aus verschiedenen Aufzeichnungen: Setzen Sie die Cursor A und B um einen kürzeren Bereich.</translation>
+        <source>This range is too long to combine signals from different recordings. Place cursors A and B around a shorter range.</source>
+        <translation>Dieser Bereich ist zu lang, um Signale aus verschiedenen Aufzeichnungen zu kombinieren. Setzen Sie die Cursor A und B um einen kürzeren Bereich.</translation>
     </message>
     <message>
         <source>Reading the recording: %1</source>
@@ -7739,7 +7739,7 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>Ablesung am Cursor</translation>
     </message>
     <message>
-        <source>Click in the plots to place the cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click to show that signal at the cursors.</source>
+        <source>Click in the plots to place cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click to show that signal at the cursors.</source>
         <translation>Klicken Sie in die Diagramme, um die Cursor A und B zu setzen; ziehen Sie sie oder verwenden Sie A, B und die Pfeiltasten. Klicken Sie auf einen Legendeneintrag, um seine Kurve auszublenden; Strg+Klick liest dieses Signal an den Cursorn ab.</translation>
     </message>
     <message>
@@ -8037,7 +8037,7 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>Werte</translation>
     </message>
     <message>
-        <source>Values at the cursors A and B, and statistics of the range between the cursors: minimum, maximum, mean, RMS, standard deviation, slope</source>
+        <source>Values at cursors A and B, and statistics of the range between the cursors: minimum, maximum, mean, RMS, standard deviation, slope</source>
         <translation>Werte an den Cursorn A und B und Statistik dazwischen: Minimum, Maximum, Mittelwert, RMS, Standardabweichung, Steigung</translation>
     </message>
     <message>
@@ -8108,7 +8108,7 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>Mit dem Modell des Arms vergleichen…</translation>
     </message>
     <message>
-        <source>Exported the range between the cursors A and B to %1</source>
+        <source>Exported the range between cursors A and B to %1</source>
         <translation>Bereich zwischen den Cursorn A und B nach %1 exportiert</translation>
     </message>
     <message>
@@ -8917,8 +8917,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Stopps werden simuliert…</translation>
     </message>
     <message>
-        <source>Simulated: %1 of %2 steps can continue after a stop.</source>
-        <translation>Simuliert: %1 von %2 Schritten sind nach einem Stopp fortsetzbar.</translation>
+        <source>In simulation, the program can continue after a stop in %1 of %2 steps.</source>
+        <translation>In der Simulation kann das Programm nach einem Stopp in %1 von %2 Schritten fortgesetzt werden.</translation>
     </message>
     <message>
         <source>Add or remove breakpoints</source>
@@ -9187,12 +9187,12 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>TCP des Roboters beibehalten</translation>
     </message>
     <message>
-        <source>Convert from %1 to %2, keep the poses</source>
+        <source>Convert from %1 to %2 with the same poses</source>
         <translation>Von %1 nach %2 umrechnen, Posen beibehalten</translation>
     </message>
     <message>
-        <source>Convert from %1 to %2, keep the joints</source>
-        <translation>Von %1 nach %2 umrechnen, Gelenke beibehalten</translation>
+        <source>Convert from %1 to %2 with the same joint positions</source>
+        <translation>Von %1 nach %2 umrechnen, Gelenkpositionen beibehalten</translation>
     </message>
     <message>
         <source>Out of reach: %1.</source>
@@ -9630,16 +9630,16 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Unter %1:%2 antwortet kein Greiferdienst. Installieren Sie die URCap von Robotiq auf dem Roboter und wählen Sie den Greifer in der Installation.</translation>
     </message>
     <message>
-        <source>The gripper is not responding. Check the cable at the wrist and the gripper&apos;s page in the robot&apos;s installation. If the problem persists, restart the robot.</source>
-        <translation>Der Greifer antwortet nicht. Prüfen Sie das Kabel am Handgelenk und die Seite des Greifers in der Installation des Roboters. Wenn das Problem bleibt, starten Sie den Roboter neu.</translation>
+        <source>The gripper is not responding. Check the cable at the wrist and the gripper settings on the Installation tab of the teach pendant. If the problem persists, restart the robot.</source>
+        <translation>Der Greifer antwortet nicht. Prüfen Sie das Kabel am Handgelenk und die Einstellungen des Greifers am Teach-Pendant unter „Installation“. Wenn das Problem bleibt, starten Sie den Roboter neu.</translation>
     </message>
     <message>
         <source>The robot closed the connection to the gripper and may be restarting. Tiller reconnects automatically; the gripper keeps its grip.</source>
         <translation>Der Roboter hat die Verbindung zum Greifer geschlossen und startet eventuell neu. Tiller verbindet sich automatisch neu; der Greifer hält weiter.</translation>
     </message>
     <message>
-        <source>The gripper did not accept the command. Activate the gripper. If the gripper is already active, check the gripper&apos;s page in the robot&apos;s installation.</source>
-        <translation>Der Greifer hat den Befehl nicht angenommen. Aktivieren Sie ihn; wenn er aktiv ist, prüfen Sie seine Seite in der Installation des Roboters.</translation>
+        <source>The gripper did not accept the command. Activate the gripper. If it is already active, check its settings on the Installation tab of the teach pendant.</source>
+        <translation>Der Greifer hat den Befehl nicht angenommen. Aktivieren Sie ihn. Ist er aktiv, prüfen Sie seine Einstellungen am Teach-Pendant unter „Installation“.</translation>
     </message>
     <message>
         <source>The gripper is activating; the command runs afterwards.</source>
@@ -12022,7 +12022,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>%1 lösen</translation>
     </message>
     <message>
-        <source>Moves the panel to a separate window, e.g. for a second screen, or back.</source>
+        <source>Moves the panel to a separate window, e.g. on a second screen, or back to the main window.</source>
         <translation>Verschiebt den Bereich in ein eigenes Fenster, z. B. für einen zweiten Bildschirm, oder zurück.</translation>
     </message>
     <message>
@@ -12473,8 +12473,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Labor-UR5e</translation>
     </message>
     <message>
-        <source>For example %1. {date}, {time}, {robot} and {number} are replaced. Existing files are never overwritten.</source>
-        <translation>Zum Beispiel %1. {date}, {time}, {robot} und {number} werden ersetzt. Vorhandene Dateien werden nie überschrieben.</translation>
+        <source>Example: %1. {date}, {time}, {robot} and {number} are placeholders. Existing files are never overwritten.</source>
+        <translation>Beispiel: %1. {date}, {time}, {robot} und {number} sind Platzhalter. Vorhandene Dateien werden nie überschrieben.</translation>
     </message>
     <message numerus="yes">
         <source>%n packet(s) per row: %1 rows per second from a robot that sends 500 packets per second.</source>
@@ -12496,7 +12496,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation> MB</translation>
     </message>
     <message>
-        <source>A recording stops and is completed before the free disk space falls below this value.</source>
+        <source>Recording stops, and the file is saved, before the free disk space falls below this value.</source>
         <translation>Eine Aufzeichnung wird beendet und abgeschlossen, bevor der freie Speicherplatz unter diesen Wert fällt.</translation>
     </message>
     <message>
@@ -12657,8 +12657,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Oberflächengröße</translation>
     </message>
     <message>
-        <source>Lengths</source>
-        <translation>Längen</translation>
+        <source>Length unit</source>
+        <translation>Längeneinheit</translation>
     </message>
     <message>
         <source>Millimetres</source>
@@ -12669,8 +12669,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Zoll</translation>
     </message>
     <message>
-        <source>Orientations</source>
-        <translation>Orientierungen</translation>
+        <source>Orientation format</source>
+        <translation>Orientierungsformat</translation>
     </message>
     <message>
         <source>Roll, pitch, yaw in degrees</source>
@@ -12701,8 +12701,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Touch: groß genug für Finger. In Fenstern niedriger als %1 px bleiben Gelenktasten, Register und Titelleisten kleiner.</translation>
     </message>
     <message>
-        <source>Units for displaying and entering lengths, TCP speeds and orientations. Plots and files always use metres, millimetres and degrees.</source>
-        <translation>Einheiten für Anzeige und Eingabe von Längen, TCP-Geschwindigkeiten und Orientierungen. Diagramme und Dateien verwenden immer Meter, Millimeter und Grad.</translation>
+        <source>Units for displaying and entering lengths, TCP speeds and orientations. The units in plots and files do not change.</source>
+        <translation>Einheiten für Anzeige und Eingabe von Längen, TCP-Geschwindigkeiten und Orientierungen. Die Einheiten in Diagrammen und Dateien ändern sich nicht.</translation>
     </message>
     <message>
         <source>Speed cap</source>

@@ -301,7 +301,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Arm and model differ from the first sample on. Check the payload and the robot model, and make sure that nothing touches the arm.</source>
+        <source>The arm deviates from the model from the start of the recording. Check the payload and the robot model, and check whether something was touching the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1327,7 +1327,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Shows what stopped the arm, the last five seconds, and the recovery steps. The arm does not move.</source>
+        <source>Shows the cause of the stop, the five seconds before it, and the recovery steps. The arm does not move.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1634,7 +1634,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The program on the robot is ending.</source>
+        <source>The program on the robot is stopping.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1800,7 +1800,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Renames the input or output in the focused row of the I/O tab.</source>
+        <source>Renames the input or output in the selected row of the I/O tab.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1808,7 +1808,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Switches the focused output of the I/O tab on or off.</source>
+        <source>Switches the selected output on the I/O tab on or off.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1816,7 +1816,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Switches the focused output of the I/O tab on for 0.5 s, then off.</source>
+        <source>Switches the selected output on the I/O tab on for 0.5 s, then off.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1848,7 +1848,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Copies the selected entries, or all visible entries.</source>
+        <source>Copies the selected entries. If no entry is selected, copies all visible entries.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1860,7 +1860,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Search signals for the plots</source>
+        <source>Search plot signals</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1911,7 +1911,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Show %1 at the cursors</source>
+        <source>Show values of %1 at the cursors</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2106,7 +2106,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Jog outwards, away from the base, until a limit reduces the speed to half. The line below the pad names the limit and how to leave it. Then jog back by %1.</source>
+        <source>Jog outwards, away from the base, until a limit halves the speed. The line below the pad shows the limit and how to move away from it. Then jog back by %1.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2941,7 +2941,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The value of the variable “%1” is not saved.</source>
+        <source>The variable “%1” would have a different value.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3278,7 +3278,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Shows what stopped the arm and the recovery steps.</source>
+        <source>Shows the cause of the stop and the recovery steps.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3812,7 +3812,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Collision measure, ratio to limit</source>
+        <source>Collision detection, ratio to limit</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4499,7 +4499,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The control connection does not respond.</source>
+        <source>No current data from the robot. Check the network connection to the robot.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6135,7 +6135,7 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Another button or key is already held.</source>
+        <source>Another button or key is already held. Release it first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6360,7 +6360,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm has not moved yet.</source>
+        <source>There is no path to retrace. Jog the arm first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6400,7 +6400,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Another button or key is already held.</source>
+        <source>Another button or key is already held. Release it first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7177,7 +7177,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Meander</source>
+        <source>Zigzag</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7228,7 +7228,7 @@ Right-click or press F2 to rename it.</source>
         </translation>
     </message>
     <message>
-        <source>%1 All cells are within reach.</source>
+        <source>%1 All of them are within reach.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7639,7 +7639,7 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Samples are missing in this range. Place the cursors A and B around a range without gaps.</source>
+        <source>Samples are missing in this range. Place cursors A and B around a range without gaps.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7673,7 +7673,7 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>These signals are from different recordings. Place the cursors A and B around a shorter range.</source>
+        <source>This range is too long to combine signals from different recordings. Place cursors A and B around a shorter range.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7843,7 +7843,7 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Click in the plots to place the cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click to show that signal at the cursors.</source>
+        <source>Click in the plots to place cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click to show that signal at the cursors.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8029,7 +8029,7 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Values at the cursors A and B, and statistics of the range between the cursors: minimum, maximum, mean, RMS, standard deviation, slope</source>
+        <source>Values at cursors A and B, and statistics of the range between the cursors: minimum, maximum, mean, RMS, standard deviation, slope</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8100,7 +8100,7 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Exported the range between the cursors A and B to %1</source>
+        <source>Exported the range between cursors A and B to %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8904,7 +8904,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Simulated: %1 of %2 steps can continue after a stop.</source>
+        <source>In simulation, the program can continue after a stop in %1 of %2 steps.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9174,11 +9174,11 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Convert from %1 to %2, keep the poses</source>
+        <source>Convert from %1 to %2 with the same poses</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Convert from %1 to %2, keep the joints</source>
+        <source>Convert from %1 to %2 with the same joint positions</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9617,7 +9617,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper is not responding. Check the cable at the wrist and the gripper&apos;s page in the robot&apos;s installation. If the problem persists, restart the robot.</source>
+        <source>The gripper is not responding. Check the cable at the wrist and the gripper settings on the Installation tab of the teach pendant. If the problem persists, restart the robot.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9625,7 +9625,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper did not accept the command. Activate the gripper. If the gripper is already active, check the gripper&apos;s page in the robot&apos;s installation.</source>
+        <source>The gripper did not accept the command. Activate the gripper. If it is already active, check its settings on the Installation tab of the teach pendant.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11910,7 +11910,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Moves the panel to a separate window, e.g. for a second screen, or back.</source>
+        <source>Moves the panel to a separate window, e.g. on a second screen, or back to the main window.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12457,7 +12457,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>For example %1. {date}, {time}, {robot} and {number} are replaced. Existing files are never overwritten.</source>
+        <source>Example: %1. {date}, {time}, {robot} and {number} are placeholders. Existing files are never overwritten.</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
@@ -12480,7 +12480,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A recording stops and is completed before the free disk space falls below this value.</source>
+        <source>Recording stops, and the file is saved, before the free disk space falls below this value.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12613,7 +12613,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Lengths</source>
+        <source>Length unit</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12625,7 +12625,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Orientations</source>
+        <source>Orientation format</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12641,7 +12641,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Units for displaying and entering lengths, TCP speeds and orientations. Plots and files always use metres, millimetres and degrees.</source>
+        <source>Units for displaying and entering lengths, TCP speeds and orientations. The units in plots and files do not change.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

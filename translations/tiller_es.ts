@@ -301,8 +301,8 @@
         <translation>Nada que comparar: el brazo estuvo apagado o guiado a mano durante toda la grabación.</translation>
     </message>
     <message>
-        <source>Arm and model differ from the first sample on. Check the payload and the robot model, and make sure that nothing touches the arm.</source>
-        <translation>El brazo y el modelo difieren desde la primera muestra: compruebe la carga útil, el modelo de robot y si algo toca el brazo.</translation>
+        <source>The arm deviates from the model from the start of the recording. Check the payload and the robot model, and check whether something was touching the arm.</source>
+        <translation>El brazo y el modelo difieren desde el inicio de la grabación. Compruebe la carga útil, el modelo de robot y si algo tocaba el brazo.</translation>
     </message>
     <message>
         <source>From this time on, the arm was pushed or held, its payload differed, or a joint did not follow its target.</source>
@@ -1359,8 +1359,8 @@
         <translation>El brazo puede ceder unos milímetros. Manténgase apartado.</translation>
     </message>
     <message>
-        <source>Shows what stopped the arm, the last five seconds, and the recovery steps. The arm does not move.</source>
-        <translation>Muestra qué detuvo el brazo, los últimos cinco segundos y los pasos de recuperación. El brazo no se mueve.</translation>
+        <source>Shows the cause of the stop, the five seconds before it, and the recovery steps. The arm does not move.</source>
+        <translation>Muestra la causa de la parada, los cinco segundos anteriores y los pasos de recuperación. El brazo no se mueve.</translation>
     </message>
     <message>
         <source>Data late</source>
@@ -1634,8 +1634,8 @@
         <translation>Programa deteniéndose</translation>
     </message>
     <message>
-        <source>The program on the robot is ending.</source>
-        <translation>El programa del robot está terminando.</translation>
+        <source>The program on the robot is stopping.</source>
+        <translation>El programa del robot se está deteniendo.</translation>
     </message>
     <message>
         <source>No program</source>
@@ -1800,24 +1800,24 @@
         <translation>Renombrar la entrada o salida seleccionada</translation>
     </message>
     <message>
-        <source>Renames the input or output in the focused row of the I/O tab.</source>
-        <translation>Cambia el nombre de la entrada o salida de la fila enfocada de la pestaña E/S.</translation>
+        <source>Renames the input or output in the selected row of the I/O tab.</source>
+        <translation>Cambia el nombre de la entrada o salida de la fila seleccionada de la pestaña E/S.</translation>
     </message>
     <message>
         <source>Switch selected output</source>
         <translation>Conmutar la salida seleccionada</translation>
     </message>
     <message>
-        <source>Switches the focused output of the I/O tab on or off.</source>
-        <translation>Activa o desactiva la salida con foco de la pestaña E/S.</translation>
+        <source>Switches the selected output on the I/O tab on or off.</source>
+        <translation>Activa o desactiva la salida seleccionada de la pestaña E/S.</translation>
     </message>
     <message>
         <source>Pulse selected output</source>
         <translation>Pulso en la salida seleccionada</translation>
     </message>
     <message>
-        <source>Switches the focused output of the I/O tab on for 0.5 s, then off.</source>
-        <translation>Activa durante 0,5 s la salida con foco de la pestaña E/S y después la desactiva.</translation>
+        <source>Switches the selected output on the I/O tab on for 0.5 s, then off.</source>
+        <translation>Activa durante 0,5 s la salida seleccionada de la pestaña E/S y después la desactiva.</translation>
     </message>
     <message>
         <source>Search the log</source>
@@ -1848,7 +1848,7 @@
         <translation>Copiar el registro</translation>
     </message>
     <message>
-        <source>Copies the selected entries, or all visible entries.</source>
+        <source>Copies the selected entries. If no entry is selected, copies all visible entries.</source>
         <translation>Copia las entradas seleccionadas, o todas las visibles.</translation>
     </message>
     <message>
@@ -1860,7 +1860,7 @@
         <translation>Escribe las entradas visibles en un archivo.</translation>
     </message>
     <message>
-        <source>Search signals for the plots</source>
+        <source>Search plot signals</source>
         <translation>Buscar señales para los gráficos</translation>
     </message>
     <message>
@@ -1911,8 +1911,8 @@
         <translation>Ocultar %1</translation>
     </message>
     <message>
-        <source>Show %1 at the cursors</source>
-        <translation>Mostrar %1 en los cursores</translation>
+        <source>Show values of %1 at the cursors</source>
+        <translation>Mostrar valores de %1 en los cursores</translation>
     </message>
     <message>
         <source>Move %1 to a separate plot</source>
@@ -2106,7 +2106,7 @@
         <translation>Pulse Iniciar para añadir un punto de paso «pieza» en la posición actual del brazo. Después la pieza se desplaza %1 en X+ de la base. Mueva el brazo allí, seleccione el punto y retóquelo (U).</translation>
     </message>
     <message>
-        <source>Jog outwards, away from the base, until a limit reduces the speed to half. The line below the pad names the limit and how to leave it. Then jog back by %1.</source>
+        <source>Jog outwards, away from the base, until a limit halves the speed. The line below the pad shows the limit and how to move away from it. Then jog back by %1.</source>
         <translation>Mueva el brazo hacia fuera, alejándolo de la base, hasta que un límite reduzca la velocidad a la mitad. La línea bajo los botones indica el límite y cómo salir de él. Después vuelva %1.</translation>
     </message>
     <message>
@@ -2941,8 +2941,8 @@
         <translation>Un registro tendría otro valor.</translation>
     </message>
     <message>
-        <source>The value of the variable “%1” is not saved.</source>
-        <translation>El valor de la variable «%1» no está guardado.</translation>
+        <source>The variable “%1” would have a different value.</source>
+        <translation>La variable «%1» tendría otro valor.</translation>
     </message>
     <message>
         <source>The TCP or the payload would differ.</source>
@@ -3278,7 +3278,7 @@
         <translation>Recuperar…</translation>
     </message>
     <message>
-        <source>Shows what stopped the arm and the recovery steps.</source>
+        <source>Shows the cause of the stop and the recovery steps.</source>
         <translation>Muestra qué detuvo el brazo y los pasos de recuperación.</translation>
     </message>
     <message>
@@ -3812,8 +3812,8 @@
         <translation>Desviación de posición, proporción del límite</translation>
     </message>
     <message>
-        <source>Collision measure, ratio to limit</source>
-        <translation>Medida de colisión, proporción del límite</translation>
+        <source>Collision detection, ratio to limit</source>
+        <translation>Detección de colisión, proporción del límite</translation>
     </message>
     <message>
         <source>Joint modes</source>
@@ -4499,8 +4499,8 @@
         <translation>Solo supervisión: esta ventana no cambia nada en el robot. Desactive «Solo supervisión» en los ajustes o inicie Tiller sin --monitor-only.</translation>
     </message>
     <message>
-        <source>The control connection does not respond.</source>
-        <translation>La conexión de control no responde.</translation>
+        <source>No current data from the robot. Check the network connection to the robot.</source>
+        <translation>No llegan datos actuales del robot. Compruebe la conexión de red con el robot.</translation>
     </message>
     <message>
         <source>selection or modifier key changed</source>
@@ -6139,8 +6139,8 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>Hay un diálogo o menú abierto. Ciérrelo primero.</translation>
     </message>
     <message>
-        <source>Another button or key is already held.</source>
-        <translation>Ya se mantiene otro botón o tecla.</translation>
+        <source>Another button or key is already held. Release it first.</source>
+        <translation>Ya se mantiene otro botón o tecla. Suéltelo primero.</translation>
     </message>
     <message>
         <source>The display server does not respond, so Tiller cannot detect the release of a button or key. Release the button or key, then try again.</source>
@@ -6371,8 +6371,8 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Pose o articulaciones</translation>
     </message>
     <message>
-        <source>The arm has not moved yet.</source>
-        <translation>El brazo aún no se ha movido.</translation>
+        <source>There is no path to retrace. Jog the arm first.</source>
+        <translation>No hay trayectoria que recorrer hacia atrás. Mueva antes el brazo.</translation>
     </message>
     <message>
         <source>release and press again</source>
@@ -6419,8 +6419,8 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Termina en %1 s</translation>
     </message>
     <message>
-        <source>Another button or key is already held.</source>
-        <translation>Ya se mantiene otro botón o tecla.</translation>
+        <source>Another button or key is already held. Release it first.</source>
+        <translation>Ya se mantiene otro botón o tecla. Suéltelo primero.</translation>
     </message>
     <message>
         <source>Last stop: %1, standstill after %2 ms, %3</source>
@@ -7184,7 +7184,7 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Fila por fila</translation>
     </message>
     <message>
-        <source>Meander</source>
+        <source>Zigzag</source>
         <translation>Meandro</translation>
     </message>
     <message>
@@ -7235,7 +7235,7 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         </translation>
     </message>
     <message>
-        <source>%1 All cells are within reach.</source>
+        <source>%1 All of them are within reach.</source>
         <translation>%1 Todas están al alcance.</translation>
     </message>
     <message>
@@ -7647,7 +7647,7 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>Este rango no contiene muestras. Seleccione otro rango.</translation>
     </message>
     <message>
-        <source>Samples are missing in this range. Place the cursors A and B around a range without gaps.</source>
+        <source>Samples are missing in this range. Place cursors A and B around a range without gaps.</source>
         <translation>Faltan muestras en este intervalo: coloque los cursores A y B sin huecos entre ellos.</translation>
     </message>
     <message>
@@ -7681,8 +7681,8 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>%1 · %2 … %3 s</translation>
     </message>
     <message>
-        <source>These signals are from different recordings. Place the cursors A and B around a shorter range.</source>
-        <translation>Estas señales son de grabaciones distintas: coloque los cursores A y B alrededor de un intervalo más corto.</translation>
+        <source>This range is too long to combine signals from different recordings. Place cursors A and B around a shorter range.</source>
+        <translation>Este intervalo es demasiado largo para combinar señales de distintas grabaciones. Coloque los cursores A y B alrededor de un intervalo más corto.</translation>
     </message>
     <message>
         <source>Reading the recording: %1</source>
@@ -7739,7 +7739,7 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>Lectura del cursor</translation>
     </message>
     <message>
-        <source>Click in the plots to place the cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click to show that signal at the cursors.</source>
+        <source>Click in the plots to place cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click to show that signal at the cursors.</source>
         <translation>Haga clic en los gráficos para colocar los cursores A y B; arrástrelos o use las teclas A, B y las flechas. Haga clic en una entrada de la leyenda para ocultar su curva; Ctrl+clic lee esa señal en los cursores.</translation>
     </message>
     <message>
@@ -8037,7 +8037,7 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>Valores</translation>
     </message>
     <message>
-        <source>Values at the cursors A and B, and statistics of the range between the cursors: minimum, maximum, mean, RMS, standard deviation, slope</source>
+        <source>Values at cursors A and B, and statistics of the range between the cursors: minimum, maximum, mean, RMS, standard deviation, slope</source>
         <translation>Valores en los cursores A y B y estadísticas entre ellos: mínimo, máximo, media, RMS, desviación típica, pendiente</translation>
     </message>
     <message>
@@ -8108,7 +8108,7 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>Comparar con el modelo del brazo…</translation>
     </message>
     <message>
-        <source>Exported the range between the cursors A and B to %1</source>
+        <source>Exported the range between cursors A and B to %1</source>
         <translation>El intervalo entre los cursores A y B se exportó a %1</translation>
     </message>
     <message>
@@ -8917,8 +8917,8 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Simulando paradas…</translation>
     </message>
     <message>
-        <source>Simulated: %1 of %2 steps can continue after a stop.</source>
-        <translation>Simulado: %1 de %2 pasos pueden continuar tras una parada.</translation>
+        <source>In simulation, the program can continue after a stop in %1 of %2 steps.</source>
+        <translation>En la simulación, el programa puede continuar tras una parada en %1 de %2 pasos.</translation>
     </message>
     <message>
         <source>Add or remove breakpoints</source>
@@ -9187,11 +9187,11 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Conservar el TCP del robot</translation>
     </message>
     <message>
-        <source>Convert from %1 to %2, keep the poses</source>
+        <source>Convert from %1 to %2 with the same poses</source>
         <translation>Convertir de %1 a %2, conservar poses</translation>
     </message>
     <message>
-        <source>Convert from %1 to %2, keep the joints</source>
+        <source>Convert from %1 to %2 with the same joint positions</source>
         <translation>Convertir de %1 a %2, conservar articulaciones</translation>
     </message>
     <message>
@@ -9630,16 +9630,16 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Ningún servicio de pinza responde en %1:%2. Instale el URCap de Robotiq en el robot y seleccione la pinza en su Instalación.</translation>
     </message>
     <message>
-        <source>The gripper is not responding. Check the cable at the wrist and the gripper&apos;s page in the robot&apos;s installation. If the problem persists, restart the robot.</source>
-        <translation>La pinza no responde. Compruebe el cable en la muñeca y la página de la pinza en la instalación del robot. Si el problema continúa, reinicie el robot.</translation>
+        <source>The gripper is not responding. Check the cable at the wrist and the gripper settings on the Installation tab of the teach pendant. If the problem persists, restart the robot.</source>
+        <translation>La pinza no responde. Compruebe el cable en la muñeca y los ajustes de la pinza en la pestaña Instalación de la consola. Si el problema continúa, reinicie el robot.</translation>
     </message>
     <message>
         <source>The robot closed the connection to the gripper and may be restarting. Tiller reconnects automatically; the gripper keeps its grip.</source>
         <translation>El robot cerró la conexión con la pinza y puede estar reiniciándose. Tiller se reconecta automáticamente; la pinza mantiene el agarre.</translation>
     </message>
     <message>
-        <source>The gripper did not accept the command. Activate the gripper. If the gripper is already active, check the gripper&apos;s page in the robot&apos;s installation.</source>
-        <translation>La pinza no aceptó la orden. Actívela; si está activa, compruebe su página en la Instalación del robot.</translation>
+        <source>The gripper did not accept the command. Activate the gripper. If it is already active, check its settings on the Installation tab of the teach pendant.</source>
+        <translation>La pinza no aceptó la orden. Actívela. Si ya está activa, compruebe sus ajustes en la pestaña Instalación de la consola.</translation>
     </message>
     <message>
         <source>The gripper is activating; the command runs afterwards.</source>
@@ -12022,7 +12022,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Separar %1</translation>
     </message>
     <message>
-        <source>Moves the panel to a separate window, e.g. for a second screen, or back.</source>
+        <source>Moves the panel to a separate window, e.g. on a second screen, or back to the main window.</source>
         <translation>Mueve el panel a una ventana aparte, p. ej. para una segunda pantalla, o de vuelta.</translation>
     </message>
     <message>
@@ -12473,8 +12473,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>UR5e del laboratorio</translation>
     </message>
     <message>
-        <source>For example %1. {date}, {time}, {robot} and {number} are replaced. Existing files are never overwritten.</source>
-        <translation>Por ejemplo %1. {date}, {time}, {robot} y {number} se sustituyen. Los archivos existentes nunca se sobrescriben.</translation>
+        <source>Example: %1. {date}, {time}, {robot} and {number} are placeholders. Existing files are never overwritten.</source>
+        <translation>Ejemplo: %1. {date}, {time}, {robot} y {number} son marcadores. Los archivos existentes nunca se sobrescriben.</translation>
     </message>
     <message numerus="yes">
         <source>%n packet(s) per row: %1 rows per second from a robot that sends 500 packets per second.</source>
@@ -12496,7 +12496,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation> MB</translation>
     </message>
     <message>
-        <source>A recording stops and is completed before the free disk space falls below this value.</source>
+        <source>Recording stops, and the file is saved, before the free disk space falls below this value.</source>
         <translation>Una grabación se detiene y se completa antes de que el espacio libre baje de este valor.</translation>
     </message>
     <message>
@@ -12657,8 +12657,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Tamaño de la interfaz</translation>
     </message>
     <message>
-        <source>Lengths</source>
-        <translation>Longitudes</translation>
+        <source>Length unit</source>
+        <translation>Unidad de longitud</translation>
     </message>
     <message>
         <source>Millimetres</source>
@@ -12669,8 +12669,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Pulgadas</translation>
     </message>
     <message>
-        <source>Orientations</source>
-        <translation>Orientaciones</translation>
+        <source>Orientation format</source>
+        <translation>Formato de orientación</translation>
     </message>
     <message>
         <source>Roll, pitch, yaw in degrees</source>
@@ -12701,8 +12701,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Táctil: suficientemente grande para los dedos. En ventanas de menos de %1 px de alto, los botones de articulación, pestañas y barras de título siguen siendo más pequeños.</translation>
     </message>
     <message>
-        <source>Units for displaying and entering lengths, TCP speeds and orientations. Plots and files always use metres, millimetres and degrees.</source>
-        <translation>Unidades para mostrar e introducir longitudes, velocidades del TCP y orientaciones. Los gráficos y archivos usan siempre metros, milímetros y grados.</translation>
+        <source>Units for displaying and entering lengths, TCP speeds and orientations. The units in plots and files do not change.</source>
+        <translation>Unidades para mostrar e introducir longitudes, velocidades del TCP y orientaciones. Las unidades de gráficos y archivos no cambian.</translation>
     </message>
     <message>
         <source>Speed cap</source>

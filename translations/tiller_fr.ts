@@ -301,8 +301,8 @@
         <translation>Rien à comparer : le bras était hors tension ou guidé à la main pendant tout l’enregistrement.</translation>
     </message>
     <message>
-        <source>Arm and model differ from the first sample on. Check the payload and the robot model, and make sure that nothing touches the arm.</source>
-        <translation>Le bras et le modèle diffèrent dès le premier échantillon : vérifiez la charge utile, le modèle de robot et tout contact avec le bras.</translation>
+        <source>The arm deviates from the model from the start of the recording. Check the payload and the robot model, and check whether something was touching the arm.</source>
+        <translation>Le bras s’écarte du modèle dès le début de l’enregistrement. Vérifiez la charge utile, le modèle de robot et si quelque chose touchait le bras.</translation>
     </message>
     <message>
         <source>From this time on, the arm was pushed or held, its payload differed, or a joint did not follow its target.</source>
@@ -1359,8 +1359,8 @@
         <translation>Le bras peut s’affaisser de quelques millimètres. Restez à l’écart.</translation>
     </message>
     <message>
-        <source>Shows what stopped the arm, the last five seconds, and the recovery steps. The arm does not move.</source>
-        <translation>Affiche ce qui a arrêté le bras, les cinq dernières secondes et les étapes de rétablissement. Le bras ne bouge pas.</translation>
+        <source>Shows the cause of the stop, the five seconds before it, and the recovery steps. The arm does not move.</source>
+        <translation>Affiche la cause de l’arrêt, les cinq secondes précédentes et les étapes de rétablissement. Le bras ne bouge pas.</translation>
     </message>
     <message>
         <source>Data late</source>
@@ -1634,8 +1634,8 @@
         <translation>Arrêt du programme</translation>
     </message>
     <message>
-        <source>The program on the robot is ending.</source>
-        <translation>Le programme sur le robot se termine.</translation>
+        <source>The program on the robot is stopping.</source>
+        <translation>Le programme sur le robot s’arrête.</translation>
     </message>
     <message>
         <source>No program</source>
@@ -1800,23 +1800,23 @@
         <translation>Renommer l’entrée ou la sortie sélectionnée</translation>
     </message>
     <message>
-        <source>Renames the input or output in the focused row of the I/O tab.</source>
-        <translation>Renomme l’entrée ou la sortie de la ligne active de l’onglet E/S.</translation>
+        <source>Renames the input or output in the selected row of the I/O tab.</source>
+        <translation>Renomme l’entrée ou la sortie de la ligne sélectionnée de l’onglet E/S.</translation>
     </message>
     <message>
         <source>Switch selected output</source>
         <translation>Commuter la sortie sélectionnée</translation>
     </message>
     <message>
-        <source>Switches the focused output of the I/O tab on or off.</source>
-        <translation>Active ou désactive la sortie active de l’onglet E/S.</translation>
+        <source>Switches the selected output on the I/O tab on or off.</source>
+        <translation>Active ou désactive la sortie sélectionnée de l’onglet E/S.</translation>
     </message>
     <message>
         <source>Pulse selected output</source>
         <translation>Impulsion sur la sortie sélectionnée</translation>
     </message>
     <message>
-        <source>Switches the focused output of the I/O tab on for 0.5 s, then off.</source>
+        <source>Switches the selected output on the I/O tab on for 0.5 s, then off.</source>
         <translation>Active la sortie sélectionnée de l’onglet E/S pendant 0,5 s, puis la désactive.</translation>
     </message>
     <message>
@@ -1848,7 +1848,7 @@
         <translation>Copier le journal</translation>
     </message>
     <message>
-        <source>Copies the selected entries, or all visible entries.</source>
+        <source>Copies the selected entries. If no entry is selected, copies all visible entries.</source>
         <translation>Copie les entrées sélectionnées, ou toutes les entrées visibles.</translation>
     </message>
     <message>
@@ -1860,7 +1860,7 @@
         <translation>Écrit les entrées visibles dans un fichier.</translation>
     </message>
     <message>
-        <source>Search signals for the plots</source>
+        <source>Search plot signals</source>
         <translation>Chercher des signaux pour les tracés</translation>
     </message>
     <message>
@@ -1911,8 +1911,8 @@
         <translation>Cacher %1</translation>
     </message>
     <message>
-        <source>Show %1 at the cursors</source>
-        <translation>Afficher %1 aux curseurs</translation>
+        <source>Show values of %1 at the cursors</source>
+        <translation>Afficher les valeurs de %1 aux curseurs</translation>
     </message>
     <message>
         <source>Move %1 to a separate plot</source>
@@ -2106,7 +2106,7 @@
         <translation>Appuyez sur Démarrer pour ajouter un point de passage « pièce » à la position actuelle du bras. La pièce se déplace ensuite de %1 selon X+ de la base. Allez-y, sélectionnez le point et retouchez-le (U).</translation>
     </message>
     <message>
-        <source>Jog outwards, away from the base, until a limit reduces the speed to half. The line below the pad names the limit and how to leave it. Then jog back by %1.</source>
+        <source>Jog outwards, away from the base, until a limit halves the speed. The line below the pad shows the limit and how to move away from it. Then jog back by %1.</source>
         <translation>Déplacez vers l’extérieur, loin de la base, jusqu’à ce qu’une limite réduise la vitesse de moitié. La ligne sous le pavé nomme la limite et la façon d’en sortir. Revenez ensuite de %1.</translation>
     </message>
     <message>
@@ -2941,8 +2941,8 @@
         <translation>Un registre aurait une autre valeur.</translation>
     </message>
     <message>
-        <source>The value of the variable “%1” is not saved.</source>
-        <translation>La valeur de la variable « %1 » n&apos;est pas enregistrée.</translation>
+        <source>The variable “%1” would have a different value.</source>
+        <translation>La variable « %1 » aurait une autre valeur.</translation>
     </message>
     <message>
         <source>The TCP or the payload would differ.</source>
@@ -3278,7 +3278,7 @@
         <translation>Rétablir…</translation>
     </message>
     <message>
-        <source>Shows what stopped the arm and the recovery steps.</source>
+        <source>Shows the cause of the stop and the recovery steps.</source>
         <translation>Affiche ce qui a arrêté le bras et les étapes de rétablissement.</translation>
     </message>
     <message>
@@ -3812,8 +3812,8 @@
         <translation>Écart de position, rapport à la limite</translation>
     </message>
     <message>
-        <source>Collision measure, ratio to limit</source>
-        <translation>Mesure de collision, rapport à la limite</translation>
+        <source>Collision detection, ratio to limit</source>
+        <translation>Détection de collision, rapport à la limite</translation>
     </message>
     <message>
         <source>Joint modes</source>
@@ -4499,8 +4499,8 @@
         <translation>Surveillance seule : cette fenêtre ne change rien sur le robot. Désactivez « Surveillance seule » dans les réglages, ou démarrez Tiller sans --monitor-only.</translation>
     </message>
     <message>
-        <source>The control connection does not respond.</source>
-        <translation>La connexion de commande ne répond pas.</translation>
+        <source>No current data from the robot. Check the network connection to the robot.</source>
+        <translation>Aucune donnée actuelle du robot. Vérifiez la connexion réseau avec le robot.</translation>
     </message>
     <message>
         <source>selection or modifier key changed</source>
@@ -6139,8 +6139,8 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>Un dialogue ou un menu est ouvert. Fermez-le d’abord.</translation>
     </message>
     <message>
-        <source>Another button or key is already held.</source>
-        <translation>Un autre bouton ou une autre touche est déjà maintenu.</translation>
+        <source>Another button or key is already held. Release it first.</source>
+        <translation>Un autre bouton ou une autre touche est déjà maintenu. Relâchez-le d’abord.</translation>
     </message>
     <message>
         <source>The display server does not respond, so Tiller cannot detect the release of a button or key. Release the button or key, then try again.</source>
@@ -6371,8 +6371,8 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Pose ou articulations</translation>
     </message>
     <message>
-        <source>The arm has not moved yet.</source>
-        <translation>Le bras n’a pas encore bougé.</translation>
+        <source>There is no path to retrace. Jog the arm first.</source>
+        <translation>Aucune trajectoire à reparcourir. Déplacez d’abord le bras.</translation>
     </message>
     <message>
         <source>release and press again</source>
@@ -6419,8 +6419,8 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Finit dans %1 s</translation>
     </message>
     <message>
-        <source>Another button or key is already held.</source>
-        <translation>Un autre bouton ou une autre touche est déjà maintenu.</translation>
+        <source>Another button or key is already held. Release it first.</source>
+        <translation>Un autre bouton ou une autre touche est déjà maintenu. Relâchez-le d’abord.</translation>
     </message>
     <message>
         <source>Last stop: %1, standstill after %2 ms, %3</source>
@@ -7184,7 +7184,7 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Rangée par rangée</translation>
     </message>
     <message>
-        <source>Meander</source>
+        <source>Zigzag</source>
         <translation>Méandre</translation>
     </message>
     <message>
@@ -7235,7 +7235,7 @@ Clic droit ou F2 pour renommer.</translation>
         </translation>
     </message>
     <message>
-        <source>%1 All cells are within reach.</source>
+        <source>%1 All of them are within reach.</source>
         <translation>%1 Tous sont à portée.</translation>
     </message>
     <message>
@@ -7647,7 +7647,7 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>Cette plage ne contient aucun échantillon. Sélectionnez une autre plage.</translation>
     </message>
     <message>
-        <source>Samples are missing in this range. Place the cursors A and B around a range without gaps.</source>
+        <source>Samples are missing in this range. Place cursors A and B around a range without gaps.</source>
         <translation>Des échantillons manquent dans cette plage : placez les curseurs A et B sans lacune entre eux.</translation>
     </message>
     <message>
@@ -7681,8 +7681,8 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>%1 · %2 … %3 s</translation>
     </message>
     <message>
-        <source>These signals are from different recordings. Place the cursors A and B around a shorter range.</source>
-        <translation>Ces signaux proviennent d’enregistrements différents : placez les curseurs A et B autour d’une plage plus courte.</translation>
+        <source>This range is too long to combine signals from different recordings. Place cursors A and B around a shorter range.</source>
+        <translation>Cette plage est trop longue pour combiner des signaux d’enregistrements différents. Placez les curseurs A et B autour d’une plage plus courte.</translation>
     </message>
     <message>
         <source>Reading the recording: %1</source>
@@ -7739,7 +7739,7 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>Lecture au curseur</translation>
     </message>
     <message>
-        <source>Click in the plots to place the cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click to show that signal at the cursors.</source>
+        <source>Click in the plots to place cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click to show that signal at the cursors.</source>
         <translation>Cliquez dans les tracés pour placer les curseurs A et B ; faites-les glisser ou utilisez A, B et les flèches. Cliquez sur une entrée de légende pour masquer sa courbe ; Ctrl+clic pour lire ce signal aux curseurs.</translation>
     </message>
     <message>
@@ -8037,7 +8037,7 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>Valeurs</translation>
     </message>
     <message>
-        <source>Values at the cursors A and B, and statistics of the range between the cursors: minimum, maximum, mean, RMS, standard deviation, slope</source>
+        <source>Values at cursors A and B, and statistics of the range between the cursors: minimum, maximum, mean, RMS, standard deviation, slope</source>
         <translation>Valeurs aux curseurs A et B et statistiques entre eux : minimum, maximum, moyenne, RMS, écart type, pente</translation>
     </message>
     <message>
@@ -8108,7 +8108,7 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>Comparer au modèle du bras…</translation>
     </message>
     <message>
-        <source>Exported the range between the cursors A and B to %1</source>
+        <source>Exported the range between cursors A and B to %1</source>
         <translation>Plage entre les curseurs A et B exportée vers %1</translation>
     </message>
     <message>
@@ -8917,8 +8917,8 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Simulation des arrêts…</translation>
     </message>
     <message>
-        <source>Simulated: %1 of %2 steps can continue after a stop.</source>
-        <translation>Simulé : %1 étapes sur %2 peuvent continuer après un arrêt.</translation>
+        <source>In simulation, the program can continue after a stop in %1 of %2 steps.</source>
+        <translation>En simulation, le programme peut continuer après un arrêt dans %1 étapes sur %2.</translation>
     </message>
     <message>
         <source>Add or remove breakpoints</source>
@@ -9187,11 +9187,11 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Conserver le TCP du robot</translation>
     </message>
     <message>
-        <source>Convert from %1 to %2, keep the poses</source>
+        <source>Convert from %1 to %2 with the same poses</source>
         <translation>Convertir de %1 en %2, conserver les poses</translation>
     </message>
     <message>
-        <source>Convert from %1 to %2, keep the joints</source>
+        <source>Convert from %1 to %2 with the same joint positions</source>
         <translation>Convertir de %1 en %2, conserver les articulations</translation>
     </message>
     <message>
@@ -9630,16 +9630,16 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Aucun service de pince ne répond à %1:%2. Installez l’URCap de Robotiq sur le robot et sélectionnez la pince dans son installation.</translation>
     </message>
     <message>
-        <source>The gripper is not responding. Check the cable at the wrist and the gripper&apos;s page in the robot&apos;s installation. If the problem persists, restart the robot.</source>
-        <translation>La pince ne répond pas. Vérifiez le câble au poignet et la page de la pince dans l’installation du robot. Si le problème persiste, redémarrez le robot.</translation>
+        <source>The gripper is not responding. Check the cable at the wrist and the gripper settings on the Installation tab of the teach pendant. If the problem persists, restart the robot.</source>
+        <translation>La pince ne répond pas. Vérifiez le câble au poignet et les réglages de la pince dans l’onglet Installation du boîtier. Si le problème persiste, redémarrez le robot.</translation>
     </message>
     <message>
         <source>The robot closed the connection to the gripper and may be restarting. Tiller reconnects automatically; the gripper keeps its grip.</source>
         <translation>Le robot a fermé la connexion à la pince et redémarre peut-être. Tiller se reconnecte automatiquement ; la pince maintient sa prise.</translation>
     </message>
     <message>
-        <source>The gripper did not accept the command. Activate the gripper. If the gripper is already active, check the gripper&apos;s page in the robot&apos;s installation.</source>
-        <translation>La pince n’a pas accepté la commande. Activez-la ; si elle est active, vérifiez sa page dans l’installation du robot.</translation>
+        <source>The gripper did not accept the command. Activate the gripper. If it is already active, check its settings on the Installation tab of the teach pendant.</source>
+        <translation>La pince n’a pas accepté la commande. Activez-la. Si elle est déjà active, vérifiez ses réglages dans l’onglet Installation du boîtier.</translation>
     </message>
     <message>
         <source>The gripper is activating; the command runs afterwards.</source>
@@ -12022,7 +12022,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Détacher %1</translation>
     </message>
     <message>
-        <source>Moves the panel to a separate window, e.g. for a second screen, or back.</source>
+        <source>Moves the panel to a separate window, e.g. on a second screen, or back to the main window.</source>
         <translation>Place le panneau dans une fenêtre séparée, p. ex. pour un second écran, ou le remet en place.</translation>
     </message>
     <message>
@@ -12473,8 +12473,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>UR5e du labo</translation>
     </message>
     <message>
-        <source>For example %1. {date}, {time}, {robot} and {number} are replaced. Existing files are never overwritten.</source>
-        <translation>Par exemple %1. {date}, {time}, {robot} et {number} sont remplacés. Les fichiers existants ne sont jamais écrasés.</translation>
+        <source>Example: %1. {date}, {time}, {robot} and {number} are placeholders. Existing files are never overwritten.</source>
+        <translation>Exemple : %1. {date}, {time}, {robot} et {number} sont des champs remplacés. Les fichiers existants ne sont jamais écrasés.</translation>
     </message>
     <message numerus="yes">
         <source>%n packet(s) per row: %1 rows per second from a robot that sends 500 packets per second.</source>
@@ -12496,7 +12496,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation> Mo</translation>
     </message>
     <message>
-        <source>A recording stops and is completed before the free disk space falls below this value.</source>
+        <source>Recording stops, and the file is saved, before the free disk space falls below this value.</source>
         <translation>Un enregistrement s’arrête et se termine avant que l’espace libre passe sous cette valeur.</translation>
     </message>
     <message>
@@ -12657,8 +12657,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Taille de l’interface</translation>
     </message>
     <message>
-        <source>Lengths</source>
-        <translation>Longueurs</translation>
+        <source>Length unit</source>
+        <translation>Unité de longueur</translation>
     </message>
     <message>
         <source>Millimetres</source>
@@ -12669,8 +12669,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Pouces</translation>
     </message>
     <message>
-        <source>Orientations</source>
-        <translation>Orientations</translation>
+        <source>Orientation format</source>
+        <translation>Format d’orientation</translation>
     </message>
     <message>
         <source>Roll, pitch, yaw in degrees</source>
@@ -12701,8 +12701,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Tactile : assez grand pour les doigts. Dans les fenêtres de moins de %1 px de haut, les boutons d’articulation, onglets et barres de titre restent plus petits.</translation>
     </message>
     <message>
-        <source>Units for displaying and entering lengths, TCP speeds and orientations. Plots and files always use metres, millimetres and degrees.</source>
-        <translation>Unités d’affichage et de saisie des longueurs, vitesses TCP et orientations. Les tracés et fichiers utilisent toujours mètres, millimètres et degrés.</translation>
+        <source>Units for displaying and entering lengths, TCP speeds and orientations. The units in plots and files do not change.</source>
+        <translation>Unités d’affichage et de saisie des longueurs, vitesses TCP et orientations. Les unités des tracés et des fichiers ne changent pas.</translation>
     </message>
     <message>
         <source>Speed cap</source>

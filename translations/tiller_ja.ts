@@ -301,8 +301,8 @@
         <translation>比較できるものがありませんでした：アームはずっと電源が切れていたか、手で動かされていました。</translation>
     </message>
     <message>
-        <source>Arm and model differ from the first sample on. Check the payload and the robot model, and make sure that nothing touches the arm.</source>
-        <translation>アームとモデルは最初のサンプルから一致していません：ペイロード、ロボットの機種、アームへの接触を確認してください。</translation>
+        <source>The arm deviates from the model from the start of the recording. Check the payload and the robot model, and check whether something was touching the arm.</source>
+        <translation>アームとモデルは記録の最初から一致していません。ペイロード、ロボットの機種、アームへの接触がなかったかを確認してください。</translation>
     </message>
     <message>
         <source>From this time on, the arm was pushed or held, its payload differed, or a joint did not follow its target.</source>
@@ -1359,8 +1359,8 @@
         <translation>アームが数ミリ下がることがあります。離れてください。</translation>
     </message>
     <message>
-        <source>Shows what stopped the arm, the last five seconds, and the recovery steps. The arm does not move.</source>
-        <translation>アームが停止した原因、直前の 5 秒、復旧の手順を表示します。アームは動きません。</translation>
+        <source>Shows the cause of the stop, the five seconds before it, and the recovery steps. The arm does not move.</source>
+        <translation>停止の原因、停止前の 5 秒、復旧の手順を表示します。アームは動きません。</translation>
     </message>
     <message>
         <source>Data late</source>
@@ -1634,7 +1634,7 @@
         <translation>プログラム停止中</translation>
     </message>
     <message>
-        <source>The program on the robot is ending.</source>
+        <source>The program on the robot is stopping.</source>
         <translation>ロボットのプログラムを終了しています。</translation>
     </message>
     <message>
@@ -1800,24 +1800,24 @@
         <translation>選んだ入出力の名前を変更</translation>
     </message>
     <message>
-        <source>Renames the input or output in the focused row of the I/O tab.</source>
-        <translation>I/O タブでフォーカスのある行の入出力の名前を変更します。</translation>
+        <source>Renames the input or output in the selected row of the I/O tab.</source>
+        <translation>I/O タブで選択した行の入出力の名前を変更します。</translation>
     </message>
     <message>
         <source>Switch selected output</source>
         <translation>選んだ出力を切り替え</translation>
     </message>
     <message>
-        <source>Switches the focused output of the I/O tab on or off.</source>
-        <translation>I/O タブでフォーカスのある出力をオンまたはオフにします。</translation>
+        <source>Switches the selected output on the I/O tab on or off.</source>
+        <translation>I/O タブで選択した出力をオンまたはオフにします。</translation>
     </message>
     <message>
         <source>Pulse selected output</source>
         <translation>選んだ出力をパルス</translation>
     </message>
     <message>
-        <source>Switches the focused output of the I/O tab on for 0.5 s, then off.</source>
-        <translation>I/O タブでフォーカスのある出力を 0.5 秒オンにし、その後オフにします。</translation>
+        <source>Switches the selected output on the I/O tab on for 0.5 s, then off.</source>
+        <translation>I/O タブで選択した出力を 0.5 秒オンにし、その後オフにします。</translation>
     </message>
     <message>
         <source>Search the log</source>
@@ -1848,7 +1848,7 @@
         <translation>ログをコピー</translation>
     </message>
     <message>
-        <source>Copies the selected entries, or all visible entries.</source>
+        <source>Copies the selected entries. If no entry is selected, copies all visible entries.</source>
         <translation>選択した行、または表示中の全行をコピーします。</translation>
     </message>
     <message>
@@ -1860,7 +1860,7 @@
         <translation>表示中の項目をファイルに書き出します。</translation>
     </message>
     <message>
-        <source>Search signals for the plots</source>
+        <source>Search plot signals</source>
         <translation>グラフの信号を検索</translation>
     </message>
     <message>
@@ -1911,8 +1911,8 @@
         <translation>%1 を隠す</translation>
     </message>
     <message>
-        <source>Show %1 at the cursors</source>
-        <translation>カーソル位置の %1 を表示</translation>
+        <source>Show values of %1 at the cursors</source>
+        <translation>カーソル位置の %1 の値を表示</translation>
     </message>
     <message>
         <source>Move %1 to a separate plot</source>
@@ -2106,7 +2106,7 @@
         <translation>「開始」を押すと、アームの現在位置にウェイポイント「部品」を追加します。その後、部品はベースの X+ 方向に %1 動きます。そこへジョグし、ウェイポイントを選んで修正教示 (U) してください。</translation>
     </message>
     <message>
-        <source>Jog outwards, away from the base, until a limit reduces the speed to half. The line below the pad names the limit and how to leave it. Then jog back by %1.</source>
+        <source>Jog outwards, away from the base, until a limit halves the speed. The line below the pad shows the limit and how to move away from it. Then jog back by %1.</source>
         <translation>限界で速度が半分になるまで、ベースから外側へジョグしてください。パッドの下の行に限界と抜け出し方が表示されます。その後 %1 戻ってください。</translation>
     </message>
     <message>
@@ -2941,8 +2941,8 @@
         <translation>レジスタの値が異なります。</translation>
     </message>
     <message>
-        <source>The value of the variable “%1” is not saved.</source>
-        <translation>変数「%1」の値は保存されていません。</translation>
+        <source>The variable “%1” would have a different value.</source>
+        <translation>変数「%1」の値が変わります。</translation>
     </message>
     <message>
         <source>The TCP or the payload would differ.</source>
@@ -3278,7 +3278,7 @@
         <translation>復旧…</translation>
     </message>
     <message>
-        <source>Shows what stopped the arm and the recovery steps.</source>
+        <source>Shows the cause of the stop and the recovery steps.</source>
         <translation>アームを停止させた原因と復旧の手順を表示します。</translation>
     </message>
     <message>
@@ -3810,8 +3810,8 @@
         <translation>位置偏差と限界の比</translation>
     </message>
     <message>
-        <source>Collision measure, ratio to limit</source>
-        <translation>衝突量と限界の比</translation>
+        <source>Collision detection, ratio to limit</source>
+        <translation>衝突検出と限界の比</translation>
     </message>
     <message>
         <source>Joint modes</source>
@@ -4497,8 +4497,8 @@
         <translation>監視のみ：このウィンドウはロボットを変更しません。設定で「監視のみ」をオフにするか、--monitor-only なしで Tiller を起動してください。</translation>
     </message>
     <message>
-        <source>The control connection does not respond.</source>
-        <translation>制御用の接続が応答しません。</translation>
+        <source>No current data from the robot. Check the network connection to the robot.</source>
+        <translation>ロボットから最新のデータが届いていません。ロボットとのネットワーク接続を確認してください。</translation>
     </message>
     <message>
         <source>selection or modifier key changed</source>
@@ -6130,8 +6130,8 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>ダイアログかメニューが開いています。先に閉じてください。</translation>
     </message>
     <message>
-        <source>Another button or key is already held.</source>
-        <translation>別のボタンまたはキーが押されています。</translation>
+        <source>Another button or key is already held. Release it first.</source>
+        <translation>別のボタンまたはキーが押されています。先に離してください。</translation>
     </message>
     <message>
         <source>The display server does not respond, so Tiller cannot detect the release of a button or key. Release the button or key, then try again.</source>
@@ -6362,8 +6362,8 @@ Right-click or press F2 to rename it.</source>
         <translation>姿勢または関節</translation>
     </message>
     <message>
-        <source>The arm has not moved yet.</source>
-        <translation>アームはまだ動いていません。</translation>
+        <source>There is no path to retrace. Jog the arm first.</source>
+        <translation>たどれる軌跡がありません。まずアームをジョグしてください。</translation>
     </message>
     <message>
         <source>release and press again</source>
@@ -6410,8 +6410,8 @@ Right-click or press F2 to rename it.</source>
         <translation>あと %1 s で終了</translation>
     </message>
     <message>
-        <source>Another button or key is already held.</source>
-        <translation>別のボタンまたはキーが押されています。</translation>
+        <source>Another button or key is already held. Release it first.</source>
+        <translation>別のボタンまたはキーが押されています。先に離してください。</translation>
     </message>
     <message>
         <source>Last stop: %1, standstill after %2 ms, %3</source>
@@ -7173,7 +7173,7 @@ Right-click or press F2 to rename it.</source>
         <translation>行ごと</translation>
     </message>
     <message>
-        <source>Meander</source>
+        <source>Zigzag</source>
         <translation>蛇行</translation>
     </message>
     <message>
@@ -7223,7 +7223,7 @@ Right-click or press F2 to rename it.</source>
         </translation>
     </message>
     <message>
-        <source>%1 All cells are within reach.</source>
+        <source>%1 All of them are within reach.</source>
         <translation>%1 すべて到達可能です。</translation>
     </message>
     <message>
@@ -7633,7 +7633,7 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>この範囲にサンプルがありません。別の範囲を選んでください。</translation>
     </message>
     <message>
-        <source>Samples are missing in this range. Place the cursors A and B around a range without gaps.</source>
+        <source>Samples are missing in this range. Place cursors A and B around a range without gaps.</source>
         <translation>この範囲ではサンプルが欠けています。間に欠けがないようにカーソルAとBを置いてください。</translation>
     </message>
     <message>
@@ -7665,8 +7665,8 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>%1 · %2 … %3 s</translation>
     </message>
     <message>
-        <source>These signals are from different recordings. Place the cursors A and B around a shorter range.</source>
-        <translation>これらの信号は異なる記録のものです。カーソル A と B をより短い範囲に置いてください。</translation>
+        <source>This range is too long to combine signals from different recordings. Place cursors A and B around a shorter range.</source>
+        <translation>この範囲は、異なる記録の信号を組み合わせるには長すぎます。カーソル A と B をより短い範囲に置いてください。</translation>
     </message>
     <message>
         <source>Reading the recording: %1</source>
@@ -7723,7 +7723,7 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>カーソルの読み</translation>
     </message>
     <message>
-        <source>Click in the plots to place the cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click to show that signal at the cursors.</source>
+        <source>Click in the plots to place cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click to show that signal at the cursors.</source>
         <translation>グラフをクリックしてカーソル A と B を置きます。ドラッグするか、A、B と矢印キーを使います。凡例の名前をクリックで曲線を隠し、Ctrl でその信号を読みます。</translation>
     </message>
     <message>
@@ -8019,7 +8019,7 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>値</translation>
     </message>
     <message>
-        <source>Values at the cursors A and B, and statistics of the range between the cursors: minimum, maximum, mean, RMS, standard deviation, slope</source>
+        <source>Values at cursors A and B, and statistics of the range between the cursors: minimum, maximum, mean, RMS, standard deviation, slope</source>
         <translation>カーソル A と B での各信号の値と、その間の最小、最大、平均、RMS、偏差、傾き</translation>
     </message>
     <message>
@@ -8089,7 +8089,7 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>アームのモデルと比較…</translation>
     </message>
     <message>
-        <source>Exported the range between the cursors A and B to %1</source>
+        <source>Exported the range between cursors A and B to %1</source>
         <translation>カーソルAとBの間の範囲を%1へエクスポートしました</translation>
     </message>
     <message>
@@ -8897,8 +8897,8 @@ Release the button to stop the arm.</source>
         <translation>停止をシミュレーション中…</translation>
     </message>
     <message>
-        <source>Simulated: %1 of %2 steps can continue after a stop.</source>
-        <translation>シミュレーション：%2ステップ中%1ステップが停止後に続行できます。</translation>
+        <source>In simulation, the program can continue after a stop in %1 of %2 steps.</source>
+        <translation>シミュレーションでは、%2ステップ中%1ステップで停止後にプログラムを続行できます。</translation>
     </message>
     <message>
         <source>Add or remove breakpoints</source>
@@ -9164,11 +9164,11 @@ Release the button to stop the arm.</source>
         <translation>ロボットのTCPを維持</translation>
     </message>
     <message>
-        <source>Convert from %1 to %2, keep the poses</source>
+        <source>Convert from %1 to %2 with the same poses</source>
         <translation>%1から%2へ変換（姿勢を維持）</translation>
     </message>
     <message>
-        <source>Convert from %1 to %2, keep the joints</source>
+        <source>Convert from %1 to %2 with the same joint positions</source>
         <translation>%1から%2へ変換（関節を維持）</translation>
     </message>
     <message>
@@ -9605,16 +9605,16 @@ Release the button to stop the arm.</source>
         <translation>%1:%2 でグリッパーの応答がありません。ロボットに Robotiq の URCap を入れ、インストールでグリッパーを選んでください。</translation>
     </message>
     <message>
-        <source>The gripper is not responding. Check the cable at the wrist and the gripper&apos;s page in the robot&apos;s installation. If the problem persists, restart the robot.</source>
-        <translation>グリッパーが応答しません。手首のケーブルとロボットのインストールのページを確認してください。直らなければロボットを再起動してください。</translation>
+        <source>The gripper is not responding. Check the cable at the wrist and the gripper settings on the Installation tab of the teach pendant. If the problem persists, restart the robot.</source>
+        <translation>グリッパーが応答しません。手首のケーブルと、ティーチペンダントの「インストール」タブのグリッパー設定を確認してください。直らなければロボットを再起動してください。</translation>
     </message>
     <message>
         <source>The robot closed the connection to the gripper and may be restarting. Tiller reconnects automatically; the gripper keeps its grip.</source>
         <translation>ロボットがグリッパーとの接続を終えました。再起動中かもしれません。自動で戻ります。グリッパーはつかみ続けます。</translation>
     </message>
     <message>
-        <source>The gripper did not accept the command. Activate the gripper. If the gripper is already active, check the gripper&apos;s page in the robot&apos;s installation.</source>
-        <translation>グリッパーが受け付けませんでした。有効化してください。有効なら、ロボットのインストールのページを見てください。</translation>
+        <source>The gripper did not accept the command. Activate the gripper. If it is already active, check its settings on the Installation tab of the teach pendant.</source>
+        <translation>グリッパーがコマンドを受け付けませんでした。有効化してください。すでに有効なら、ティーチペンダントの「インストール」タブで設定を確認してください。</translation>
     </message>
     <message>
         <source>The gripper is activating; the command runs afterwards.</source>
@@ -11982,7 +11982,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>%1 を切り離す</translation>
     </message>
     <message>
-        <source>Moves the panel to a separate window, e.g. for a second screen, or back.</source>
+        <source>Moves the panel to a separate window, e.g. on a second screen, or back to the main window.</source>
         <translation>第二画面用に独立したウィンドウにする、または戻します。</translation>
     </message>
     <message>
@@ -12432,8 +12432,8 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>実験室の UR5e</translation>
     </message>
     <message>
-        <source>For example %1. {date}, {time}, {robot} and {number} are replaced. Existing files are never overwritten.</source>
-        <translation>例：%1。{date}、{time}、{robot}、{number} は埋められます。既存のファイルは置き換えません。</translation>
+        <source>Example: %1. {date}, {time}, {robot} and {number} are placeholders. Existing files are never overwritten.</source>
+        <translation>例：%1。{date}、{time}、{robot}、{number} は自動で置き換わります。既存のファイルは上書きされません。</translation>
     </message>
     <message numerus="yes">
         <source>%n packet(s) per row: %1 rows per second from a robot that sends 500 packets per second.</source>
@@ -12454,7 +12454,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation> MB</translation>
     </message>
     <message>
-        <source>A recording stops and is completed before the free disk space falls below this value.</source>
+        <source>Recording stops, and the file is saved, before the free disk space falls below this value.</source>
         <translation>空き容量がこの値を下回る前に、記録を停止してファイルを完成させます。</translation>
     </message>
     <message>
@@ -12615,8 +12615,8 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>画面要素のサイズ</translation>
     </message>
     <message>
-        <source>Lengths</source>
-        <translation>長さ</translation>
+        <source>Length unit</source>
+        <translation>長さの単位</translation>
     </message>
     <message>
         <source>Millimetres</source>
@@ -12627,8 +12627,8 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>インチ</translation>
     </message>
     <message>
-        <source>Orientations</source>
-        <translation>姿勢</translation>
+        <source>Orientation format</source>
+        <translation>姿勢の表記</translation>
     </message>
     <message>
         <source>Roll, pitch, yaw in degrees</source>
@@ -12659,8 +12659,8 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>タッチ：指で押せる大きさ。高さ %1 px 未満のウィンドウでは、関節ボタン、タブ、タイトルバーは小さいままです。</translation>
     </message>
     <message>
-        <source>Units for displaying and entering lengths, TCP speeds and orientations. Plots and files always use metres, millimetres and degrees.</source>
-        <translation>長さ、TCP の速度、姿勢の表示と入力の単位です。グラフとファイルでは常にメートル、ミリメートル、度を使います。</translation>
+        <source>Units for displaying and entering lengths, TCP speeds and orientations. The units in plots and files do not change.</source>
+        <translation>長さ、TCP の速度、姿勢の表示と入力の単位です。グラフとファイルの単位は変わりません。</translation>
     </message>
     <message>
         <source>Speed cap</source>

@@ -301,8 +301,8 @@
         <translation>无可比较内容：整个录制期间机械臂未上电或被手动引导。</translation>
     </message>
     <message>
-        <source>Arm and model differ from the first sample on. Check the payload and the robot model, and make sure that nothing touches the arm.</source>
-        <translation>机械臂与模型从第一个样本起就不一致：请检查有效负载、机器人型号以及机械臂是否被触碰。</translation>
+        <source>The arm deviates from the model from the start of the recording. Check the payload and the robot model, and check whether something was touching the arm.</source>
+        <translation>机械臂与模型从录制开始就不一致。请检查有效负载、机器人型号以及当时是否有东西触碰机械臂。</translation>
     </message>
     <message>
         <source>From this time on, the arm was pushed or held, its payload differed, or a joint did not follow its target.</source>
@@ -1359,8 +1359,8 @@
         <translation>机械臂可能下沉几毫米。请保持距离。</translation>
     </message>
     <message>
-        <source>Shows what stopped the arm, the last five seconds, and the recovery steps. The arm does not move.</source>
-        <translation>显示机械臂停止的原因、最后五秒和恢复步骤。机械臂不会移动。</translation>
+        <source>Shows the cause of the stop, the five seconds before it, and the recovery steps. The arm does not move.</source>
+        <translation>显示停止的原因、停止前的五秒和恢复步骤。机械臂不会移动。</translation>
     </message>
     <message>
         <source>Data late</source>
@@ -1634,8 +1634,8 @@
         <translation>程序停止中</translation>
     </message>
     <message>
-        <source>The program on the robot is ending.</source>
-        <translation>机器人上的程序正在结束。</translation>
+        <source>The program on the robot is stopping.</source>
+        <translation>机器人上的程序正在停止。</translation>
     </message>
     <message>
         <source>No program</source>
@@ -1800,24 +1800,24 @@
         <translation>重命名所选输入或输出</translation>
     </message>
     <message>
-        <source>Renames the input or output in the focused row of the I/O tab.</source>
-        <translation>重命名 I/O 选项卡中焦点行的输入或输出。</translation>
+        <source>Renames the input or output in the selected row of the I/O tab.</source>
+        <translation>重命名 I/O 选项卡中选定行的输入或输出。</translation>
     </message>
     <message>
         <source>Switch selected output</source>
         <translation>切换所选输出</translation>
     </message>
     <message>
-        <source>Switches the focused output of the I/O tab on or off.</source>
-        <translation>打开或关闭 I/O 选项卡中具有焦点的输出。</translation>
+        <source>Switches the selected output on the I/O tab on or off.</source>
+        <translation>打开或关闭 I/O 选项卡中选定的输出。</translation>
     </message>
     <message>
         <source>Pulse selected output</source>
         <translation>所选输出脉冲</translation>
     </message>
     <message>
-        <source>Switches the focused output of the I/O tab on for 0.5 s, then off.</source>
-        <translation>将 I/O 选项卡中具有焦点的输出打开 0.5 s，然后关闭。</translation>
+        <source>Switches the selected output on the I/O tab on for 0.5 s, then off.</source>
+        <translation>将 I/O 选项卡中选定的输出打开 0.5 s，然后关闭。</translation>
     </message>
     <message>
         <source>Search the log</source>
@@ -1848,7 +1848,7 @@
         <translation>复制日志</translation>
     </message>
     <message>
-        <source>Copies the selected entries, or all visible entries.</source>
+        <source>Copies the selected entries. If no entry is selected, copies all visible entries.</source>
         <translation>复制所选条目，或所有可见条目。</translation>
     </message>
     <message>
@@ -1860,7 +1860,7 @@
         <translation>将可见条目写入文件。</translation>
     </message>
     <message>
-        <source>Search signals for the plots</source>
+        <source>Search plot signals</source>
         <translation>搜索曲线图的信号</translation>
     </message>
     <message>
@@ -1911,8 +1911,8 @@
         <translation>隐藏 %1</translation>
     </message>
     <message>
-        <source>Show %1 at the cursors</source>
-        <translation>在游标处显示 %1</translation>
+        <source>Show values of %1 at the cursors</source>
+        <translation>在游标处显示 %1 的值</translation>
     </message>
     <message>
         <source>Move %1 to a separate plot</source>
@@ -2106,7 +2106,7 @@
         <translation>按“开始”在机械臂的当前位置添加路点“工件”。随后工件沿基座 X+ 方向移动 %1。点动到那里，选择该路点并修正示教 (U)。</translation>
     </message>
     <message>
-        <source>Jog outwards, away from the base, until a limit reduces the speed to half. The line below the pad names the limit and how to leave it. Then jog back by %1.</source>
+        <source>Jog outwards, away from the base, until a limit halves the speed. The line below the pad shows the limit and how to move away from it. Then jog back by %1.</source>
         <translation>从基座向外点动，直到某个极限将速度降到一半。操作盘下方的行显示该极限和退出方法。然后点动返回 %1。</translation>
     </message>
     <message>
@@ -2941,8 +2941,8 @@
         <translation>某个寄存器的值会不同。</translation>
     </message>
     <message>
-        <source>The value of the variable “%1” is not saved.</source>
-        <translation>变量“%1”的值未保存。</translation>
+        <source>The variable “%1” would have a different value.</source>
+        <translation>变量“%1”的值会不同。</translation>
     </message>
     <message>
         <source>The TCP or the payload would differ.</source>
@@ -3278,7 +3278,7 @@
         <translation>恢复…</translation>
     </message>
     <message>
-        <source>Shows what stopped the arm and the recovery steps.</source>
+        <source>Shows the cause of the stop and the recovery steps.</source>
         <translation>显示机械臂停止的原因和恢复步骤。</translation>
     </message>
     <message>
@@ -3810,8 +3810,8 @@
         <translation>位置偏差与极限之比</translation>
     </message>
     <message>
-        <source>Collision measure, ratio to limit</source>
-        <translation>碰撞量与极限之比</translation>
+        <source>Collision detection, ratio to limit</source>
+        <translation>碰撞检测与极限之比</translation>
     </message>
     <message>
         <source>Joint modes</source>
@@ -4497,8 +4497,8 @@
         <translation>仅监视：此窗口不更改机器人的任何状态。请在设置中关闭“仅监视”，或不带 --monitor-only 启动 Tiller。</translation>
     </message>
     <message>
-        <source>The control connection does not respond.</source>
-        <translation>控制连接无响应。</translation>
+        <source>No current data from the robot. Check the network connection to the robot.</source>
+        <translation>没有收到机器人的最新数据。请检查与机器人的网络连接。</translation>
     </message>
     <message>
         <source>selection or modifier key changed</source>
@@ -6130,8 +6130,8 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>打开了对话框或菜单。请先关闭。</translation>
     </message>
     <message>
-        <source>Another button or key is already held.</source>
-        <translation>已按住另一个按钮或按键。</translation>
+        <source>Another button or key is already held. Release it first.</source>
+        <translation>已按住另一个按钮或按键。请先松开。</translation>
     </message>
     <message>
         <source>The display server does not respond, so Tiller cannot detect the release of a button or key. Release the button or key, then try again.</source>
@@ -6362,8 +6362,8 @@ Right-click or press F2 to rename it.</source>
         <translation>位姿或关节</translation>
     </message>
     <message>
-        <source>The arm has not moved yet.</source>
-        <translation>机械臂尚未移动。</translation>
+        <source>There is no path to retrace. Jog the arm first.</source>
+        <translation>没有可返回的路径。请先点动机械臂。</translation>
     </message>
     <message>
         <source>release and press again</source>
@@ -6410,8 +6410,8 @@ Right-click or press F2 to rename it.</source>
         <translation>%1 s 后结束</translation>
     </message>
     <message>
-        <source>Another button or key is already held.</source>
-        <translation>已按住另一个按钮或按键。</translation>
+        <source>Another button or key is already held. Release it first.</source>
+        <translation>已按住另一个按钮或按键。请先松开。</translation>
     </message>
     <message>
         <source>Last stop: %1, standstill after %2 ms, %3</source>
@@ -7173,7 +7173,7 @@ Right-click or press F2 to rename it.</source>
         <translation>逐行</translation>
     </message>
     <message>
-        <source>Meander</source>
+        <source>Zigzag</source>
         <translation>蛇形</translation>
     </message>
     <message>
@@ -7223,7 +7223,7 @@ Right-click or press F2 to rename it.</source>
         </translation>
     </message>
     <message>
-        <source>%1 All cells are within reach.</source>
+        <source>%1 All of them are within reach.</source>
         <translation>%1 全部可达。</translation>
     </message>
     <message>
@@ -7633,7 +7633,7 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>此范围内没有采样。请选择其他范围。</translation>
     </message>
     <message>
-        <source>Samples are missing in this range. Place the cursors A and B around a range without gaps.</source>
+        <source>Samples are missing in this range. Place cursors A and B around a range without gaps.</source>
         <translation>此范围内缺少采样：请放置游标 A 和 B，使其间没有缺口。</translation>
     </message>
     <message>
@@ -7665,8 +7665,8 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>%1 · %2 … %3 s</translation>
     </message>
     <message>
-        <source>These signals are from different recordings. Place the cursors A and B around a shorter range.</source>
-        <translation>这些信号来自不同的录制：请用游标 A 和 B 选择更短的范围。</translation>
+        <source>This range is too long to combine signals from different recordings. Place cursors A and B around a shorter range.</source>
+        <translation>该范围太长，无法组合不同录制的信号。请将游标 A 和 B 放在更短的范围上。</translation>
     </message>
     <message>
         <source>Reading the recording: %1</source>
@@ -7723,7 +7723,7 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>游标读数</translation>
     </message>
     <message>
-        <source>Click in the plots to place the cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click to show that signal at the cursors.</source>
+        <source>Click in the plots to place cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click to show that signal at the cursors.</source>
         <translation>在曲线图中点击以放置游标 A 和 B；拖动它们，或使用 A、B 键和方向键。点击图例中的名称可隐藏其曲线，按住 Ctrl 则读取该信号。</translation>
     </message>
     <message>
@@ -8019,7 +8019,7 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>值</translation>
     </message>
     <message>
-        <source>Values at the cursors A and B, and statistics of the range between the cursors: minimum, maximum, mean, RMS, standard deviation, slope</source>
+        <source>Values at cursors A and B, and statistics of the range between the cursors: minimum, maximum, mean, RMS, standard deviation, slope</source>
         <translation>每个信号在游标 A 和 B 处的值，以及其间的最小、最大、平均、RMS、偏差、斜率</translation>
     </message>
     <message>
@@ -8089,7 +8089,7 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>与机械臂模型比较…</translation>
     </message>
     <message>
-        <source>Exported the range between the cursors A and B to %1</source>
+        <source>Exported the range between cursors A and B to %1</source>
         <translation>已将游标 A 和 B 之间的范围导出到 %1</translation>
     </message>
     <message>
@@ -8897,8 +8897,8 @@ Release the button to stop the arm.</source>
         <translation>正在仿真停止…</translation>
     </message>
     <message>
-        <source>Simulated: %1 of %2 steps can continue after a stop.</source>
-        <translation>仿真：%2个步骤中有%1个可在停止后继续。</translation>
+        <source>In simulation, the program can continue after a stop in %1 of %2 steps.</source>
+        <translation>在仿真中，程序在%2个步骤中的%1个停止后可以继续。</translation>
     </message>
     <message>
         <source>Add or remove breakpoints</source>
@@ -9164,11 +9164,11 @@ Release the button to stop the arm.</source>
         <translation>保持机器人的 TCP</translation>
     </message>
     <message>
-        <source>Convert from %1 to %2, keep the poses</source>
+        <source>Convert from %1 to %2 with the same poses</source>
         <translation>从 %1 转换到 %2，保持位姿</translation>
     </message>
     <message>
-        <source>Convert from %1 to %2, keep the joints</source>
+        <source>Convert from %1 to %2 with the same joint positions</source>
         <translation>从 %1 转换到 %2，保持关节</translation>
     </message>
     <message>
@@ -9605,16 +9605,16 @@ Release the button to stop the arm.</source>
         <translation>%1:%2 处没有夹爪应答。请在机器人上安装 Robotiq 的 URCap，并在其安装设置中选择夹爪。</translation>
     </message>
     <message>
-        <source>The gripper is not responding. Check the cable at the wrist and the gripper&apos;s page in the robot&apos;s installation. If the problem persists, restart the robot.</source>
-        <translation>夹爪不应答。检查手腕处的电缆和机器人安装设置中夹爪的页面。若问题仍存在，请重启机器人。</translation>
+        <source>The gripper is not responding. Check the cable at the wrist and the gripper settings on the Installation tab of the teach pendant. If the problem persists, restart the robot.</source>
+        <translation>夹爪不应答。请检查手腕处的电缆和示教器“安装设置”选项卡中的夹爪设置。若问题仍存在，请重启机器人。</translation>
     </message>
     <message>
         <source>The robot closed the connection to the gripper and may be restarting. Tiller reconnects automatically; the gripper keeps its grip.</source>
         <translation>机器人结束了与夹爪的连接，可能正在重启。会自行恢复；夹爪继续夹持。</translation>
     </message>
     <message>
-        <source>The gripper did not accept the command. Activate the gripper. If the gripper is already active, check the gripper&apos;s page in the robot&apos;s installation.</source>
-        <translation>夹爪没有接受命令。请激活它；若已激活，请检查机器人安装设置中的页面。</translation>
+        <source>The gripper did not accept the command. Activate the gripper. If it is already active, check its settings on the Installation tab of the teach pendant.</source>
+        <translation>夹爪没有接受命令。请激活它；若已激活，请在示教器的“安装设置”选项卡中检查其设置。</translation>
     </message>
     <message>
         <source>The gripper is activating; the command runs afterwards.</source>
@@ -11982,7 +11982,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>浮动 %1</translation>
     </message>
     <message>
-        <source>Moves the panel to a separate window, e.g. for a second screen, or back.</source>
+        <source>Moves the panel to a separate window, e.g. on a second screen, or back to the main window.</source>
         <translation>将面板移到独立窗口（例如用于第二屏幕），或移回。</translation>
     </message>
     <message>
@@ -12432,8 +12432,8 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>实验室 UR5e</translation>
     </message>
     <message>
-        <source>For example %1. {date}, {time}, {robot} and {number} are replaced. Existing files are never overwritten.</source>
-        <translation>例如 %1。{date}、{time}、{robot} 和 {number} 会填入；已有的文件绝不会被替换。</translation>
+        <source>Example: %1. {date}, {time}, {robot} and {number} are placeholders. Existing files are never overwritten.</source>
+        <translation>例如 %1。{date}、{time}、{robot} 和 {number} 是占位符。已有的文件绝不会被覆盖。</translation>
     </message>
     <message numerus="yes">
         <source>%n packet(s) per row: %1 rows per second from a robot that sends 500 packets per second.</source>
@@ -12454,7 +12454,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation> MB</translation>
     </message>
     <message>
-        <source>A recording stops and is completed before the free disk space falls below this value.</source>
+        <source>Recording stops, and the file is saved, before the free disk space falls below this value.</source>
         <translation>在磁盘剩余空间低于此值之前，录制会停止并完成文件。</translation>
     </message>
     <message>
@@ -12615,8 +12615,8 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>界面大小</translation>
     </message>
     <message>
-        <source>Lengths</source>
-        <translation>长度</translation>
+        <source>Length unit</source>
+        <translation>长度单位</translation>
     </message>
     <message>
         <source>Millimetres</source>
@@ -12627,8 +12627,8 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>英寸</translation>
     </message>
     <message>
-        <source>Orientations</source>
-        <translation>方向</translation>
+        <source>Orientation format</source>
+        <translation>方向格式</translation>
     </message>
     <message>
         <source>Roll, pitch, yaw in degrees</source>
@@ -12659,8 +12659,8 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>触摸：大小适合手指。在高度低于 %1 px 的窗口中，关节按钮、选项卡和标题栏保持较小。</translation>
     </message>
     <message>
-        <source>Units for displaying and entering lengths, TCP speeds and orientations. Plots and files always use metres, millimetres and degrees.</source>
-        <translation>长度、TCP 速度和方向的显示与输入单位。曲线图和文件始终使用米、毫米和度。</translation>
+        <source>Units for displaying and entering lengths, TCP speeds and orientations. The units in plots and files do not change.</source>
+        <translation>长度、TCP 速度和方向的显示与输入单位。曲线图和文件中的单位不变。</translation>
     </message>
     <message>
         <source>Speed cap</source>

@@ -34,7 +34,7 @@ public:
         QByteArray fingerprint;          ///< fingerprint of the current file; empty if missing or unreadable
     };
 
-    /// path  of the file, which need not exist. The constructor does not access the file
+    /// path  project file, which need not exist. The constructor does not access it
     explicit ProjectAccess(const QString& path);
 
     // Threads of all calls: any. Blocks: for the file system, and for other calls of the same object. Real-time: no

@@ -258,7 +258,7 @@ private:
                         return cell.empty() || isNumber(cell);
                     }));
             }
-            // Numbers weigh more than a damaged line.
+            // The fraction of numbers counts twice, so that one damaged line does not change the separator.
             const double score = count < 2 || alike == 0 || cells == 0
                                      ? 0
                                      : static_cast<double>(alike) / static_cast<double>(lines_.size()) +

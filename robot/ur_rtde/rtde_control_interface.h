@@ -171,7 +171,8 @@ public:
     bool moveUntilContact(const std::vector<double>& xd,
                           const std::vector<double>& direction = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
                           double acceleration = 0.5);
-    /// Progress of the last asynchronous motion while it is running, otherwise alternately -1 and -2.
+    /// Progress of the last asynchronous motion while it is running. Afterwards -1 or -2, alternating with each
+    /// operation.
     int getAsyncOperationProgress();
     AsyncOperationStatus getAsyncOperationProgressEx();
 

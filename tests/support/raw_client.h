@@ -140,7 +140,7 @@ public:
         sendPackage(type, payload);
         return next();
     }
-    /// Returns all available packages.
+    /// Returns the complete packages received so far. An incomplete package remains in the buffer.
     std::vector<Package> packages() {
         QByteArray bytes = takeAll();
         std::vector<Package> all;

@@ -190,7 +190,7 @@ void TestBlackHole::askForEverything(Waits& waits) {
             continue;
         }
         measure(action->objectName(), [action] {
-            // Also triggers disabled functions, because no function may wait for the robot.
+            // Also trigger disabled actions, because no action may wait for the robot.
             action->setEnabled(true);
             action->trigger();
         });

@@ -522,7 +522,8 @@ private Q_SLOTS:
                 break;
         }
         QVERIFY2(ms >= 0 && ms <= bound, qPrintable(QString::number(ms)));
-        // The button is still held, and the path may still arrive. The arm must not move before a new press.
+        // The robot may still receive the rest of the path. The arm must not move before the button is pressed
+        // again.
         const Pose rest = cell().truth().tcpPose;
         if (how == End::SilentLink || how == End::ProcessKilled || how == End::WindowClosed) {
             robotAlone(1000);

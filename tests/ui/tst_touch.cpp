@@ -45,7 +45,7 @@ struct Bench : WindowBench {
     }
 };
 
-/// Table rows are 44 px high, which also limits the height of widgets inside them.
+/// True for a widget inside a table row. The height of the row (44 px) limits the widget, so it is not checked.
 bool standsInARow(const QWidget& widget) {
     for (const QWidget* up = widget.parentWidget(); up != nullptr; up = up->parentWidget()) {
         if (up->inherits("QAbstractItemView")) {

@@ -166,7 +166,6 @@ private Q_SLOTS:
         }
     }
 
-    // The shortcuts also work in the tab Tools.
     void ctrlZWorksInTools() {
         changeTcp(0.15, "Change the TCP “gripper”");
         window().showTab("tools");

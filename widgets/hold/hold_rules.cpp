@@ -269,7 +269,7 @@ struct HoldRules::HoldRuleTable {
     }
     static QString anotherInput(const HoldRules& h, const QWidget*, const HoldSource&) {
         return h.policy_.holding != nullptr && h.policy_.holding != &h
-                   ? tr("Another button or key is already held.")
+                   ? tr("Another button or key is already held. Release it first.")
                    : QString();
     }
     static QString probeNotResponding(const HoldRules& h, const QWidget*, const HoldSource& grip) {

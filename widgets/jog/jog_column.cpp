@@ -265,7 +265,8 @@ void JogColumn::applyState(const SessionState& state) {
 }
 
 void JogColumn::reportRetracePath() {
-    // Emit at most every sixth of 60 frames per second, because the path can have thousands of positions.
+    // Emit at most once in six frames (10 Hz at 60 frames per second), because the path can have thousands of
+    // positions.
     constexpr int kFrames = 6;
     if (++retracePathFrames_ >= kFrames && track_->revision() != retracePathReported_) {
         retracePathFrames_ = 0;
@@ -411,9 +412,10 @@ void JogColumn::showReason() {
     homeKey_->setUnavailable(reason);
     align_->setUnavailable(reason);
     freedrive_->setUnavailable(reason);
-    back_->setUnavailable(!reason.isEmpty()                          ? reason
-                          : track_->isEmpty() && !back_->isHolding() ? tr("The arm has not moved yet.")
-                                                                     : QString());
+    back_->setUnavailable(!reason.isEmpty() ? reason
+                          : track_->isEmpty() && !back_->isHolding()
+                              ? tr("There is no path to retrace. Jog the arm first.")
+                              : QString());
     if (const QString last = countdown(); !last.isEmpty()) {
         limiter_->setLimiter({last, tr("release and press again")});
     } else if (!refusal_.isEmpty() && reason.isEmpty()) {
@@ -733,7 +735,7 @@ QString JogColumn::deviceObstacle() const {
         return reason;
     }
     // Only one motion is permitted at a time.
-    return isHolding() ? tr("Another button or key is already held.") : QString();
+    return isHolding() ? tr("Another button or key is already held. Release it first.") : QString();
 }
 
 // ---- display ---------------------------------------------------------------------------------------

@@ -38,7 +38,7 @@ public:
     ~KeyboardJog() override;
 
     void setClock(const Clock& clock) { clock_ = &clock; }
-    /// In armed mode, this key acts as a press and release of this button in the jog column.
+    /// In armed mode, pressing and releasing `key` presses and releases the button of `guard`.
     void addHoldKey(Qt::Key key, HoldGuard& guard);
     /// While step mode is selected, motion keys act as presses and releases of buttons in the jog column.
     void setSteps(KeySteps steps) { steps_ = std::move(steps); }

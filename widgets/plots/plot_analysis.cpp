@@ -208,8 +208,8 @@ std::optional<PlotAnalysis::Task> PlotAnalysis::taskFor(Kind kind, const std::ve
         task.every = (task.end - task.begin + kMaxPoints - 1) / kMaxPoints;
         if (isFar(task) && !store_.stretchOf(task.wanted, task.begin, task.end)) {
             explainMissingResult(
-                tr("These signals are from different recordings. Place the cursors A and B around a shorter "
-                   "range."));
+                tr("This range is too long to combine signals from different recordings. Place cursors A and "
+                   "B around a shorter range."));
             return std::nullopt;
         }
         return task;
@@ -217,7 +217,7 @@ std::optional<PlotAnalysis::Task> PlotAnalysis::taskFor(Kind kind, const std::ve
     task.end = std::min(task.end, task.begin + kMaxAnalysisSamples);
     if (history->hasGap(task.begin + 1, task.end)) {
         explainMissingResult(
-            tr("Samples are missing in this range. Place the cursors A and B around a range without gaps."));
+            tr("Samples are missing in this range. Place cursors A and B around a range without gaps."));
         return std::nullopt;
     }
     task.period = (history->time(task.end - 1) - history->time(task.begin)) /

@@ -729,7 +729,7 @@ void PlotDock::buildHeader() {
     readout_->setElideMode(Qt::ElideRight);
     readout_->setMinimumWidth(kMinReadout);  // constant, so that the buttons keep their positions
     readout_->setToolTip(
-        tr("Click in the plots to place the cursors A and B; drag them, or use the A, B and arrow keys. "
+        tr("Click in the plots to place cursors A and B; drag them, or use the A, B and arrow keys. "
            "Click a legend entry to hide its curve; Ctrl+click to show that signal at the cursors."));
     signalsKey_ = quietButton(QStringLiteral("plots.signals"), tr("Signal list"), this);
     signalsKey_->setText(tr("Signals"));
@@ -741,7 +741,7 @@ void PlotDock::buildHeader() {
     valuesKey_ = quietButton(QStringLiteral("plots.valuesKey"), tr("Values at the cursors"), this);
     valuesKey_->setText(tr("Values"));
     valuesKey_->setToolTip(
-        tr("Values at the cursors A and B, and statistics of the range between the cursors: minimum, "
+        tr("Values at cursors A and B, and statistics of the range between the cursors: minimum, "
            "maximum, mean, RMS, standard deviation, slope"));
     valuesKey_->setCheckable(true);
     connect(valuesKey_, &QToolButton::clicked, this, &PlotDock::setValuesShown);
@@ -1042,7 +1042,7 @@ bool PlotDock::exportTo(const QString& path, ExportRange range) {
     if (result) {
         const bool isBetween = isTable && range == ExportRange::BetweenCursors;
         Q_EMIT session_.message(Severity::Info,
-                                (isBetween ? tr("Exported the range between the cursors A and B to %1")
+                                (isBetween ? tr("Exported the range between cursors A and B to %1")
                                            : tr("Exported the visible range to %1"))
                                     .arg(path));
     } else if (isTable && result.error().code == ErrorCode::InvalidArgument) {

@@ -80,7 +80,7 @@ void PlotMenu::addCurve(QMenu& menu, const PlotPane& pane, int signal) {
     addAction(menu, "plots.menu.hide",
               pane.isHidden(signal) ? tr("Show %1").arg(name) : tr("Hide %1").arg(name),
               [view, signal] { view->setHidden(signal, !view->isHidden(signal)); });
-    addAction(menu, "plots.menu.read", tr("Show %1 at the cursors").arg(name),
+    addAction(menu, "plots.menu.read", tr("Show values of %1 at the cursors").arg(name),
               [view, signal] { view->setReadoutSignal(signal); });
     addAction(
         menu, "plots.menu.move", tr("Move %1 to a separate plot").arg(name),

@@ -325,8 +325,8 @@ QString practiceText(PracticeTask task) {
                 .arg(length(kPartMoved));
         case PracticeTask::FindLimit:
             return PracticeText::tr(
-                       "Jog outwards, away from the base, until a limit reduces the speed to half. The line "
-                       "below the pad names the limit and how to leave it. Then jog back by %1.")
+                       "Jog outwards, away from the base, until a limit halves the speed. The line below the "
+                       "pad shows the limit and how to move away from it. Then jog back by %1.")
                 .arg(length(0.050));
         case PracticeTask::Measure:
             break;

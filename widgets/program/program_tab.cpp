@@ -686,8 +686,9 @@ void ProgramTab::showRecovery(const program::RecoveryMap& map) {
     recoverAction_->setText(tr("Check recoverability"));
     model_->setRecovery(&recovered_, &map);
     const program::RecoveryCount count = program::countRecoverable(map);
-    const QString text =
-        tr("Simulated: %1 of %2 steps can continue after a stop.").arg(count.recoverable).arg(count.steps);
+    const QString text = tr("In simulation, the program can continue after a stop in %1 of %2 steps.")
+                             .arg(count.recoverable)
+                             .arg(count.steps);
     const QString offer = offerContinuation();
     showStatus(offer.isEmpty() ? text : offer);
 }

@@ -222,9 +222,10 @@ void ProjectFit::change(project::Keep keep) {
         project::changeModel(document_.project(), robotModel(from), session_.state().arm(), keep);
     const QLatin1String arms[] = {QLatin1String(robotModel(from).name),
                                   QLatin1String(robotModel(session_.state().model).name)};
-    const QString done = (keep == project::Keep::Poses ? tr("Convert from %1 to %2, keep the poses")
-                                                       : tr("Convert from %1 to %2, keep the joints"))
-                             .arg(arms[0], arms[1]);
+    const QString done =
+        (keep == project::Keep::Poses ? tr("Convert from %1 to %2 with the same poses")
+                                      : tr("Convert from %1 to %2 with the same joint positions"))
+            .arg(arms[0], arms[1]);
     document_.changeModel(made, done);
     Q_EMIT message(Severity::Info, done);
     QStringList left;

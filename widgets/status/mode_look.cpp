@@ -378,8 +378,8 @@ QString nextStepAdvice(NextStep step) {
             return ModeLookText::tr("The arm may sag by a few millimetres. Keep clear.");
         case NextStep::Recover:
             return ModeLookText::tr(
-                "Shows what stopped the arm, the last five seconds, and the recovery steps. The arm does not "
-                "move.");
+                "Shows the cause of the stop, the five seconds before it, and the recovery steps. The arm "
+                "does not move.");
         case NextStep::TakeControl:
             return ModeLookText::tr(
                 "Starts the control program on the robot. Asks for confirmation before stopping another "

@@ -17,7 +17,7 @@ namespace tiller {
 
 namespace {
 
-/// A page that scrolls if the tab has little height. It is never narrower than its buttons.
+/// A page that scrolls vertically if the tab is too short. It is never narrower than its buttons.
 class PageArea : public NoFocusScrollArea {
 public:
     explicit PageArea(QWidget* page) {

@@ -113,7 +113,7 @@ void PatternDialog::build(bool isNew) {
     order_ = new ChoiceBox;
     order_->setObjectName(QStringLiteral("pattern.order"));
     order_->setAccessibleName(tr("Order"));
-    order_->addItems({tr("Row by row"), tr("Meander")});
+    order_->addItems({tr("Row by row"), tr("Zigzag")});
     order_->setCurrentIndex(static_cast<int>(pattern_.order));
     add(tr("Order"), order_);
 
@@ -245,7 +245,7 @@ void PatternDialog::refresh() {
     }
     const QString count = tr("%n waypoints.", nullptr, static_cast<int>(points.size()));
     feedback_->setText(
-        far == 0 ? tr("%1 All cells are within reach.").arg(count)
+        far == 0 ? tr("%1 All of them are within reach.").arg(count)
                  : tr("%1 %2").arg(count, tr("%n of them are out of reach and marked.", nullptr, far)));
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 // Details of the selected waypoint below the list: editable values, distance from the current position, and
-// the frame of the waypoint. Editing changes only the waypoint.
+// the frame of the waypoint. Editing a value changes the waypoint and does not move the arm.
 
 #include <QWidget>
 #include <optional>

@@ -76,9 +76,9 @@ public:
 
     /// Processes one package from the robot and returns the answer.
     Command tick(const Feedback& data);
-    /// Processes a package that needs no answer because a newer package has arrived.
+    /// Processes a packet that needs no answer because a newer packet has arrived.
     void pass(const Feedback& data);
-    /// True if only the newest package is needed, because a slow packet loop must not process a backlog.
+    /// True if only the newest packet is needed, because a slow packet loop must not process a backlog.
     bool wantsNewest();
     /// Call after sending the result of tick().
     void answered() { answeredTime_.store(data_.timestamp, std::memory_order_release); }

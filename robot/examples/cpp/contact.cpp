@@ -13,7 +13,7 @@ int main(int, char** argv) {
 
     Twist down;
     down.linear.z() = -0.03;  // [m/s]
-    // Holding::Free: the motion needs no refresh. The deadline below limits the motion.
+    // Holding::Free: the motion needs no refresh(). Without contact, it is stopped after 10 s.
     auto touch = control::Motions(controller)
                      .moveUntilContact(down, Deadline::after(3s), {.holding = control::Holding::Free});
     const Result<void> felt = touch ? touch->wait(Deadline::after(10s)) : touch.error();

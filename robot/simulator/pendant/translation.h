@@ -55,7 +55,7 @@ public:
     QString uniqueName(const QString& text);
     int nextNumber() { return ++lastNumber_; }  ///< for generated names
 
-    /// Assigns to every node of a program its line number in the program tree.
+    /// Assigns each program node its line number in the program tree.
     void numberNodes(const XmlElement& container);
     void label(const XmlElement& node, const QString& text);
     int numberOf(const XmlElement& node) const;  ///< line number in the program tree; 0: none

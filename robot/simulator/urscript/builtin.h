@@ -175,7 +175,7 @@ inline constexpr Since kPolyScopeX{{kNever, 0, kNever}, FirstVersions{kNever, 11
 inline constexpr Since kAfter33{{0, 0, 4}, FirstVersions{5, 0, 11}};
 /// Not in the lists of 2019, but in those of 5.15.
 inline constexpr Since kAfter2019{{6}, FirstVersions{15}};
-/// As kAfter2019, but already in a list of 2021 (5.11) or 2022 (5.12).
+/// Like kAfter2019, but first listed in 2021 (5.11) or 2022 (5.12).
 inline constexpr Since kAfter2019By2021{{6}, FirstVersions{11}};
 inline constexpr Since kAfter2019By2022{{6}, FirstVersions{12}};
 /// Not in the lists of 5.15, but in those of 5.24 and 10.11.

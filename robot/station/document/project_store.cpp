@@ -271,7 +271,7 @@ project::Project ProjectStore::snapshot() const {
 }
 
 void ProjectStore::autosave() {
-    // Disk access may be slow, so it must not run in the GUI thread, which also stops the arm.
+    // Disk access may be slow. The GUI thread must always be able to stop the arm, so this runs in the worker.
     const Access access = obstacle_ == Obstacle::None ? access_ : nullptr;
     worker_.post(this, [this, access, keeper = keeper_, name = name(), revision = revision_,
                         project = snapshot()](const CancelToken&) {

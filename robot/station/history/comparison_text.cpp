@@ -121,8 +121,8 @@ QString reportDetails(const divergence::Report& report) {
     QStringList lines;
     if (report.partedFromStart()) {
         lines << ComparisonText::tr(
-            "Arm and model differ from the first sample on. Check the payload and the robot model, and make "
-            "sure that nothing touches the arm.");
+            "The arm deviates from the model from the start of the recording. Check the payload and the "
+            "robot model, and check whether something was touching the arm.");
     } else if (report.first()) {
         lines << ComparisonText::tr(
             "From this time on, the arm was pushed or held, its payload differed, or a joint did not follow "

@@ -105,7 +105,7 @@ constexpr Family kFamilies[] = {
     {"joint_position_deviation_ratio", 0, 1, kJoints,
      QT_TRANSLATE_NOOP("SignalInfo", "Position deviation, ratio to limit"), "Deviation", Axes::None},
     {"collision_detection_ratio", 0, 1, kJoints,
-     QT_TRANSLATE_NOOP("SignalInfo", "Collision measure, ratio to limit"), "Collision", Axes::None},
+     QT_TRANSLATE_NOOP("SignalInfo", "Collision detection, ratio to limit"), "Collision", Axes::None},
     {"joint_mode", 0, 6, kModes, QT_TRANSLATE_NOOP("SignalInfo", "Joint modes"), "Mode", Axes::Joints},
 
     {"actual_digital_input_bits", 0, 1, kIo, QT_TRANSLATE_NOOP("SignalInfo", "Digital inputs"),

@@ -45,7 +45,8 @@ QString codeTitle(const script::ControllerMessage& message, const CodeWords& wor
                        : name + message.text;
 }
 
-/// True for stops caused by the operator: a released button, a stop key, or STOP.
+/// True for stops caused by the operator: a released button, the pointer leaving the button, a second
+/// button, a stop key, or STOP.
 bool isOperatorStop(control::StopCause cause) {
     using control::StopCause;
     return cause == StopCause::Released || cause == StopCause::PointerLeft || cause == StopCause::Escape ||

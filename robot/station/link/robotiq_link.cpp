@@ -299,8 +299,8 @@ QString RobotiqLink::errorText(const Error& error) const {
                 .arg(port_);
         case ErrorCode::Timeout:
             return tr(
-                "The gripper is not responding. Check the cable at the wrist and the gripper's page in the "
-                "robot's installation. If the problem persists, restart the robot.");
+                "The gripper is not responding. Check the cable at the wrist and the gripper settings on the "
+                "Installation tab of the teach pendant. If the problem persists, restart the robot.");
         case ErrorCode::ConnectionClosed:
         case ErrorCode::NotConnected:
             return tr(
@@ -308,8 +308,8 @@ QString RobotiqLink::errorText(const Error& error) const {
                 "automatically; the gripper keeps its grip.");
         case ErrorCode::Rejected:
             return tr(
-                "The gripper did not accept the command. Activate the gripper. If the gripper is already "
-                "active, check the gripper's page in the robot's installation.");
+                "The gripper did not accept the command. Activate the gripper. If it is already active, "
+                "check its settings on the Installation tab of the teach pendant.");
         default:
             return texts::errorText(error);
     }

@@ -140,7 +140,7 @@ constexpr auto kSafety = std::to_array<Row<SafetyStatus>>({
 
 constexpr auto kRuntime = std::to_array<Row<RuntimeState>>({
     {RuntimeState::Stopping, QT_TRANSLATE_NOOP("ModeWords", "Program stopping"),
-     QT_TRANSLATE_NOOP("ModeWords", "The program on the robot is ending.")},
+     QT_TRANSLATE_NOOP("ModeWords", "The program on the robot is stopping.")},
     {RuntimeState::Stopped, QT_TRANSLATE_NOOP("ModeWords", "No program"),
      QT_TRANSLATE_NOOP("ModeWords", "No program is running on the robot.")},
     {RuntimeState::Playing, QT_TRANSLATE_NOOP("ModeWords", "Program running"),

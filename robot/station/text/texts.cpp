@@ -264,7 +264,8 @@ QString controlLossText(control::ControlLoss loss) {
         case ControlLoss::LinkLost:
             return TextsText::tr("The connection was lost. Take control again.");
         case ControlLoss::DataStale:
-            return TextsText::tr("The control connection does not respond.");
+            return TextsText::tr(
+                "No current data from the robot. Check the network connection to the robot.");
         case ControlLoss::OwnScript:
             return TextsText::tr("Your script is running. Tiller regains control when the script ends.");
     }

@@ -224,7 +224,7 @@ void TestMotionAcceptance::blendsPassWithinTheirRadius() {
     const Six corner = shifted(start, 0, 0, 0.25);
     const Six end = shifted(start, -0.25, 0, 0.25);
     const auto move = [](const QByteArray& name, const Six& pose, double r) {
-        // Use a joint move with joint positions, so that all moves have the same corner.
+        // movej receives joint positions here, so that its corner is exactly the pose of the other moves.
         const QByteArray target = name == "movej" ? "get_inverse_kin(" + poseOf(pose) + ")" : poseOf(pose);
         const QByteArray speed = name == "movej" ? ", a=2, v=1" : ", a=1.2, v=0.3";
         return "  " + name + '(' + target + speed + ", r=" + QByteArray::number(r) + ")\n";

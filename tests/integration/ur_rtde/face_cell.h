@@ -38,7 +38,7 @@ public:
     std::string host() const { return robot.listenAddress().toStdString(); }
     /// Stops time, as in a controller that hangs. Connections remain open.
     void freeze(bool frozen) { frozen_ = frozen; }
-    /// Waits for the condition in real time, with a timeout for hanging tests.
+    /// Waits for the condition in real time. Returns false after 30 s.
     bool until(const std::function<bool(const simulator::SimulatedState&)>& condition) {
         for (int i = 0; i < 30'000; ++i) {
             if (condition(robot.truth())) {

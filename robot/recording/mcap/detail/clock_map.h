@@ -2,7 +2,7 @@
 #pragma once
 
 // Converts controller time to UTC. Controller time stamps are regular, whereas arrival times have jitter. The
-// package with the smallest delay determines the offset between the two clocks, and the conversion slowly
+// packet with the smallest delay determines the offset between the two clocks, and the conversion slowly
 // follows their drift. Private to robot/recording/mcap.
 
 #include <algorithm>

@@ -645,7 +645,7 @@ private:
         for (const auto& [name, value] : end.variables) {
             const auto found = again.boundary.variables.find(name);
             if (found == again.boundary.variables.end() || found->second != value) {
-                return ProgramText::tr("The value of the variable “%1” is not saved.").arg(name);
+                return ProgramText::tr("The variable “%1” would have a different value.").arg(name);
             }
         }
         if (!(state.tcp.transform().isApprox(end.state.tcp.transform(), 1e-6)) ||

@@ -45,7 +45,7 @@ private Q_SLOTS:
         QCOMPARE(parser.takeMessages().front().title, QStringLiteral("URControl"));
     }
 
-    // The bytes of a recorded package, according to its description.
+    // The layout of the package is the one in the description of the primary interface.
     void compileErrorHasLineAndColumn() {
         const auto m =
             only(message(10, Wire().i32(3).i32(1).text("compile_error_name_not_found:txtmsg:").bytes()));

@@ -81,7 +81,7 @@ private Q_SLOTS:
         QCOMPARE(arrived.get_future().get(), QByteArray("textmsg(\"a\")\n"));
     }
 
-    // Data received in the meantime do not prove that the controller is reading.
+    // The client must not take received data as proof that the connection is still open.
     void aDisconnectIsDetectedBeforeSending() {
         RawPeer peer([](RawPeer::Link& link) { link.send(QByteArray(100'000, 'x')); });
         ScriptClient client(QStringLiteral("127.0.0.1"), peer.port());

@@ -291,7 +291,7 @@ private Q_SLOTS:
         QCOMPARE(gridFault(b.view()), QString());
         b.dock.resize(1100, 520);
         QCOMPARE(gridFault(b.view()), QString());
-        // Size and scale change while the plots are hidden, as with another perspective.
+        // Change the size and scale while the plots are hidden, as happens while another perspective is active.
         b.dock.hide();
         b.dock.resize(1500, 420);
         b.runTo(61);

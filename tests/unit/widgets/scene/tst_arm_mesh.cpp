@@ -80,7 +80,7 @@ private Q_SLOTS:
         }
     }
 
-    // A pose that looks collision-free in the view must not be reported as a collision, and vice versa.
+    // The drawn shapes must be inside the collision shapes, so that each visible collision is reported.
     void drawnShapesAreInsideTheCheckedShapes() {
         for (const RobotModel& model : robotModels()) {
             const ArmMesh mesh = armMesh(model);
