@@ -218,8 +218,12 @@ void DockStage::resizeEvent(QResizeEvent* event) {
 
 void DockStage::showEvent(QShowEvent* event) {
     QMainWindow::showEvent(event);
-    // Queued, because the panels do not have their final size yet.
-    QTimer::singleShot(0, this, &DockStage::proportion);
+    // A window that is restored after being minimized has kept its sizes. Resizing its panels then would push the
+    // last one out of the window.
+    if (!event->spontaneous()) {
+        // Queued, because the panels do not have their final size yet.
+        QTimer::singleShot(0, this, &DockStage::proportion);
+    }
 }
 
 }  // namespace tiller::app
