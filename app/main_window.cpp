@@ -356,7 +356,7 @@ void MainWindow::connectParts() {
             [](Severity, const QString& text) { rememberForCrash(text); });
     connect(session_.get(), &RobotSession::takeControlQuestion, this, &MainWindow::askToTakeControl);
     connect(session_.get(), &RobotSession::changeQuestion, this, &MainWindow::askToChange);
-    connect(session_.get(), &RobotSession::powerOffQuestion, this, &MainWindow::askToPowerOff);
+    connect(session_.get(), &RobotSession::commandQuestion, this, &MainWindow::askToPerform);
     connectFrames();
     connectTools();
     followCell(scene_->view(), *session_, *document_);
@@ -1213,7 +1213,7 @@ void MainWindow::askForProgram() {
     dialog->open();
 }
 
-void MainWindow::askToEndProgram(const QString& name, const QString& title, const QString& effect,
+void MainWindow::askAboutProgram(const QString& name, const QString& title, const QString& effect,
                                  const QString& accept, const QString& reject,
                                  const std::function<void(bool optionChecked)>& accepted,
                                  const QString& option) {
@@ -1232,10 +1232,13 @@ void MainWindow::askToEndProgram(const QString& name, const QString& title, cons
     question->setAttribute(Qt::WA_DeleteOnClose);
     question->setIcon(QMessageBox::Warning);
     question->setWindowTitle(title);
-    question->setText(program.isEmpty() && paused ? tr("A program is paused on the robot.")
-                      : program.isEmpty()         ? tr("A program is running on the robot.")
-                      : paused ? tr("The program “%1” is paused on the robot.").arg(program)
-                               : tr("The program “%1” is running on the robot.").arg(program));
+    const bool stopped = state.runtimeState == RuntimeState::Stopped;
+    question->setText(program.isEmpty() && paused    ? tr("A program is paused on the robot.")
+                      : program.isEmpty() && stopped ? tr("A program is loaded on the robot.")
+                      : program.isEmpty()            ? tr("A program is running on the robot.")
+                      : paused  ? tr("The program “%1” is paused on the robot.").arg(program)
+                      : stopped ? tr("The program “%1” is loaded on the robot.").arg(program)
+                                : tr("The program “%1” is running on the robot.").arg(program));
     question->setInformativeText(effect);
     QPushButton* end = question->addButton(accept, QMessageBox::DestructiveRole);
     end->setObjectName(name + QStringLiteral(".take"));
@@ -1255,14 +1258,14 @@ void MainWindow::askToEndProgram(const QString& name, const QString& title, cons
 }
 
 void MainWindow::askToTakeControl() {
-    askToEndProgram(QStringLiteral("takeControlQuestion"), tr("Take control"),
+    askAboutProgram(QStringLiteral("takeControlQuestion"), tr("Take control"),
                     tr("Taking control stops the program. The program cannot be resumed, only restarted."),
                     tr("Stop program and take control"), tr("Keep program"),
                     [this](bool) { session_->takeControl(RobotSession::ForeignProgram::Stop); });
 }
 
 void MainWindow::askToChange(const QString& what, const std::function<void()>& change) {
-    askToEndProgram(
+    askAboutProgram(
         QStringLiteral("changeQuestion"), tr("Change while a program is active"),
         what + QLatin1Char('\n') + tr("The change takes effect immediately and may disturb the program."),
         tr("Change anyway"), tr("Cancel"),
@@ -1274,11 +1277,34 @@ void MainWindow::askToChange(const QString& what, const std::function<void()>& c
         tr("Do not ask again during this program"));
 }
 
-void MainWindow::askToPowerOff() {
-    askToEndProgram(QStringLiteral("powerOffQuestion"), commandText(RobotCommand::PowerOff),
-                    tr("Powering off stops the program. The program cannot be resumed, only restarted."),
-                    tr("Stop program and power off"), tr("Keep program"),
-                    [this](bool) { session_->services().perform(RobotCommand::PowerOff, true); });
+void MainWindow::askToPerform(RobotCommand command) {
+    const auto ask = [&](const char* name, const QString& effect, const QString& accept,
+                         const QString& reject) {
+        askAboutProgram(QLatin1String(name), commandText(command), effect, accept, reject,
+                        [this, command](bool) { session_->services().perform(command, true); });
+    };
+    switch (command) {
+        case RobotCommand::PowerOff:
+            ask("powerOffQuestion",
+                tr("Powering off stops the program. The program cannot be resumed, only restarted."),
+                tr("Stop program and power off"), tr("Keep program"));
+            return;
+        case RobotCommand::Pause:
+            ask("pauseQuestion", tr("Pausing stops the arm until the program is resumed."),
+                commandText(command), tr("Cancel"));
+            return;
+        case RobotCommand::StopProgram:
+            ask("stopProgramQuestion", tr("The program cannot be resumed, only restarted."),
+                commandText(command), tr("Keep program"));
+            return;
+        default: {
+            const bool resumes = session_->state().runtimeState == RuntimeState::Paused;
+            ask("playQuestion",
+                tr("The arm may move immediately. Make sure that no one is within reach of the arm."),
+                resumes ? tr("Resume program") : tr("Start program"), tr("Cancel"));
+            return;
+        }
+    }
 }
 
 void MainWindow::showSettings(bool atRecording) {

@@ -154,16 +154,15 @@ private:
     void showSamples();
     void showHelp();
     void askForProgram();
-    /// Asks for confirmation. `accepted` ends a program of another client. The default button keeps the
-    /// program running.
+    /// Asks for confirmation. `accepted` changes a program on the robot. The default button does not.
     /// name  object name of the dialog
     /// option  text of a check box, if any
-    void askToEndProgram(const QString& name, const QString& title, const QString& effect,
+    void askAboutProgram(const QString& name, const QString& title, const QString& effect,
                          const QString& accept, const QString& reject,
                          const std::function<void(bool optionChecked)>& accepted, const QString& option = {});
     void askToTakeControl();
     void askToChange(const QString& what, const std::function<void()>& change);
-    void askToPowerOff();
+    void askToPerform(RobotCommand command);
     /// Changes the connection. Asks first if this would stop a recording.
     void changeRobot(const std::function<void()>& change);
     void askToEndRecording(const QString& title, const QString& consequence, const QString& button,

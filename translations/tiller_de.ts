@@ -12232,6 +12232,34 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <source>Do not ask again during this program</source>
         <translation>Während dieses Programms nicht erneut fragen</translation>
     </message>
+    <message>
+        <source>A program is loaded on the robot.</source>
+        <translation>Auf dem Roboter ist ein Programm geladen.</translation>
+    </message>
+    <message>
+        <source>The program “%1” is loaded on the robot.</source>
+        <translation>Das Programm „%1“ ist auf dem Roboter geladen.</translation>
+    </message>
+    <message>
+        <source>Pausing stops the arm until the program is resumed.</source>
+        <translation>Der Arm steht still, bis das Programm fortgesetzt wird.</translation>
+    </message>
+    <message>
+        <source>The program cannot be resumed, only restarted.</source>
+        <translation>Das Programm kann nicht fortgesetzt, nur neu gestartet werden.</translation>
+    </message>
+    <message>
+        <source>The arm may move immediately. Make sure that no one is within reach of the arm.</source>
+        <translation>Der Arm kann sich sofort bewegen. Stellen Sie sicher, dass niemand in Reichweite des Arms ist.</translation>
+    </message>
+    <message>
+        <source>Resume program</source>
+        <translation>Fortsetzen</translation>
+    </message>
+    <message>
+        <source>Start program</source>
+        <translation>Programm starten</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::PanelDock</name>

@@ -12216,6 +12216,34 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <source>Do not ask again during this program</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>A program is loaded on the robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program “%1” is loaded on the robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pausing stops the arm until the program is resumed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program cannot be resumed, only restarted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm may move immediately. Make sure that no one is within reach of the arm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Resume program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start program</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::PanelDock</name>

@@ -12232,6 +12232,34 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <source>Do not ask again during this program</source>
         <translation>No volver a preguntar durante este programa</translation>
     </message>
+    <message>
+        <source>A program is loaded on the robot.</source>
+        <translation>Hay un programa cargado en el robot.</translation>
+    </message>
+    <message>
+        <source>The program “%1” is loaded on the robot.</source>
+        <translation>El programa «%1» está cargado en el robot.</translation>
+    </message>
+    <message>
+        <source>Pausing stops the arm until the program is resumed.</source>
+        <translation>El brazo se detiene hasta que se reanude el programa.</translation>
+    </message>
+    <message>
+        <source>The program cannot be resumed, only restarted.</source>
+        <translation>El programa no se puede reanudar, solo reiniciar.</translation>
+    </message>
+    <message>
+        <source>The arm may move immediately. Make sure that no one is within reach of the arm.</source>
+        <translation>El brazo puede moverse de inmediato. Asegúrese de que no haya nadie al alcance del brazo.</translation>
+    </message>
+    <message>
+        <source>Resume program</source>
+        <translation>Reanudar programa</translation>
+    </message>
+    <message>
+        <source>Start program</source>
+        <translation>Iniciar programa</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::PanelDock</name>

@@ -12232,6 +12232,34 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <source>Do not ask again during this program</source>
         <translation>Ne plus demander pendant ce programme</translation>
     </message>
+    <message>
+        <source>A program is loaded on the robot.</source>
+        <translation>Un programme est chargé sur le robot.</translation>
+    </message>
+    <message>
+        <source>The program “%1” is loaded on the robot.</source>
+        <translation>Le programme « %1 » est chargé sur le robot.</translation>
+    </message>
+    <message>
+        <source>Pausing stops the arm until the program is resumed.</source>
+        <translation>Le bras s’arrête jusqu’à la reprise du programme.</translation>
+    </message>
+    <message>
+        <source>The program cannot be resumed, only restarted.</source>
+        <translation>Le programme ne peut pas être repris, seulement redémarré.</translation>
+    </message>
+    <message>
+        <source>The arm may move immediately. Make sure that no one is within reach of the arm.</source>
+        <translation>Le bras peut bouger immédiatement. Vérifiez que personne n’est à portée du bras.</translation>
+    </message>
+    <message>
+        <source>Resume program</source>
+        <translation>Reprendre</translation>
+    </message>
+    <message>
+        <source>Start program</source>
+        <translation>Démarrer</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::PanelDock</name>

@@ -12191,6 +12191,34 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <source>Do not ask again during this program</source>
         <translation>このプログラムの実行中は再度確認しない</translation>
     </message>
+    <message>
+        <source>A program is loaded on the robot.</source>
+        <translation>ロボットにプログラムが読み込まれています。</translation>
+    </message>
+    <message>
+        <source>The program “%1” is loaded on the robot.</source>
+        <translation>ロボットにプログラム「%1」が読み込まれています。</translation>
+    </message>
+    <message>
+        <source>Pausing stops the arm until the program is resumed.</source>
+        <translation>プログラムを再開するまでアームは停止します。</translation>
+    </message>
+    <message>
+        <source>The program cannot be resumed, only restarted.</source>
+        <translation>プログラムは再開できません。最初からのやり直しになります。</translation>
+    </message>
+    <message>
+        <source>The arm may move immediately. Make sure that no one is within reach of the arm.</source>
+        <translation>アームがすぐに動く可能性があります。アームの届く範囲に人がいないことを確認してください。</translation>
+    </message>
+    <message>
+        <source>Resume program</source>
+        <translation>プログラムを再開</translation>
+    </message>
+    <message>
+        <source>Start program</source>
+        <translation>プログラムを開始</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::PanelDock</name>

@@ -12191,6 +12191,34 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <source>Do not ask again during this program</source>
         <translation>此程序运行期间不再询问</translation>
     </message>
+    <message>
+        <source>A program is loaded on the robot.</source>
+        <translation>机器人上已加载一个程序。</translation>
+    </message>
+    <message>
+        <source>The program “%1” is loaded on the robot.</source>
+        <translation>机器人上已加载程序“%1”。</translation>
+    </message>
+    <message>
+        <source>Pausing stops the arm until the program is resumed.</source>
+        <translation>在程序继续之前，机械臂会停止。</translation>
+    </message>
+    <message>
+        <source>The program cannot be resumed, only restarted.</source>
+        <translation>程序无法继续，只能重新启动。</translation>
+    </message>
+    <message>
+        <source>The arm may move immediately. Make sure that no one is within reach of the arm.</source>
+        <translation>机械臂可能立即移动。请确认机械臂活动范围内没有人。</translation>
+    </message>
+    <message>
+        <source>Resume program</source>
+        <translation>继续程序</translation>
+    </message>
+    <message>
+        <source>Start program</source>
+        <translation>启动程序</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::PanelDock</name>

@@ -277,6 +277,48 @@ private Q_SLOTS:
         question()->findChild<QPushButton*>("powerOffQuestion.take")->click();
         QVERIFY(bench.within([&] { return bench.cell.truth().robotMode == RobotMode::PowerOff; }));
     }
+    // The command palette runs its first entry with Return, so a typing error must not stop a production.
+    void pausingResumingAndStoppingAnotherProgramAsks_data() {
+        QTest::addColumn<QString>("command");
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<bool>("paused");
+        QTest::addColumn<RuntimeState>("reached");
+        QTest::addRow("pause") << "control.pause"
+                               << "pauseQuestion" << false << RuntimeState::Paused;
+        QTest::addRow("stop") << "control.stopProgram"
+                              << "stopProgramQuestion" << false << RuntimeState::Stopped;
+        QTest::addRow("stop, paused") << "control.stopProgram"
+                                      << "stopProgramQuestion" << true << RuntimeState::Stopped;
+        QTest::addRow("resume") << "control.play"
+                                << "playQuestion" << true << RuntimeState::Playing;
+    }
+    void pausingResumingAndStoppingAnotherProgramAsks() {
+        QFETCH(const QString, command);
+        QFETCH(const QString, name);
+        QFETCH(const bool, paused);
+        QFETCH(const RuntimeState, reached);
+        Bench bench;
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.startMoving());
+        QVERIFY(bench.within([&] { return bench.state().runtimeState == RuntimeState::Playing; }));
+        if (paused) {
+            bench.window.session().services().perform(RobotCommand::Pause, true);
+            QVERIFY(bench.within([&] { return bench.state().runtimeState == RuntimeState::Paused; }));
+        }
+        const RuntimeState before = bench.state().runtimeState;
+        const auto question = [&] { return bench.window.findChild<QMessageBox*>(name); };
+        bench.window.actions().find(command)->trigger();
+        QVERIFY2(question() != nullptr, "the program is changed without a question");
+        QVERIFY(QTest::qWaitForWindowActive(question()));
+        QTest::keyClick(question()->focusWidget(), Qt::Key_Return);
+        QTRY_VERIFY_WITH_TIMEOUT(question() == nullptr, 60'000);
+        bench.cell.advanceMs(300);
+        QCOMPARE(bench.cell.truth().runtimeState, before);
+        bench.window.actions().find(command)->trigger();
+        QVERIFY(question() != nullptr);
+        question()->findChild<QPushButton*>(name + ".take")->click();
+        QVERIFY(bench.within([&] { return bench.cell.truth().runtimeState == reached; }));
+    }
     void takingControlOfAnIdleRobotDoesNotAsk() {
         Bench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));

@@ -6,6 +6,7 @@
 #include <QFile>
 #include <QInputDialog>
 #include <QLabel>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -42,6 +43,12 @@ private:
             return false;
         }
         action(id)->trigger();
+        // Starting, pausing and stopping a program require a confirmation.
+        for (auto* question : window_->findChildren<QMessageBox*>()) {
+            if (auto* agree = question->findChild<QPushButton*>(question->objectName() + ".take")) {
+                agree->click();
+            }
+        }
         return true;
     }
     bool reaches(RuntimeState wanted) {

@@ -37,6 +37,7 @@ void ControlLoop::begin(std::int32_t session, double period, const ArmLimits& ar
     inControl_.exchange(false, std::memory_order_acq_rel);
     endRequested_.store(false, std::memory_order_release);
     nextSession_.store(0, std::memory_order_release);
+    takingAbandoned_.store(false, std::memory_order_release);
     forcePermitted_.exchange(false, std::memory_order_acq_rel);
     mayFinish_ = false;
     finishReceived_ = false;
@@ -119,6 +120,9 @@ void ControlLoop::takeIn(const Feedback& data) {
         session_ = session;
         endRequested_.store(false, std::memory_order_release);
         leave(ControlLoss::Taking, StopCause::ControlLost, data.hostNs);
+    }
+    if (takingAbandoned_.exchange(false, std::memory_order_acq_rel) && status_.loss == ControlLoss::Taking) {
+        status_.loss = ControlLoss::ScriptStopped;
     }
     const std::int64_t sinceLast = data.hostNs - data_.hostNs;
     if (hasData_) {

@@ -114,6 +114,8 @@ public:
     bool isFinishPermitted() const { return finishReceived_.load(std::memory_order_acquire); }
     /// Accepts only the program with this session, from the next tick on.
     void expectSession(std::int32_t session) { nextSession_.store(session, std::memory_order_release); }
+    /// Ends the state Taking from the next tick on, because the program could not be sent.
+    void abandonTaking() { takingAbandoned_.store(true, std::memory_order_release); }
 
     /// Adds a request to each package until the next request replaces it.
     /// Returns  the number of the request
@@ -191,6 +193,7 @@ private:
     std::atomic<bool> endRequested_{false};
     std::atomic<ControlLoss> endLoss_{ControlLoss::Released};
     std::atomic<std::int32_t> nextSession_{0};  ///< 0: none
+    std::atomic<bool> takingAbandoned_{false};
     std::atomic<bool> forcePermitted_{false};
     std::atomic<bool> scriptPermitted_{false};
     std::atomic<bool> mayFinish_{false};

@@ -215,16 +215,22 @@ Result<void> ControlProgram::restart(const QString& section, const QString& name
         sectionName_ = name;
     }
     requests_.forget();
-    const std::int32_t next = newSession();
-    loop_.expectSession(next);
-    return upload(next, section, deadline);
+    return sendAgain(section, deadline);
 }
 
 Result<void> ControlProgram::resend(const Deadline& deadline) {
     requests_.forget();
+    return sendAgain({}, deadline);
+}
+
+Result<void> ControlProgram::sendAgain(const QString& section, const Deadline& deadline) {
     const std::int32_t next = newSession();
     loop_.expectSession(next);
-    return upload(next, {}, deadline);
+    auto sent = upload(next, section, deadline);
+    if (!sent) {
+        loop_.abandonTaking();
+    }
+    return sent;
 }
 
 void ControlProgram::yieldTo(const script::SupervisedProgram& program) {

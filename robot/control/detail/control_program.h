@@ -84,6 +84,8 @@ public:
 private:
     QString placeOf(int line, int column) const;
     std::chrono::milliseconds abandonedAfter() const;
+    /// Sends the program with a new session. On failure, taking control has ended.
+    Result<void> sendAgain(const QString& section, const Deadline& deadline);
     Result<void> uploadOnce(std::int32_t newSession, const QString& section, const Deadline& deadline);
 
     const ControllerOptions& options_;

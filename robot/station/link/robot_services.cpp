@@ -48,6 +48,21 @@ void send(
         session.state().service == ServiceKind::RobotApi ? kDoneTime : kReplyTime);
 }
 
+/// True if the command starts, pauses or ends a program that is not Tiller's own.
+bool changesProgram(RobotCommand command, const SessionState& state) {
+    switch (command) {
+        case RobotCommand::Play:
+            return true;
+        case RobotCommand::PowerOff:
+        case RobotCommand::Pause:
+            return state.foreignProgramRuns();
+        case RobotCommand::StopProgram:
+            return state.hasForeignProgram();
+        default:
+            return false;
+    }
+}
+
 }  // namespace
 
 QString commandText(RobotCommand command) {
@@ -82,8 +97,8 @@ void RobotServices::perform(RobotCommand command, bool confirmed) {
         Q_EMIT session_.commandDone(command, false);
         return;
     }
-    if (command == RobotCommand::PowerOff && !confirmed && d_.state.foreignProgramRuns()) {
-        Q_EMIT session_.powerOffQuestion();
+    if (!confirmed && changesProgram(command, d_.state)) {
+        Q_EMIT session_.commandQuestion(command);
         Q_EMIT session_.commandDone(command, false);
         return;
     }

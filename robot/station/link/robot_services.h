@@ -29,9 +29,8 @@ class RobotServices {
 public:
     RobotServices(RobotSession& session, SessionBackend& backend) : session_(session), d_(backend) {}
 
-    /// confirmed  the operator agrees that the command ends a program of another client. Without
-    ///            confirmation, PowerOff only emits RobotSession::powerOffQuestion() while such a program
-    ///            runs
+    /// confirmed  the operator agrees to the effect on the program of the robot. Without confirmation,
+    ///            commands that start, pause or end a program only emit RobotSession::commandQuestion()
     void perform(RobotCommand command, bool confirmed = false);
     /// Requires the operator's explicit confirmation.
     void unlockProtectiveStop(const UnlockConsent& consent);

@@ -232,9 +232,9 @@ Q_SIGNALS:
     /// A change could disturb the program of another client. If the operator agrees, call confirmChanges() and
     /// `change`.
     void changeQuestion(const QString& what, const std::function<void()>& change);
-    /// RobotServices::perform(PowerOff) would end a program of another client. If the operator agrees, call
-    /// it again with `confirmed`.
-    void powerOffQuestion();
+    /// RobotServices::perform() would start, pause or end a program that is not Tiller's own. If the operator
+    /// agrees, call it again with `confirmed`.
+    void commandQuestion(tiller::RobotCommand command);
     /// A complete message from the controller. Also emitted as message().
     void controllerMessage(const tiller::script::ControllerMessage& message);
 

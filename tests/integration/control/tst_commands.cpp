@@ -9,6 +9,7 @@
 #include "robot/control/output_pulses.h"
 #include "robot/control/programs.h"
 #include "robot/control/tool_setup.h"
+#include "robot/core/wait_until.h"
 #include "robot/kinematics/arm_kinematics.h"
 #include "tests/integration/control/cell.h"
 #include "tests/support/waiting.h"
@@ -55,6 +56,28 @@ private Q_SLOTS:
         QCOMPARE(move->progress().fraction, 1.0);
         QVERIFY(apart(cell.robot.truth().q, target) < 1e-3);
         QVERIFY(!move->cancel());
+    }
+
+    // During a protective stop, the control program cannot be sent again. This must not look as if control were
+    // still being taken.
+    void aProtectiveStopDuringAScriptEndsTakingControl() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        int ticks = 0;
+        cell.everyTick = [&] {
+            if (++ticks == 300) {
+                QVERIFY(cell.robot.inject("protective-stop").ok());
+            }
+        };
+        const auto ran = cell.during([&] {
+            return Programs(*cell.controller).runScript("def long():\n  sleep(60)\nend\n", Deadline::never());
+        });
+        QVERIFY(!ran.ok());
+        QCOMPARE(cell.robot.truth().safetyMode, SafetyMode::ProtectiveStop);
+        QVERIFY(cell.during([&] {
+            return waitUntil(patience(),
+                             [&] { return cell.controller->status().loss == ControlLoss::ScriptStopped; });
+        }));
     }
 
     // A path is sent as a new control program. The previous program must end its pulses first.
