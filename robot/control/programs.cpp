@@ -43,6 +43,15 @@ Result<void> bringBack(Controller::Private& d) {
     const Deadline deadline = Deadline::after(milliseconds(5000));
     const UnderWay cancellable(d, deadline);
     const auto plays = [&d] { return d.loop.status().runtimeState == RuntimeState::Playing; };
+    const auto isOver = [&] { return !d.link.isRunning() || !plays(); };
+    // If the script has ended and a program still runs, that program belongs to another client and must not be
+    // stopped.
+    if (d.program.scriptFeedback().stopped && d.link.isRunning() && plays() &&
+        !waitUntil(Deadline::after(milliseconds(500), deadline.token()), isOver)) {
+        d.loop.abandonTaking();
+        return Error{ErrorCode::NotInControl, QStringLiteral("run a script"),
+                     QStringLiteral("a program of another client replaced the script")};
+    }
     bool isStopSent = true;
     if (!d.link.isRunning() || plays()) {
         script::ScriptClient client(d.options.host, d.program.primaryPort());
@@ -56,8 +65,7 @@ Result<void> bringBack(Controller::Private& d) {
         isStopSent = connected.ok();
         // Wait for the end of the script. Otherwise, the stop could reach the robot after the control program
         // and end it.
-        waitUntil(Deadline::after(milliseconds(500), deadline.token()),
-                  [&] { return !d.link.isRunning() || !plays(); });
+        waitUntil(Deadline::after(milliseconds(500), deadline.token()), isOver);
     }
     if (!d.link.isRunning()) {
         return Error{

@@ -121,7 +121,8 @@ void ControlLoop::takeIn(const Feedback& data) {
         endRequested_.store(false, std::memory_order_release);
         leave(ControlLoss::Taking, StopCause::ControlLost, data.hostNs);
     }
-    if (takingAbandoned_.exchange(false, std::memory_order_acq_rel) && status_.loss == ControlLoss::Taking) {
+    if (takingAbandoned_.exchange(false, std::memory_order_acq_rel) &&
+        (status_.loss == ControlLoss::Taking || status_.loss == ControlLoss::OwnScript)) {
         status_.loss = ControlLoss::ScriptStopped;
     }
     const std::int64_t sinceLast = data.hostNs - data_.hostNs;

@@ -114,7 +114,8 @@ public:
     bool isFinishPermitted() const { return finishReceived_.load(std::memory_order_acquire); }
     /// Accepts only the program with this session, from the next tick on.
     void expectSession(std::int32_t session) { nextSession_.store(session, std::memory_order_release); }
-    /// Ends the state Taking from the next tick on, because the program could not be sent.
+    /// Call if the control program could not be sent, or not sent again after a script: from the next tick on,
+    /// the loss is ScriptStopped.
     void abandonTaking() { takingAbandoned_.store(true, std::memory_order_release); }
 
     /// Adds a request to each package until the next request replaces it.

@@ -11,6 +11,7 @@
 #include "robot/control/tool_setup.h"
 #include "robot/core/wait_until.h"
 #include "robot/kinematics/arm_kinematics.h"
+#include "robot/script/script_client.h"
 #include "tests/integration/control/cell.h"
 #include "tests/support/waiting.h"
 
@@ -78,6 +79,36 @@ private Q_SLOTS:
             return waitUntil(patience(),
                              [&] { return cell.controller->status().loss == ControlLoss::ScriptStopped; });
         }));
+    }
+
+    // The other client's program must not be stopped without a question, and the error must name the cause.
+    void aProgramThatReplacesAScriptKeepsRunning() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        int ticks = 0;
+        cell.everyTick = [&] {
+            if (++ticks == 300) {
+                script::ScriptClient other(cell.robot.listenAddress(), cell.robot.ports().primary);
+                QVERIFY(other.connect(patience()).ok());
+                QVERIFY(other
+                            .send("def other():\n  while True:\n    set_digital_out(3, True)\n    sync()\n  "
+                                  "end\nend\n",
+                                  patience())
+                            .ok());
+            }
+        };
+        const auto ran = cell.during([&] {
+            return Programs(*cell.controller).runScript("def long():\n  sleep(60)\nend\n", Deadline::never());
+        });
+        QCOMPARE(ran.error().code, ErrorCode::NotInControl);
+        QVERIFY2(ran.error().controllerMessage.contains("another client"), why(ran));
+        QVERIFY(cell.during([&] {
+            return waitUntil(patience(),
+                             [&] { return cell.controller->status().loss == ControlLoss::ScriptStopped; });
+        }));
+        QCOMPARE(cell.robot.truth().runtimeState, RuntimeState::Playing);
+        QVERIFY((cell.robot.truth().digitalOutputs & 8U) != 0);
+        QVERIFY(!cell.controller->status().inControl);
     }
 
     // A path is sent as a new control program. The previous program must end its pulses first.
