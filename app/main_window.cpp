@@ -27,6 +27,7 @@
 #include "app/connect_dialog.h"
 #include "app/crash_report.h"
 #include "app/dock_stage.h"
+#include "app/focus_return.h"
 #include "app/help_key.h"
 #include "app/help_page.h"
 #include "app/interface_size.h"
@@ -242,6 +243,7 @@ void MainWindow::buildDocks() {
     setCorner(Qt::TopLeftCorner, Qt::LeftDockWidgetArea);
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     addDockWidget(Qt::LeftDockWidgetArea, jogDock);
+    focusReturn_ = std::make_unique<FocusReturn>(*jog_);
 
     stage_ = new DockStage;
     // Scroll the panels if they need more space than available, because the jog column must not shrink.
@@ -949,12 +951,12 @@ void MainWindow::buildActions() {
     SceneActions::addTo(*actions_, scene_->view());
     for (QAction* action : waypoints_->commandActions()) {
         actions_->adopt("waypoint", action);
-        // Make undo and redo available in every project tab, because the whole project has one undo history.
+        // Make undo and redo available in the whole window, because the project has one undo history, and the
+        // focus may be on the jog pad. Text fields keep their own undo.
         if (action->objectName() == "waypoint.action.undo" ||
             action->objectName() == "waypoint.action.redo") {
-            frames_->addAction(action);
-            tools_->addAction(action);
-            program_->addAction(action);
+            action->setShortcutContext(Qt::WindowShortcut);
+            addAction(action);
         }
     }
     for (QAction* action : frames_->commandActions()) {
@@ -1153,8 +1155,14 @@ void MainWindow::addPanelActions(PanelDock& dock) {
          tr("Moves the panel to a separate window, e.g. on a second screen, or back to the main window."),
          {},
          [&dock] {
-             dock.show();
-             dock.setFloating(!dock.isFloating());
+             // Queued, because a key press must not destroy the window while Qt still delivers the next key to it.
+             QMetaObject::invokeMethod(
+                 &dock,
+                 [&dock] {
+                     dock.show();
+                     dock.setFloating(!dock.isFloating());
+                 },
+                 Qt::QueuedConnection);
          }});
     dock.menu().addActions({floats, toggle});
     dock.menu().addSeparator();

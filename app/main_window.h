@@ -54,6 +54,7 @@ namespace app {
 
 class ActionTable;
 class DockStage;
+class FocusReturn;
 class Tutorial;
 class PanelDock;
 class Perspectives;
@@ -197,8 +198,9 @@ private:
     ReportSources reportSources() const;
 
     Settings settings_;
-    Preferences preferences_;         ///< values currently applied
-    QTimer layoutTimer_;              ///< delays saving until the layout has remained unchanged
+    Preferences preferences_;  ///< values currently applied
+    QTimer layoutTimer_;       ///< delays saving until the layout has remained unchanged
+    std::unique_ptr<FocusReturn> focusReturn_;
     bool endsRecording_ = false;      ///< closing was confirmed; may still wait for a recorded path
     bool monitorOnlyLocked_ = false;  ///< true if set by the command line
     LocalSimulator simulator_;

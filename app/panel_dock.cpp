@@ -40,8 +40,11 @@ public:
         back->setToolTip(PanelDock::tr("Moves this panel back to the main window."));
         auto* close = quietKey(PanelDock::tr("Close"), "dock.close." + dock.objectName());
         close->setToolTip(PanelDock::tr("Closes this panel. Use the View menu to show it again."));
-        connect(back, &QToolButton::clicked, &dock, [&dock] { dock.setFloating(false); });
-        connect(close, &QToolButton::clicked, &dock, [&dock] { dock.close(); });
+        // Queued, because a key press must not destroy the window while Qt still delivers the next key to it.
+        connect(
+            back, &QToolButton::clicked, &dock, [&dock] { dock.setFloating(false); }, Qt::QueuedConnection);
+        connect(
+            close, &QToolButton::clicked, &dock, [&dock] { dock.close(); }, Qt::QueuedConnection);
         parts_ = {name, back, close};
         layout_->setSpacing(8);
         layout_->addWidget(name, 1);

@@ -348,6 +348,18 @@ private Q_SLOTS:
         QVERIFY2(bench.stopsAtOnce(), "the program goes on");
         QVERIFY(bench.comesToRest());
         QVERIFY(dialog.isVisible() && dialog.isActiveWindow());
+        // The button above the dialog covers STOP after every change of the layout. Otherwise, a part of STOP would
+        // be visible but dead.
+        const auto covers = [&] {
+            const auto* above = bench.window.findChild<StopButton*>("stopAboveDialog");
+            return above != nullptr && above->pos() == stop.mapToGlobal(QPoint(0, 0)) &&
+                   above->size() == stop.size();
+        };
+        QVERIFY(covers());
+        bench.window.resize(bench.window.width() + 150, bench.window.height());
+        QTRY_VERIFY_WITH_TIMEOUT(covers(), 60'000);
+        const_cast<StopButton&>(stop).setFixedSize(stop.width() - 40, stop.height());
+        QTRY_VERIFY_WITH_TIMEOUT(covers(), 60'000);
         dialog.close();
         QTRY_VERIFY_WITH_TIMEOUT(bench.window.findChild<StopButton*>("stopAboveDialog") == nullptr, 60'000);
     }

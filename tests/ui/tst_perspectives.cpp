@@ -60,6 +60,7 @@ void run(app::MainWindow& window, const char* id) {
         qFatal("there is no command %s", id);
     }
     action->trigger();
+    QCoreApplication::processEvents();  // a panel is floated and docked later
 }
 
 /// Position of a dock in the window.
@@ -483,12 +484,12 @@ private Q_SLOTS:
         QVERIFY2(clipped(panel).isEmpty(), qPrintable(clipped(panel).join('\n')));
         keepPicture(panel, QStringLiteral("floating-") + dock);
         QTest::mouseClick(bench.window.findChild<QToolButton*>("dock.back." + QString(dock)), Qt::LeftButton);
-        QVERIFY(!panel.isFloating() && panel.isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(!panel.isFloating() && panel.isVisible(), 60'000);
 
         run(bench.window, "view.float." + dock);
         QTest::mouseClick(bench.window.findChild<QToolButton*>("dock.close." + QString(dock)),
                           Qt::LeftButton);
-        QVERIFY(!panel.isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(!panel.isVisible(), 60'000);
         // The command that floats a panel also shows it, and selecting the perspective docks it again.
         run(bench.window, "view.toggle." + dock);
         QVERIFY(panel.isVisible());

@@ -174,6 +174,55 @@ private Q_SLOTS:
         QCOMPARE(document().tooling().tools.size(), std::size_t(0));
         QVERIFY(wasSaid("Undone: Change the TCP “gripper”"));
     }
+
+    // After jogging, or after a click on the title of a tab, the focus is not on a list.
+    void ctrlZWorksWithTheFocusAnywhere_data() {
+        QTest::addColumn<QString>("focus");
+        for (const char* focus : {"jog.armKeyboard", "tabs", "plots", ""}) {
+            QTest::addRow("%s", *focus == 0 ? "none" : focus) << focus;
+        }
+    }
+    void ctrlZWorksWithTheFocusAnywhere() {
+        QFETCH(const QString, focus);
+        changeTcp(0.15, "Change the TCP “gripper”");
+        QVERIFY(QTest::qWaitForWindowActive(&window()));
+        if (focus.isEmpty()) {
+            if (QApplication::focusWidget() != nullptr) {
+                QApplication::focusWidget()->clearFocus();
+            }
+        } else {
+            bench_->find<QWidget>(focus.toLatin1().constData()).setFocus();
+        }
+        QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(document().tooling().tools.size(), std::size_t(0));
+    }
+
+    // When a page opens or closes, the focus must stay in its panel: Return on “Arm keyboard” would arm it.
+    void theFocusDoesNotFallOnTheJogColumn() {
+        window().showTab("frames");
+        QVERIFY(QTest::qWaitForWindowActive(&window()));
+        auto& key = bench_->find<QWidget>("frame.threePoints");
+        QTRY_VERIFY_WITH_TIMEOUT(key.isEnabled(), 60'000);
+        const auto isInTabs = [this] {
+            const QWidget* focus = QApplication::focusWidget();
+            return focus != nullptr && focus->isVisible() &&
+                   bench_->find<QWidget>("tabsDock").isAncestorOf(focus);
+        };
+        key.setFocus();
+        trigger("frame.action.threePoints");
+        QTRY_VERIFY_WITH_TIMEOUT(!key.isVisible() && isInTabs(), 60'000);
+        trigger("frame.action.cancel");
+        QTRY_VERIFY_WITH_TIMEOUT(key.isVisible() && isInTabs(), 60'000);
+        // A disabled button also loses the focus.
+        key.setFocus();
+        key.setEnabled(false);
+        QTRY_VERIFY_WITH_TIMEOUT(isInTabs(), 60'000);
+        // Tab still reaches the jog column.
+        auto& arm = bench_->find<QWidget>("jog.armKeyboard");
+        arm.setFocus(Qt::TabFocusReason);
+        QCoreApplication::processEvents();
+        QVERIFY(arm.hasFocus());
+    }
 };
 
 QTEST_MAIN(TestUndoAcrossTabs)

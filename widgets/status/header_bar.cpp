@@ -236,6 +236,7 @@ void HeaderBar::applyState(const SessionState& state) {
             stop->setKeysStop(state.keysStop());
         }
     }
+    placeStopAbove();  // an ancestor of the header may have moved
 
     showStep();
     showCap(state.speedCap);
@@ -376,9 +377,14 @@ void HeaderBar::offerStopAbove() {
 }
 
 void HeaderBar::placeStopAbove() {
-    if (stopAbove_) {
+    if (!stopAbove_) {
+        return;
+    }
+    if (const QPoint place = stop_->mapToGlobal(QPoint(0, 0)); stopAbove_->pos() != place) {
+        stopAbove_->move(place);
+    }
+    if (stopAbove_->size() != stop_->size()) {
         stopAbove_->setFixedSize(stop_->size());
-        stopAbove_->move(stop_->mapToGlobal(QPoint(0, 0)));
     }
 }
 
@@ -399,6 +405,10 @@ bool HeaderBar::eventFilter(QObject* watched, QEvent* event) {
             default:
                 break;
         }
+        return QWidget::eventFilter(watched, event);
+    }
+    if (watched == stop_ && (event->type() == QEvent::Move || event->type() == QEvent::Resize)) {
+        placeStopAbove();
         return QWidget::eventFilter(watched, event);
     }
     if (watched == stepButton_ &&

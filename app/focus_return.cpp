@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/focus_return.h"
+
+#include <QApplication>
+
+namespace tiller::app {
+
+namespace {
+
+bool canReturnTo(const QWidget* widget) {
+    return widget != nullptr && widget->isVisible() && widget->isEnabled();
+}
+
+/// Returns the first element in `area` that Tab can reach, or null.
+QWidget* firstIn(const QWidget& area) {
+    for (QWidget* each = area.nextInFocusChain(); each != nullptr && each != &area;
+         each = each->nextInFocusChain()) {
+        if (area.isAncestorOf(each) && canReturnTo(each) && (each->focusPolicy() & Qt::TabFocus) != 0 &&
+            each->focusProxy() == nullptr) {
+            return each;
+        }
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+FocusReturn::FocusReturn(QWidget& jogColumn) : jogColumn_(jogColumn) {
+    connect(qApp, &QApplication::focusChanged, this, &FocusReturn::follow);
+}
+
+void FocusReturn::follow(QWidget* old, QWidget* now) {
+    if (old == nullptr || now == nullptr || !jogColumn_.isAncestorOf(now) || jogColumn_.isAncestorOf(old)) {
+        return;
+    }
+    QList<QPointer<QWidget>> around{old};
+    for (QWidget* up = old->parentWidget(); up != nullptr && !up->isAncestorOf(&jogColumn_);
+         up = up->parentWidget()) {
+        around.append(up);
+    }
+    // Queued, because the element is hidden or disabled only after the focus has moved.
+    QMetaObject::invokeMethod(
+        this, [this, around] { leaveJogColumn(around); }, Qt::QueuedConnection);
+}
+
+void FocusReturn::leaveJogColumn(const QList<QPointer<QWidget>>& around) const {
+    QWidget* now = QApplication::focusWidget();
+    if (now == nullptr || !jogColumn_.isAncestorOf(now) || canReturnTo(around.first())) {
+        return;  // the user moved the focus
+    }
+    for (const QPointer<QWidget>& area : around) {
+        if (QWidget* next = canReturnTo(area) ? firstIn(*area) : nullptr; next != nullptr) {
+            next->setFocus(Qt::OtherFocusReason);
+            return;
+        }
+    }
+    now->clearFocus();
+}
+
+}  // namespace tiller::app
