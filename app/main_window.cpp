@@ -95,6 +95,8 @@ constexpr QSize kStart{1600, 900};
 /// Distance between panels [px].
 constexpr int kGap = 10;
 constexpr int kKeepLayoutMs = 2000;
+/// Time after a request of the desktop to end its session in which the window closes without a question.
+constexpr int kDesktopEndMs = 60'000;
 
 /// Adds a margin around a panel. Only the header and the status bar extend to the window edges.
 QWidget* withMargins(QWidget* panel, const QMargins& margins) {
@@ -410,6 +412,9 @@ void MainWindow::connectReplay() {
         scene_->setReplay(moment);
         io_->setReplay(moment);
         log_->setReplay(moment);
+        // The user may cancel the end of the desktop session in another program.
+        connect(qApp, &QGuiApplication::commitDataRequest, this,
+                [this] { desktopEnds_.setRemainingTime(kDesktopEndMs); });
     });
     connect(scene_, &SceneDock::liveWanted, plots_, &PlotDock::endReplay);
     connect(io_, &IoTab::liveWanted, plots_, &PlotDock::endReplay);
@@ -857,13 +862,14 @@ void MainWindow::keepLayout() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    stopMotion(control::StopCause::WindowClosed);
-    if (session_->state().recording.active && !endsRecording_) {
-        askToEndRecording(tr("Close window"), tr("Closing the window stops the recording."),
-                          tr("Stop recording and close"), [this] {
-                              endsRecording_ = true;
-                              close();
-                          });
+    // A program that runs without hold-to-run continues until the window is really closed.
+    stopMotion(program_->runsFreely() ? control::StopCause::DialogOpened : control::StopCause::WindowClosed);
+    if (!runningWork().isEmpty() && !closesAnyway_ && desktopEnds_.hasExpired()) {
+        askToEndWork(tr("Close window"), tr("This stops when you close the window."), tr("Stop and close"),
+                     [this] {
+                         closesAnyway_ = true;
+                         close();
+                     });
         event->ignore();
         return;
     }
@@ -877,8 +883,9 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         event->ignore();
         return;
     }
-    endsRecording_ = false;
-    if (!files_->mayLeave(this)) {
+    closesAnyway_ = false;
+    // Without an answer, unsaved changes are stored on destruction and offered at the next start.
+    if (desktopEnds_.hasExpired() && !files_->mayLeave(this)) {
         event->ignore();
         return;
     }
@@ -893,42 +900,91 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         if (dock->isFloating()) {
             dock->hide();
         }
+        stopMotion(control::StopCause::WindowClosed);
     }
 }
 
-/// Asks in a dialog that is not modal, so that STOP and all other functions remain available.
-void MainWindow::askToEndRecording(const QString& title, const QString& consequence, const QString& button,
-                                   const std::function<void()>& then) {
-    const QString name = QStringLiteral("recordingQuestion");
-    delete findChild<QMessageBox*>(name);  // its action is outdated
-    auto* question = new QMessageBox(QMessageBox::Question, title, tr("A recording is running."),
-                                     QMessageBox::NoButton, this);
-    question->setObjectName(name);
+/// What closing the window or changing the connection would stop, as sentences.
+QStringList MainWindow::runningWork() const {
+    const SessionState& state = session_->state();
+    QStringList work;
+    if (state.recording.active) {
+        work << tr("A recording is running.");
+    }
+    if (session_->freeProgram()) {
+        work << programText();
+    }
+    return work;
+}
+
+/// Describes the program on the robot: that of this window, or that of another client.
+QString MainWindow::programText() const {
+    const SessionState& state = session_->state();
+    const bool paused = state.runtimeState == RuntimeState::Paused;
+    // PolyScope uses this name for a program without a file, e.g. one sent by another client.
+    const QString loaded =
+        state.loadedProgram == QLatin1String("<unnamed>") ? QString() : state.loadedProgram;
+    const QString name = session_->freeProgram().value_or(loaded);
+    const bool stopped = state.runtimeState == RuntimeState::Stopped;
+    return name.isEmpty() && paused    ? tr("A program is paused on the robot.")
+           : name.isEmpty() && stopped ? tr("A program is loaded on the robot.")
+           : name.isEmpty()            ? tr("A program is running on the robot.")
+           : paused                    ? tr("The program “%1” is paused on the robot.").arg(name)
+           : stopped                   ? tr("The program “%1” is loaded on the robot.").arg(name)
+                                       : tr("The program “%1” is running on the robot.").arg(name);
+}
+
+void MainWindow::ask(const Question& words, const std::function<void(bool optionChecked)>& accepted) {
+    delete findChild<QMessageBox*>(words.name);  // its action is outdated
+    stopMotion(control::StopCause::DialogOpened);
+    QWidget* front = QApplication::activeWindow();
+    auto* question = new QMessageBox(words.icon, words.title, words.text, QMessageBox::NoButton,
+                                     front != nullptr ? front : this);
+    question->setObjectName(words.name);
     question->setAttribute(Qt::WA_DeleteOnClose);
-    question->setInformativeText(consequence);
-    QPushButton* end = question->addButton(button, QMessageBox::DestructiveRole);
-    end->setObjectName(name + QStringLiteral(".end"));
-    end->setAutoDefault(false);
-    QPushButton* keep = question->addButton(tr("Keep recording"), QMessageBox::RejectRole);
-    keep->setObjectName(name + QStringLiteral(".keep"));
+    question->setInformativeText(words.effect);
+    QPushButton* accept = question->addButton(words.accept, QMessageBox::DestructiveRole);
+    accept->setObjectName(words.name + QStringLiteral(".take"));
+    accept->setAutoDefault(false);
+    QPushButton* keep = question->addButton(words.reject, QMessageBox::RejectRole);
+    keep->setObjectName(words.name + QStringLiteral(".keep"));
     question->setDefaultButton(keep);
     question->setEscapeButton(keep);
     question->setModal(false);
-    connect(end, &QPushButton::clicked, this, then);
+    auto* box = words.option.isEmpty() ? nullptr : new QCheckBox(words.option);
+    if (box != nullptr) {
+        box->setObjectName(words.name + QStringLiteral(".option"));
+        question->setCheckBox(box);
+    }
+    connect(accept, &QPushButton::clicked, session_.get(),
+            [accepted, box] { accepted(box != nullptr && box->isChecked()); });
     question->show();
+    // Some window managers do not focus the dialog if another dialog has just been closed.
+    question->raise();
+    question->activateWindow();
 }
 
 void MainWindow::changeRobot(const std::function<void()>& change) {
-    if (!session_->state().recording.active) {
+    if (runningWork().isEmpty()) {
         change();
         return;
     }
-    stopMotion(control::StopCause::DialogOpened);
-    askToEndRecording(tr("Change connection"), tr("Changing the connection stops the recording."),
-                      tr("Stop recording and continue"), change);
+    askToEndWork(tr("Change connection"), tr("This stops when you change the connection."),
+                 tr("Stop and continue"), change);
 }
 
 // ---- commands -----------------------------------------------------------------------------------------------
+void MainWindow::askToEndWork(const QString& title, const QString& effect, const QString& accept,
+                              const std::function<void()>& accepted) {
+    ask({.name = QStringLiteral("endQuestion"),
+         .title = title,
+         .text = runningWork().join(QLatin1Char('\n')),
+         .effect = effect,
+         .accept = accept,
+         .reject = tr("Keep running"),
+         .icon = QMessageBox::Question},
+        [accepted](bool) { accepted(); });
+}
 
 void MainWindow::buildActions() {
     actions_ = new ActionTable(*this);
@@ -1221,75 +1277,42 @@ void MainWindow::askForProgram() {
     dialog->open();
 }
 
-void MainWindow::askAboutProgram(const QString& name, const QString& title, const QString& effect,
-                                 const QString& accept, const QString& reject,
-                                 const std::function<void(bool optionChecked)>& accepted,
-                                 const QString& option) {
-    if (findChild<QMessageBox*>(name) != nullptr) {
-        return;
-    }
-    stopMotion(control::StopCause::DialogOpened);
-    const SessionState& state = session_->state();
-    const bool paused = state.runtimeState == RuntimeState::Paused;
-    // PolyScope uses this name for a program without a file, e.g. one sent by another client.
-    const QString program =
-        state.loadedProgram == QLatin1String("<unnamed>") ? QString() : state.loadedProgram;
-    QWidget* front = QApplication::activeWindow();
-    auto* question = new QMessageBox(front != nullptr ? front : this);
-    question->setObjectName(name);
-    question->setAttribute(Qt::WA_DeleteOnClose);
-    question->setIcon(QMessageBox::Warning);
-    question->setWindowTitle(title);
-    const bool stopped = state.runtimeState == RuntimeState::Stopped;
-    question->setText(program.isEmpty() && paused    ? tr("A program is paused on the robot.")
-                      : program.isEmpty() && stopped ? tr("A program is loaded on the robot.")
-                      : program.isEmpty()            ? tr("A program is running on the robot.")
-                      : paused  ? tr("The program “%1” is paused on the robot.").arg(program)
-                      : stopped ? tr("The program “%1” is loaded on the robot.").arg(program)
-                                : tr("The program “%1” is running on the robot.").arg(program));
-    question->setInformativeText(effect);
-    QPushButton* end = question->addButton(accept, QMessageBox::DestructiveRole);
-    end->setObjectName(name + QStringLiteral(".take"));
-    end->setAutoDefault(false);
-    QPushButton* keep = question->addButton(reject, QMessageBox::RejectRole);
-    keep->setObjectName(name + QStringLiteral(".keep"));
-    question->setDefaultButton(keep);
-    question->setEscapeButton(keep);
-    auto* box = option.isEmpty() ? nullptr : new QCheckBox(option);
-    if (box != nullptr) {
-        box->setObjectName(name + QStringLiteral(".option"));
-        question->setCheckBox(box);
-    }
-    connect(end, &QPushButton::clicked, session_.get(),
-            [accepted, box] { accepted(box != nullptr && box->isChecked()); });
-    question->open();
-}
-
 void MainWindow::askToTakeControl() {
-    askAboutProgram(QStringLiteral("takeControlQuestion"), tr("Take control"),
-                    tr("Taking control stops the program. The program cannot be resumed, only restarted."),
-                    tr("Stop program and take control"), tr("Keep program"),
-                    [this](bool) { session_->takeControl(RobotSession::ForeignProgram::Stop); });
+    ask({.name = QStringLiteral("takeControlQuestion"),
+         .title = tr("Take control"),
+         .text = programText(),
+         .effect = tr("Taking control stops the program. The program cannot be resumed, only restarted."),
+         .accept = tr("Stop program and take control"),
+         .reject = tr("Keep program")},
+        [this](bool) { session_->takeControl(RobotSession::ForeignProgram::Stop); });
 }
 
 void MainWindow::askToChange(const QString& what, const std::function<void()>& change) {
-    askAboutProgram(
-        QStringLiteral("changeQuestion"), tr("Change while a program is active"),
-        what + QLatin1Char('\n') + tr("The change takes effect immediately and may disturb the program."),
-        tr("Change anyway"), tr("Cancel"),
+    ask({.name = QStringLiteral("changeQuestion"),
+         .title = tr("Change while a program is active"),
+         .text = programText(),
+         .effect = what + QLatin1Char('\n') +
+                   tr("The change takes effect immediately and may disturb the program."),
+         .accept = tr("Change anyway"),
+         .reject = tr("Cancel"),
+         .option = tr("Do not ask again during this program")},
         [this, change](bool isLast) {
             session_->confirmChanges();
             change();
             session_->confirmChanges(isLast);
-        },
-        tr("Do not ask again during this program"));
+        });
 }
 
 void MainWindow::askToPerform(RobotCommand command) {
     const auto ask = [&](const char* name, const QString& effect, const QString& accept,
                          const QString& reject) {
-        askAboutProgram(QLatin1String(name), commandText(command), effect, accept, reject,
-                        [this, command](bool) { session_->services().perform(command, true); });
+        this->ask({.name = QLatin1String(name),
+                   .title = commandText(command),
+                   .text = programText(),
+                   .effect = effect,
+                   .accept = accept,
+                   .reject = reject},
+                  [this, command](bool) { session_->services().perform(command, true); });
     };
     switch (command) {
         case RobotCommand::PowerOff:
@@ -1360,6 +1383,10 @@ void MainWindow::reopenWindow(SettingsPage& page) {
     }
 }
 
+if (program_->runsFreely()) {
+    page.refuseNewWindow(tr("A program is running. Stop the program first."));
+    return;
+}
 ReportSources MainWindow::reportSources() const {
     ReportSources sources{.settings = settings_.bundle(),
                           .state = session_->state(),

@@ -5,8 +5,10 @@
 // next to it. The window connects these parts to the session and to each other. It stops the arm when the
 // window loses the attention of the operator.
 
+#include <QDeadlineTimer>
 #include <QMainWindow>
 #include <QMap>
+#include <QMessageBox>
 #include <QTimer>
 #include <functional>
 #include <memory>
@@ -155,19 +157,28 @@ private:
     void showSamples();
     void showHelp();
     void askForProgram();
-    /// Asks for confirmation. `accepted` changes a program on the robot. The default button does not.
-    /// name  object name of the dialog
-    /// option  text of a check box, if any
-    void askAboutProgram(const QString& name, const QString& title, const QString& effect,
-                         const QString& accept, const QString& reject,
-                         const std::function<void(bool optionChecked)>& accepted, const QString& option = {});
+    struct Question {
+        QString name;  ///< object name of the dialog
+        QString title;
+        QString text;
+        QString effect;  ///< what `accept` does
+        QString accept;
+        QString reject;       ///< text of the default button
+        QString option = {};  ///< text of a check box, if any
+        QMessageBox::Icon icon = QMessageBox::Warning;
+    };
+    /// Asks in a dialog that is not modal, so that STOP and all other functions remain available. Held motions
+    /// stop.
+    void ask(const Question& words, const std::function<void(bool optionChecked)>& accepted);
     void askToTakeControl();
     void askToChange(const QString& what, const std::function<void()>& change);
     void askToPerform(RobotCommand command);
-    /// Changes the connection. Asks first if this would stop a recording.
+    QStringList runningWork() const;
+    QString programText() const;
+    void askToEndWork(const QString& title, const QString& effect, const QString& accept,
+                      const std::function<void()>& accepted);
+    /// Changes the connection. Asks first if this would stop a recording or a program of this window.
     void changeRobot(const std::function<void()>& change);
-    void askToEndRecording(const QString& title, const QString& consequence, const QString& button,
-                           const std::function<void()>& then);
     void showSettings(bool atRecording = false);
     void reopenWindow(SettingsPage& page);
     void connectTransfer();
@@ -198,10 +209,11 @@ private:
     ReportSources reportSources() const;
 
     Settings settings_;
-    Preferences preferences_;  ///< values currently applied
-    QTimer layoutTimer_;       ///< delays saving until the layout has remained unchanged
-    std::unique_ptr<FocusReturn> focusReturn_;
-    bool endsRecording_ = false;      ///< closing was confirmed; may still wait for a recorded path
+    Preferences preferences_;         ///< values currently applied
+    QTimer layoutTimer_;              ///< delays saving until the layout has remained unchanged
+    bool closesAnyway_ = false;       ///< closing was confirmed; may still wait for a recorded path
+    QDeadlineTimer opens_;            ///< not expired: the window was just shown
+    QDeadlineTimer desktopEnds_;      ///< not expired: the desktop is ending its session
     bool monitorOnlyLocked_ = false;  ///< true if set by the command line
     LocalSimulator simulator_;
     bool cellIsSimulated_ = false;

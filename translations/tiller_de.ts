@@ -3032,6 +3032,14 @@
         <source>Timeout</source>
         <translation>Zeitlimit</translation>
     </message>
+    <message>
+        <source>A program cannot continue inside a section or a called program. The next run starts from the beginning.</source>
+        <translation>Ein Programm kann innerhalb eines Abschnitts oder eines aufgerufenen Programms nicht fortgesetzt werden. Der nächste Start beginnt am Anfang.</translation>
+    </message>
+    <message>
+        <source>A program cannot continue in the middle of this step. The next run starts from the beginning.</source>
+        <translation>Ein Programm kann mitten in diesem Schritt nicht fortgesetzt werden. Der nächste Start beginnt am Anfang.</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -3415,6 +3423,10 @@
     <message>
         <source>Speed slider</source>
         <translation>Geschwindigkeitsregler</translation>
+    </message>
+    <message>
+        <source>The robot cannot time pulses while a program is running. Stop the program first, or switch the output on and off manually.</source>
+        <translation>Der Roboter kann keine Impulse zeitlich steuern, während ein Programm läuft. Stoppen Sie zuerst das Programm, oder schalten Sie den Ausgang von Hand ein und aus.</translation>
     </message>
 </context>
 <context>
@@ -9819,6 +9831,10 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <source>Continue at %1</source>
         <translation>Weiter bei %1</translation>
     </message>
+    <message>
+        <source>Continue (hold)</source>
+        <translation>Fortsetzen (halten)</translation>
+    </message>
 </context>
 <context>
     <name>tiller::SceneDock</name>
@@ -10557,6 +10573,18 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
     <message>
         <source>Shows the values instead of the route controls.</source>
         <translation>Zeigt die Werte statt der Bedienung der Route.</translation>
+    </message>
+    <message>
+        <source>TCP “%1”</source>
+        <translation>TCP „%1“</translation>
+    </message>
+    <message>
+        <source>TCP at the flange</source>
+        <translation>TCP am Flansch</translation>
+    </message>
+    <message>
+        <source>TCP %1 from the flange</source>
+        <translation>TCP %1 vom Flansch</translation>
     </message>
 </context>
 <context>
@@ -11391,6 +11419,10 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <source>Project</source>
         <translation>Projekt</translation>
     </message>
+    <message>
+        <source>The arm is moving. Stop the arm first, then store the position.</source>
+        <translation>Der Arm bewegt sich. Stoppen Sie zuerst den Arm, und speichern Sie dann die Position.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::CommandPalette</name>
@@ -12181,18 +12213,6 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Eine Aufzeichnung läuft.</translation>
     </message>
     <message>
-        <source>Closing the window stops the recording.</source>
-        <translation>Sie endet, wenn das Fenster geschlossen wird.</translation>
-    </message>
-    <message>
-        <source>Stop recording and close</source>
-        <translation>Aufzeichnung beenden und schließen</translation>
-    </message>
-    <message>
-        <source>Keep recording</source>
-        <translation>Weiter aufzeichnen</translation>
-    </message>
-    <message>
         <source>New project…</source>
         <translation>Neues Projekt…</translation>
     </message>
@@ -12219,14 +12239,6 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     <message>
         <source>Change connection</source>
         <translation>Verbindung wechseln</translation>
-    </message>
-    <message>
-        <source>Changing the connection stops the recording.</source>
-        <translation>Ein Wechsel der Verbindung beendet die Aufzeichnung.</translation>
-    </message>
-    <message>
-        <source>Stop recording and continue</source>
-        <translation>Aufzeichnung beenden und fortfahren</translation>
     </message>
     <message>
         <source>Do not ask again during this program</source>
@@ -12259,6 +12271,30 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     <message>
         <source>Start program</source>
         <translation>Programm starten</translation>
+    </message>
+    <message>
+        <source>This stops when you close the window.</source>
+        <translation>Das endet, wenn Sie das Fenster schließen.</translation>
+    </message>
+    <message>
+        <source>Stop and close</source>
+        <translation>Stoppen und schließen</translation>
+    </message>
+    <message>
+        <source>Keep running</source>
+        <translation>Weiterlaufen lassen</translation>
+    </message>
+    <message>
+        <source>This stops when you change the connection.</source>
+        <translation>Das endet, wenn Sie die Verbindung wechseln.</translation>
+    </message>
+    <message>
+        <source>Stop and continue</source>
+        <translation>Stoppen und fortfahren</translation>
+    </message>
+    <message>
+        <source>A program is running. Stop the program first.</source>
+        <translation>Ein Programm läuft. Halten Sie zuerst das Programm an.</translation>
     </message>
 </context>
 <context>

@@ -3032,6 +3032,14 @@
         <source>Timeout</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>A program cannot continue inside a section or a called program. The next run starts from the beginning.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A program cannot continue in the middle of this step. The next run starts from the beginning.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -3414,6 +3422,10 @@
     </message>
     <message>
         <source>Speed slider</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot cannot time pulses while a program is running. Stop the program first, or switch the output on and off manually.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9806,6 +9818,10 @@ Release the button to stop the arm.</source>
         <source>Continue at %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Continue (hold)</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::SceneDock</name>
@@ -10542,6 +10558,18 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
     </message>
     <message>
         <source>Shows the values instead of the route controls.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TCP “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TCP at the flange</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TCP %1 from the flange</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -11376,6 +11404,10 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <source>Project</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The arm is moving. Stop the arm first, then store the position.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::CommandPalette</name>
@@ -12165,18 +12197,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Closing the window stops the recording.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stop recording and close</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Keep recording</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>New project…</source>
         <translation type="unfinished"></translation>
     </message>
@@ -12202,14 +12222,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
     </message>
     <message>
         <source>Change connection</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Changing the connection stops the recording.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stop recording and continue</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12242,6 +12254,30 @@ Jog the arm to a position and press “Teach here” (T).</source>
     </message>
     <message>
         <source>Start program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This stops when you close the window.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop and close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep running</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This stops when you change the connection.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop and continue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A program is running. Stop the program first.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

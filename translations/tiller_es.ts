@@ -3032,6 +3032,14 @@
         <source>Timeout</source>
         <translation>Tiempo límite</translation>
     </message>
+    <message>
+        <source>A program cannot continue inside a section or a called program. The next run starts from the beginning.</source>
+        <translation>Un programa no puede continuar dentro de una sección ni de un programa llamado. La próxima ejecución empieza desde el principio.</translation>
+    </message>
+    <message>
+        <source>A program cannot continue in the middle of this step. The next run starts from the beginning.</source>
+        <translation>Un programa no puede continuar en medio de este paso. La próxima ejecución empieza desde el principio.</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -3415,6 +3423,10 @@
     <message>
         <source>Speed slider</source>
         <translation>Deslizador de velocidad</translation>
+    </message>
+    <message>
+        <source>The robot cannot time pulses while a program is running. Stop the program first, or switch the output on and off manually.</source>
+        <translation>El robot no puede temporizar impulsos mientras se ejecuta un programa. Detenga primero el programa, o conmute la salida manualmente.</translation>
     </message>
 </context>
 <context>
@@ -9819,6 +9831,10 @@ Suelte el botón para detener el brazo.</translation>
         <source>Continue at %1</source>
         <translation>Continuar en %1</translation>
     </message>
+    <message>
+        <source>Continue (hold)</source>
+        <translation>Continuar (mantener)</translation>
+    </message>
 </context>
 <context>
     <name>tiller::SceneDock</name>
@@ -10557,6 +10573,18 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
     <message>
         <source>Shows the values instead of the route controls.</source>
         <translation>Muestra los valores en lugar de los mandos de la ruta.</translation>
+    </message>
+    <message>
+        <source>TCP “%1”</source>
+        <translation>TCP «%1»</translation>
+    </message>
+    <message>
+        <source>TCP at the flange</source>
+        <translation>TCP en la brida</translation>
+    </message>
+    <message>
+        <source>TCP %1 from the flange</source>
+        <translation>TCP a %1 de la brida</translation>
     </message>
 </context>
 <context>
@@ -11391,6 +11419,10 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <source>Project</source>
         <translation>Proyecto</translation>
     </message>
+    <message>
+        <source>The arm is moving. Stop the arm first, then store the position.</source>
+        <translation>El brazo se está moviendo. Detenga primero el brazo y guarde después la posición.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::CommandPalette</name>
@@ -12181,18 +12213,6 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Hay una grabación en curso.</translation>
     </message>
     <message>
-        <source>Closing the window stops the recording.</source>
-        <translation>Terminará al cerrar la ventana.</translation>
-    </message>
-    <message>
-        <source>Stop recording and close</source>
-        <translation>Detener y cerrar</translation>
-    </message>
-    <message>
-        <source>Keep recording</source>
-        <translation>Seguir grabando</translation>
-    </message>
-    <message>
         <source>New project…</source>
         <translation>Proyecto nuevo…</translation>
     </message>
@@ -12219,14 +12239,6 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     <message>
         <source>Change connection</source>
         <translation>Cambiar conexión</translation>
-    </message>
-    <message>
-        <source>Changing the connection stops the recording.</source>
-        <translation>Cambiar la conexión detiene la grabación.</translation>
-    </message>
-    <message>
-        <source>Stop recording and continue</source>
-        <translation>Detener grabación y continuar</translation>
     </message>
     <message>
         <source>Do not ask again during this program</source>
@@ -12259,6 +12271,30 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     <message>
         <source>Start program</source>
         <translation>Iniciar programa</translation>
+    </message>
+    <message>
+        <source>This stops when you close the window.</source>
+        <translation>Esto se detiene al cerrar la ventana.</translation>
+    </message>
+    <message>
+        <source>Stop and close</source>
+        <translation>Detener y cerrar</translation>
+    </message>
+    <message>
+        <source>Keep running</source>
+        <translation>Mantener en marcha</translation>
+    </message>
+    <message>
+        <source>This stops when you change the connection.</source>
+        <translation>Esto se detiene al cambiar la conexión.</translation>
+    </message>
+    <message>
+        <source>Stop and continue</source>
+        <translation>Detener y continuar</translation>
+    </message>
+    <message>
+        <source>A program is running. Stop the program first.</source>
+        <translation>Se está ejecutando un programa. Pare primero el programa.</translation>
     </message>
 </context>
 <context>

@@ -3032,6 +3032,14 @@
         <source>Timeout</source>
         <translation>Délai maximal</translation>
     </message>
+    <message>
+        <source>A program cannot continue inside a section or a called program. The next run starts from the beginning.</source>
+        <translation>Un programme ne peut pas reprendre dans une section ou dans un programme appelé. La prochaine exécution part du début.</translation>
+    </message>
+    <message>
+        <source>A program cannot continue in the middle of this step. The next run starts from the beginning.</source>
+        <translation>Un programme ne peut pas reprendre au milieu de cette étape. La prochaine exécution part du début.</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -3415,6 +3423,10 @@
     <message>
         <source>Speed slider</source>
         <translation>Curseur de vitesse</translation>
+    </message>
+    <message>
+        <source>The robot cannot time pulses while a program is running. Stop the program first, or switch the output on and off manually.</source>
+        <translation>Le robot ne peut pas chronométrer d’impulsions pendant l’exécution d’un programme. Arrêtez d’abord le programme, ou commutez la sortie manuellement.</translation>
     </message>
 </context>
 <context>
@@ -9819,6 +9831,10 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <source>Continue at %1</source>
         <translation>Reprendre à %1</translation>
     </message>
+    <message>
+        <source>Continue (hold)</source>
+        <translation>Reprendre (maintenir)</translation>
+    </message>
 </context>
 <context>
     <name>tiller::SceneDock</name>
@@ -10557,6 +10573,18 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
     <message>
         <source>Shows the values instead of the route controls.</source>
         <translation>Affiche les valeurs au lieu des commandes de l’itinéraire.</translation>
+    </message>
+    <message>
+        <source>TCP “%1”</source>
+        <translation>TCP « %1 »</translation>
+    </message>
+    <message>
+        <source>TCP at the flange</source>
+        <translation>TCP à la bride</translation>
+    </message>
+    <message>
+        <source>TCP %1 from the flange</source>
+        <translation>TCP à %1 de la bride</translation>
     </message>
 </context>
 <context>
@@ -11391,6 +11419,10 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <source>Project</source>
         <translation>Projet</translation>
     </message>
+    <message>
+        <source>The arm is moving. Stop the arm first, then store the position.</source>
+        <translation>Le bras est en mouvement. Arrêtez d’abord le bras, puis enregistrez la position.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::CommandPalette</name>
@@ -12181,18 +12213,6 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Un enregistrement est en cours.</translation>
     </message>
     <message>
-        <source>Closing the window stops the recording.</source>
-        <translation>Il s’arrête à la fermeture de la fenêtre.</translation>
-    </message>
-    <message>
-        <source>Stop recording and close</source>
-        <translation>Arrêter et fermer</translation>
-    </message>
-    <message>
-        <source>Keep recording</source>
-        <translation>Continuer l’enregistrement</translation>
-    </message>
-    <message>
         <source>New project…</source>
         <translation>Nouveau projet…</translation>
     </message>
@@ -12219,14 +12239,6 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     <message>
         <source>Change connection</source>
         <translation>Changer de connexion</translation>
-    </message>
-    <message>
-        <source>Changing the connection stops the recording.</source>
-        <translation>Changer de connexion arrête l’enregistrement.</translation>
-    </message>
-    <message>
-        <source>Stop recording and continue</source>
-        <translation>Arrêter l’enregistrement et continuer</translation>
     </message>
     <message>
         <source>Do not ask again during this program</source>
@@ -12259,6 +12271,30 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     <message>
         <source>Start program</source>
         <translation>Démarrer</translation>
+    </message>
+    <message>
+        <source>This stops when you close the window.</source>
+        <translation>Cela s’arrête à la fermeture de la fenêtre.</translation>
+    </message>
+    <message>
+        <source>Stop and close</source>
+        <translation>Arrêter et fermer</translation>
+    </message>
+    <message>
+        <source>Keep running</source>
+        <translation>Laisser en marche</translation>
+    </message>
+    <message>
+        <source>This stops when you change the connection.</source>
+        <translation>Cela s’arrête au changement de connexion.</translation>
+    </message>
+    <message>
+        <source>Stop and continue</source>
+        <translation>Arrêter et continuer</translation>
+    </message>
+    <message>
+        <source>A program is running. Stop the program first.</source>
+        <translation>Un programme est en cours d’exécution. Arrêtez d’abord le programme.</translation>
     </message>
 </context>
 <context>

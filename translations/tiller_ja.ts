@@ -3032,6 +3032,14 @@
         <source>Timeout</source>
         <translation>タイムアウト</translation>
     </message>
+    <message>
+        <source>A program cannot continue inside a section or a called program. The next run starts from the beginning.</source>
+        <translation>セクション内または呼び出されたプログラム内からは再開できません。次の実行は最初から始まります。</translation>
+    </message>
+    <message>
+        <source>A program cannot continue in the middle of this step. The next run starts from the beginning.</source>
+        <translation>このステップの途中からは再開できません。次の実行は最初から始まります。</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -3415,6 +3423,10 @@
     <message>
         <source>Speed slider</source>
         <translation>速度スライダー</translation>
+    </message>
+    <message>
+        <source>The robot cannot time pulses while a program is running. Stop the program first, or switch the output on and off manually.</source>
+        <translation>プログラムの実行中、ロボットはパルスの時間を制御できません。先にプログラムを停止するか、出力を手動でオン・オフしてください。</translation>
     </message>
 </context>
 <context>
@@ -9794,6 +9806,10 @@ Release the button to stop the arm.</source>
         <source>Continue at %1</source>
         <translation>%1から続行</translation>
     </message>
+    <message>
+        <source>Continue (hold)</source>
+        <translation>再開 (長押し)</translation>
+    </message>
 </context>
 <context>
     <name>tiller::SceneDock</name>
@@ -10529,6 +10545,18 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
     <message>
         <source>Shows the values instead of the route controls.</source>
         <translation>ルートの操作の代わりに数値を表示します。</translation>
+    </message>
+    <message>
+        <source>TCP “%1”</source>
+        <translation>TCP「%1」</translation>
+    </message>
+    <message>
+        <source>TCP at the flange</source>
+        <translation>TCP はフランジ</translation>
+    </message>
+    <message>
+        <source>TCP %1 from the flange</source>
+        <translation>TCP はフランジから %1</translation>
     </message>
 </context>
 <context>
@@ -11351,6 +11379,10 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <source>Project</source>
         <translation>プロジェクト</translation>
     </message>
+    <message>
+        <source>The arm is moving. Stop the arm first, then store the position.</source>
+        <translation>アームが動作中です。先にアームを停止してから、位置を保存してください。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::CommandPalette</name>
@@ -12140,18 +12172,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>記録中です。</translation>
     </message>
     <message>
-        <source>Closing the window stops the recording.</source>
-        <translation>ウィンドウを閉じると停止します。</translation>
-    </message>
-    <message>
-        <source>Stop recording and close</source>
-        <translation>記録を停止して閉じる</translation>
-    </message>
-    <message>
-        <source>Keep recording</source>
-        <translation>記録を続ける</translation>
-    </message>
-    <message>
         <source>New project…</source>
         <translation>新しいプロジェクト…</translation>
     </message>
@@ -12178,14 +12198,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>Change connection</source>
         <translation>接続の変更</translation>
-    </message>
-    <message>
-        <source>Changing the connection stops the recording.</source>
-        <translation>接続を変更すると記録が停止します。</translation>
-    </message>
-    <message>
-        <source>Stop recording and continue</source>
-        <translation>記録を停止して続行</translation>
     </message>
     <message>
         <source>Do not ask again during this program</source>
@@ -12218,6 +12230,30 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>Start program</source>
         <translation>プログラムを開始</translation>
+    </message>
+    <message>
+        <source>This stops when you close the window.</source>
+        <translation>ウィンドウを閉じると停止します。</translation>
+    </message>
+    <message>
+        <source>Stop and close</source>
+        <translation>停止して閉じる</translation>
+    </message>
+    <message>
+        <source>Keep running</source>
+        <translation>実行を続ける</translation>
+    </message>
+    <message>
+        <source>This stops when you change the connection.</source>
+        <translation>接続を変更すると停止します。</translation>
+    </message>
+    <message>
+        <source>Stop and continue</source>
+        <translation>停止して続行</translation>
+    </message>
+    <message>
+        <source>A program is running. Stop the program first.</source>
+        <translation>プログラムが実行中です。先にプログラムを停止してください。</translation>
     </message>
 </context>
 <context>

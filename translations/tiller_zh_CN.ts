@@ -3032,6 +3032,14 @@
         <source>Timeout</source>
         <translation>超时时间</translation>
     </message>
+    <message>
+        <source>A program cannot continue inside a section or a called program. The next run starts from the beginning.</source>
+        <translation>程序无法在区段或被调用的程序内继续。下次运行从头开始。</translation>
+    </message>
+    <message>
+        <source>A program cannot continue in the middle of this step. The next run starts from the beginning.</source>
+        <translation>程序无法在此步骤的中途继续。下次运行从头开始。</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -3415,6 +3423,10 @@
     <message>
         <source>Speed slider</source>
         <translation>速度滑块</translation>
+    </message>
+    <message>
+        <source>The robot cannot time pulses while a program is running. Stop the program first, or switch the output on and off manually.</source>
+        <translation>程序运行期间，机器人无法控制脉冲时间。请先停止程序，或手动打开和关闭输出。</translation>
     </message>
 </context>
 <context>
@@ -9794,6 +9806,10 @@ Release the button to stop the arm.</source>
         <source>Continue at %1</source>
         <translation>从%1继续</translation>
     </message>
+    <message>
+        <source>Continue (hold)</source>
+        <translation>继续（按住）</translation>
+    </message>
 </context>
 <context>
     <name>tiller::SceneDock</name>
@@ -10529,6 +10545,18 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
     <message>
         <source>Shows the values instead of the route controls.</source>
         <translation>显示数值而不是路线的控件。</translation>
+    </message>
+    <message>
+        <source>TCP “%1”</source>
+        <translation>TCP“%1”</translation>
+    </message>
+    <message>
+        <source>TCP at the flange</source>
+        <translation>TCP 在法兰</translation>
+    </message>
+    <message>
+        <source>TCP %1 from the flange</source>
+        <translation>TCP 距法兰 %1</translation>
     </message>
 </context>
 <context>
@@ -11351,6 +11379,10 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <source>Project</source>
         <translation>项目</translation>
     </message>
+    <message>
+        <source>The arm is moving. Stop the arm first, then store the position.</source>
+        <translation>机械臂正在运动。请先停止机械臂，再保存位置。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::CommandPalette</name>
@@ -12140,18 +12172,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>正在记录。</translation>
     </message>
     <message>
-        <source>Closing the window stops the recording.</source>
-        <translation>关闭窗口会停止记录。</translation>
-    </message>
-    <message>
-        <source>Stop recording and close</source>
-        <translation>停止记录并关闭</translation>
-    </message>
-    <message>
-        <source>Keep recording</source>
-        <translation>继续记录</translation>
-    </message>
-    <message>
         <source>New project…</source>
         <translation>新建项目…</translation>
     </message>
@@ -12178,14 +12198,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>Change connection</source>
         <translation>更改连接</translation>
-    </message>
-    <message>
-        <source>Changing the connection stops the recording.</source>
-        <translation>更改连接会停止记录。</translation>
-    </message>
-    <message>
-        <source>Stop recording and continue</source>
-        <translation>停止记录并继续</translation>
     </message>
     <message>
         <source>Do not ask again during this program</source>
@@ -12218,6 +12230,30 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>Start program</source>
         <translation>启动程序</translation>
+    </message>
+    <message>
+        <source>This stops when you close the window.</source>
+        <translation>关闭窗口会将其停止。</translation>
+    </message>
+    <message>
+        <source>Stop and close</source>
+        <translation>停止并关闭</translation>
+    </message>
+    <message>
+        <source>Keep running</source>
+        <translation>保持运行</translation>
+    </message>
+    <message>
+        <source>This stops when you change the connection.</source>
+        <translation>更改连接会将其停止。</translation>
+    </message>
+    <message>
+        <source>Stop and continue</source>
+        <translation>停止并继续</translation>
+    </message>
+    <message>
+        <source>A program is running. Stop the program first.</source>
+        <translation>程序正在运行。请先停止程序。</translation>
     </message>
 </context>
 <context>

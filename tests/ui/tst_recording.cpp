@@ -160,37 +160,35 @@ private Q_SLOTS:
         bench.cell.advanceMs(200);
 
         QVERIFY2(!bench.window.close(), "the recording ended without a question");
-        auto* question = bench.window.findChild<QMessageBox*>("recordingQuestion");
+        auto* question = bench.window.findChild<QMessageBox*>("endQuestion");
         QVERIFY(question != nullptr && question->isVisible());
         QVERIFY2(!question->isModal() && QApplication::activeModalWidget() == nullptr,
                  "STOP cannot be clicked");
-        QCOMPARE(question->defaultButton()->objectName(), QString("recordingQuestion.keep"));
+        QCOMPARE(question->defaultButton()->objectName(), QString("endQuestion.keep"));
         QVERIFY(active());
         QVERIFY(!bench.window.close());
-        QCOMPARE(bench.window.findChildren<QMessageBox*>("recordingQuestion").size(), 1);
-        question = bench.window.findChild<QMessageBox*>("recordingQuestion");
+        QCOMPARE(bench.window.findChildren<QMessageBox*>("endQuestion").size(), 1);
+        question = bench.window.findChild<QMessageBox*>("endQuestion");
         QTest::keyClick(question, Qt::Key_Escape);
-        QTRY_VERIFY_WITH_TIMEOUT(bench.window.findChild<QMessageBox*>("recordingQuestion") == nullptr,
-                                 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.window.findChild<QMessageBox*>("endQuestion") == nullptr, 60'000);
         QVERIFY(bench.window.isVisible() && active());
 
         // A change of the connection asks as well.
         for (const char* action : {"robot.disconnect", "robot.simulator"}) {
             (void)bench.window.close();  // replaced by the next question
             bench.window.actions().find(QLatin1String(action))->trigger();
-            QCOMPARE(bench.window.findChildren<QMessageBox*>("recordingQuestion").size(), 1);
-            question = bench.window.findChild<QMessageBox*>("recordingQuestion");
+            QCOMPARE(bench.window.findChildren<QMessageBox*>("endQuestion").size(), 1);
+            question = bench.window.findChild<QMessageBox*>("endQuestion");
             QVERIFY2(question != nullptr && question->windowTitle() == "Change connection", action);
             QTest::keyClick(question, Qt::Key_Escape);
-            QTRY_VERIFY_WITH_TIMEOUT(bench.window.findChild<QMessageBox*>("recordingQuestion") == nullptr,
-                                     60'000);
+            QTRY_VERIFY_WITH_TIMEOUT(bench.window.findChild<QMessageBox*>("endQuestion") == nullptr, 60'000);
             QVERIFY2(active() && bench.window.session().state().link == LinkState::Live, action);
         }
 
         const auto end = [&] {
             QVERIFY(!bench.window.close());
-            question = bench.window.findChild<QMessageBox*>("recordingQuestion");
-            QTest::mouseClick(question->findChild<QPushButton*>("recordingQuestion.end"), Qt::LeftButton);
+            question = bench.window.findChild<QMessageBox*>("endQuestion");
+            QTest::mouseClick(question->findChild<QPushButton*>("endQuestion.take"), Qt::LeftButton);
         };
         // The answer "Cancel" to the question about the project keeps the window and the recording.
         bench.window.document().insertWaypoints(0, {project::Waypoint()}, "Teach");

@@ -424,8 +424,9 @@ Result<RobotSession::MotionId> RobotSession::beginPath(control::MotionPath path,
     return start.ticket;
 }
 
-Result<RobotSession::MotionId> RobotSession::beginProgram(const QString& script, control::Holding holding,
-                                                          std::uint64_t stops, const script::StepGate& gate) {
+Result<RobotSession::MotionId> RobotSession::beginProgram(const QString& name, const QString& script,
+                                                          control::Holding holding, std::uint64_t stops,
+                                                          const script::StepGate& gate) {
     if (!d_->link || !d_->state.canMove()) {
         return notMovable(d_->state);
     }
@@ -436,7 +437,10 @@ Result<RobotSession::MotionId> RobotSession::beginProgram(const QString& script,
         return permitted.error();
     }
     ProgramRun& run = d_->link->program;
+    d_->changesConfirmed = false;
     run.ticket = d_->nextProgram++;
+    run.name = name;
+    run.holding = holding;
     run.outcome.reset();
     run.shared = std::make_shared<ProgramRun::Shared>();
     run.shared->heldNs = d_->clock->nowNs();
@@ -631,6 +635,12 @@ bool RobotSession::hold(MotionId motion) {
         return motion == link.path.ticket && holdPath(link);
     }
     return motion == link.move.id() ? link.move.refresh() : motion == link.jog.id() && link.jog.refresh();
+}
+
+std::optional<QString> RobotSession::freeProgram() const {
+    const bool runs =
+        d_->link && d_->link->program.isRunning() && d_->link->program.holding == control::Holding::Free;
+    return runs ? std::optional(d_->link->program.name) : std::nullopt;
 }
 
 void RobotSession::setStepGate(MotionId program, const script::StepGate& gate) {

@@ -165,13 +165,16 @@ public:
     /// Sends a complete program, runs it instead of the control program, and then takes control again. The
     /// program is an active motion from this call until control is back, and no other motion can start.
     /// Ending the motion ends the program. motionProgress() reports the result.
+    /// name     displayed name
     /// script   URScript, one `def`. It ends when this process ends or the connection is lost
     /// holding  Held: needs hold() like every motion, and also ends when the program is paused
     /// stops    as MoveRequest::stops
     /// gate     which steps may begin; the script calls the functions of script::stepGateScript()
     /// Errors   those of permits() that do not depend on the target, and of the project guard
-    Result<MotionId> beginProgram(const QString& script, control::Holding holding, std::uint64_t stops,
-                                  const script::StepGate& gate = {});
+    Result<MotionId> beginProgram(const QString& name, const QString& script, control::Holding holding,
+                                  std::uint64_t stops, const script::StepGate& gate = {});
+    /// Name of the program of beginProgram() that is active without hold-to-run; empty if there is none.
+    std::optional<QString> freeProgram() const;
     void setStepGate(MotionId program, const script::StepGate& gate);
     /// Number of stops on this connection, from any cause. See MoveRequest::stops.
     std::uint64_t stops() const;

@@ -66,6 +66,8 @@ struct ProgramRun {
         script::StepGate gate;
     };
     control::MotionId ticket = control::kNoMotion;
+    QString name;
+    control::Holding holding = control::Holding::Held;
     std::shared_ptr<Shared> shared;
     std::optional<Result<void>> outcome;  ///< empty until the program has ended
 

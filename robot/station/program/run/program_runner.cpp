@@ -94,6 +94,9 @@ ScriptOptions optionsFor(const project::Project& project, const SessionState& st
 RunPlan planRun(const project::Project& project, const QUuid& program, const SessionState& state,
                 const SpeedLimits& limits, const std::optional<StartStep>& start) {
     RunPlan plan;
+    if (const project::Program* found = project.programs.find(program)) {
+        plan.name = found->name;
+    }
     plan.limits = limits;
     ScriptOptions options = optionsFor(project, state, limits);
     options.from = start ? start->step : QUuid();
@@ -191,7 +194,7 @@ Result<RobotSession::MotionId> ProgramRunner::start(const RunPlan& plan, control
     gate_ = {permitted, false};
     const QSet<QUuid> breakpoints = holding == control::Holding::Free ? breakpoints_ : QSet<QUuid>();
     const auto begun =
-        session_.beginProgram(script_.gatedText(breakpoints), holding, session_.stops(), gate_);
+        session_.beginProgram(plan.name, script_.gatedText(breakpoints), holding, session_.stops(), gate_);
     if (!begun) {
         state_ = State::Idle;
         return begun.error();

@@ -20,6 +20,7 @@ namespace tiller::program {
 
 /// A script for the connected robot, or why it cannot run.
 struct RunPlan {
+    QString name;  ///< of the program
     ProgramScript script;
     QString obstacle;     ///< translated sentence; empty if the program can run
     double expected = 0;  ///< expected duration [s]; 0: unknown

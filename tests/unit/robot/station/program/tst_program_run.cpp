@@ -790,7 +790,8 @@ private Q_SLOTS:
         bench.setSteps({bench.endless()});
         QVERIFY(!bench.plan().obstacle.isEmpty());
         QVERIFY(!bench.runner.start(bench.plan(), Holding::Held).ok());
-        QVERIFY(!bench.session.beginProgram("def p():\nend\n", Holding::Free, bench.session.stops()).ok());
+        QVERIFY(
+            !bench.session.beginProgram("p", "def p():\nend\n", Holding::Free, bench.session.stops()).ok());
         bench.session.takeControl();
         QVERIFY(bench.cell.advanceUntil([&] { return bench.session.state().canMove(); }, kLongMs));
         QCOMPARE(bench.plan().obstacle, QString());

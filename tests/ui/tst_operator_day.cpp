@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What operators do all day in the real window: they run a program of the project, teach, edit, and restart
+// Tiller. With a simulated robot in virtual time.
+
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSessionManager>
+#include <QTest>
+#include <QTimer>
+
+#include "app/action_table.h"
+#include "app/settings_page.h"
+#include "program_samples.h"
+#include "resources/resources.h"
+#include "tests/support/go_on_until.h"
+#include "tests/support/window_bench.h"
+#include "tests/ui/jog_fixture.h"
+#include "widgets/common/decimal_spin_box.h"
+#include "widgets/common/notice_bar.h"
+#include "widgets/io/analog_row.h"
+#include "widgets/io/gripper_panel.h"
+#include "widgets/io/io_channel.h"
+#include "widgets/io/io_tab.h"
+#include "widgets/program/program_tab.h"
+#include "widgets/project/undoable_document.h"
+#include "widgets/status/stop_button.h"
+#include "widgets/waypoints/waypoint_details.h"
+#include "widgets/waypoints/waypoints_tab.h"
+
+using namespace tiller;
+using namespace tiller::test;
+
+namespace {
+
+constexpr int kStopMs = 250;  ///< maximum stopping time according to the jog contract
+
+project::Project cycleProject() {
+    project::Project project = program::sampleProject();
+    std::vector<project::ProgramStep> moves;
+    for (const char* waypoint : {"pick", "place"}) {
+        moves.push_back(program::step("moveL", {{"waypoint", program::waypointId(project, waypoint)}}));
+    }
+    project.programs.append(
+        program::makeProgram("Cycle", {program::step("loop", {{"times", 0}}, std::move(moves))}));
+    return project;
+}
+
+simulator::SimulatorOptions robotAtPick() {
+    simulator::SimulatorOptions options = VirtualCell::options();
+    const project::Project project = program::sampleProject();
+    options.startJoints = project.waypoints.at(project.waypoints.indexOfName("pick")).joints;
+    return options;
+}
+
+struct DayBench : WindowBench {
+    DayBench() : WindowBench(robotAtPick()) {
+        show(QSize(1280, 720));
+        window.openProject(folder.filePath("day.tiller"));  // closing the window needs no answer
+        window.document().setProject(cycleProject());
+    }
+    bool until(const std::function<bool()>& condition) { return goOnUntil(cell, condition); }
+    bool bringUp() {
+        if (!cell.bringUp()) {
+            return false;
+        }
+        driveKeys(cell, window.findChildren<HoldToRunButton*>());
+        return true;
+    }
+    bool runs() {
+        return window.findChild<ProgramTab*>()->runsFreely() &&
+               until([this] { return tcpSpeed(cell) > 0.03; });
+    }
+    /// Starts the program without hold-to-run.
+    bool run() {
+        window.showTab("program");
+        auto& key = find<QPushButton>("program.run");
+        find<QPushButton>("program.preview").click();
+        if (!until([&key] { return key.isEnabled(); })) {
+            return false;
+        }
+        key.click();
+        return runs();
+    }
+    QMessageBox* question(const char* name) { return window.findChild<QMessageBox*>(QLatin1String(name)); }
+    void answer(const char* button) { find<QPushButton>(button).click(); }
+    QAction* action(const char* id) { return window.actions().find(QLatin1String(id)); }
+};
+
+}  // namespace
+
+class TestOperatorDay : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { initResources(); }
+
+    void whatStopsARunningProgramAsksFirst_data() {
+        QTest::addColumn<QString>("action");
+        for (const char* action : {"app.quit", "robot.disconnect", "robot.simulator", "connect"}) {
+            QTest::newRow(action) << QString::fromLatin1(action);
+        }
+    }
+    void whatStopsARunningProgramAsksFirst() {
+        QFETCH(QString, action);
+        DayBench bench;
+        QVERIFY2(bench.bringUp(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.run());
+        const auto act = [&] {
+            if (action == "connect") {
+                bench.window.connectRobot({"other", "127.0.0.1", 31'000, false});
+            } else {
+                bench.action(qPrintable(action))->trigger();
+            }
+        };
+        act();
+        QMessageBox* question = bench.question("endQuestion");
+        QVERIFY2(question != nullptr && question->isVisible(), "the program ended without a question");
+        QVERIFY2(!question->isModal() && QApplication::activeModalWidget() == nullptr,
+                 "STOP cannot be clicked");
+        QVERIFY2(question->text().contains("Cycle"), qPrintable(question->text()));
+        QCOMPARE(question->defaultButton()->objectName(), QString("endQuestion.keep"));
+        bench.cell.advanceMs(1000);
+        QVERIFY2(bench.runs(), "the program does not continue while the question is open");
+        bench.answer("endQuestion.keep");
+        bench.cell.advanceMs(1000);
+        QVERIFY(bench.runs());
+        QVERIFY(bench.window.isVisible());
+
+        act();
+        bench.answer("endQuestion.take");
+        QVERIFY(bench.until([&] { return standsStill(bench.cell); }));
+        QVERIFY(timeToStandstill(bench.cell) == 0);
+        if (action == "app.quit") {
+            QTRY_VERIFY_WITH_TIMEOUT(!bench.window.isVisible(), 60'000);
+        }
+        QVERIFY(bench.question("endQuestion") == nullptr || !bench.question("endQuestion")->isVisible());
+    }
+
+    void stopWorksWhileTheQuestionIsOpen_data() {
+        QTest::addColumn<QString>("way");
+        for (const char* way : {"STOP", "Space", "Esc"}) {
+            QTest::newRow(way) << QString::fromLatin1(way);
+        }
+    }
+    void stopWorksWhileTheQuestionIsOpen() {
+        QFETCH(QString, way);
+        DayBench bench;
+        QVERIFY2(bench.bringUp(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.run());
+        QVERIFY(!bench.window.close());
+        QMessageBox* question = bench.question("endQuestion");
+        QVERIFY(question != nullptr);
+        QVERIFY(QTest::qWaitForWindowActive(question));
+        if (way == "STOP") {
+            QTest::mouseClick(bench.window.findChild<StopButton*>(), Qt::LeftButton);
+        } else {
+            QTest::keyClick(QApplication::focusWidget(), way == "Space" ? Qt::Key_Space : Qt::Key_Escape);
+        }
+        const int ms = timeToStandstill(bench.cell);
+        QVERIFY2(ms >= 0 && ms <= kStopMs, qPrintable(QString::number(ms)));
+        bench.cell.advanceMs(500);
+        QVERIFY(standsStill(bench.cell));
+        QVERIFY2(bench.window.isVisible(), "the key answered the question");
+    }
+
+    void oneQuestionNamesTheRecordingAndTheProgram() {
+        DayBench bench;
+        QVERIFY2(bench.bringUp(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.run());
+        bench.window.session().recording().start(bench.folder.filePath("running.csv"));
+        QVERIFY(bench.until([&] { return bench.window.session().state().recording.active; }));
+        QVERIFY(!bench.window.close());
+        QCOMPARE(bench.window.findChildren<QMessageBox*>().size(), 1);
+        const QString text = bench.question("endQuestion")->text();
+        QVERIFY2(text.contains("recording") && text.contains("Cycle"), qPrintable(text));
+        bench.answer("endQuestion.take");
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.window.isVisible(), 60'000);
+        QVERIFY(bench.until([&] { return !bench.window.session().state().recording.active; }));
+        const int ms = timeToStandstill(bench.cell);
+        QVERIFY2(ms >= 0 && ms <= kStopMs, qPrintable(QString::number(ms)));
+    }
+
+    void aHeldProgramStopsWithTheWindowWithoutAQuestion() {
+        DayBench bench;
+        QVERIFY2(bench.bringUp(), qPrintable(bench.cell.what()));
+        bench.window.showTab("program");
+        auto& key = bench.find<HoldToRunButton>("program.runHold");
+        QVERIFY(bench.until([&] { return key.isEnabled(); }));
+        press(key);
+        QVERIFY(bench.until([&] { return tcpSpeed(bench.cell) > 0.02; }));
+        QVERIFY(bench.window.close());
+        const int ms = timeToStandstill(bench.cell);
+        QVERIFY2(ms >= 0 && ms <= kStopMs, qPrintable(QString::number(ms)));
+        QVERIFY(bench.question("endQuestion") == nullptr);
+    }
+
+    void theEndOfTheDesktopSessionDoesNotWaitForAnAnswer() {
+        DayBench bench;
+        QVERIFY2(bench.bringUp(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.run());
+        auto* manager = qApp->findChild<QSessionManager*>();
+        QVERIFY(manager != nullptr);
+        Q_EMIT qApp->commitDataRequest(*manager);
+        QVERIFY(bench.window.close());
+        const int ms = timeToStandstill(bench.cell);
+        QVERIFY2(ms >= 0 && ms <= kStopMs, qPrintable(QString::number(ms)));
+    }
+};
+
+QTEST_MAIN(TestOperatorDay)
+#include "tst_operator_day.moc"
