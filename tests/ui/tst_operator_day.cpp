@@ -211,6 +211,71 @@ private Q_SLOTS:
         const int ms = timeToStandstill(bench.cell);
         QVERIFY2(ms >= 0 && ms <= kStopMs, qPrintable(QString::number(ms)));
     }
+
+    void outputsAreChangedDuringAProgramOnlyAfterAQuestion_data() {
+        QTest::addColumn<QString>("control");
+        for (const char* control : {"digital", "analog", "register", "gripper"}) {
+            QTest::newRow(control) << QString::fromLatin1(control);
+        }
+    }
+    void outputsAreChangedDuringAProgramOnlyAfterAQuestion() {
+        QFETCH(QString, control);
+        DayBench bench;
+        QVERIFY2(bench.bringUp(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.run());
+        bench.window.showTab(control == "gripper" ? "gripper" : "io");
+        auto& io = bench.find<IoTab>("io");
+        QVERIFY(bench.until([&] { return !io.output(0)->isStale(); }));
+        QVERIFY2(bench.runs(), "selecting the tab stopped the program");
+        const auto change = [&](const char* gripperKey) {
+            if (control == "digital") {
+                io.output(3)->click();
+            } else if (control == "analog") {
+                Q_EMIT bench.find<AnalogRow>("io.AO0").setRequested(io::AnalogDomain::Voltage, 0.5);
+            } else if (control == "register") {
+                bench.find<QPushButton>("io.register.write").click();
+            } else {
+                bench.find<QPushButton>(gripperKey).click();
+            }
+        };
+        if (control == "gripper") {
+            auto& kind = bench.find<QComboBox>("gripper.kind");
+            kind.setCurrentIndex(kind.findText("One output", Qt::MatchStartsWith));
+            Q_EMIT kind.activated(kind.currentIndex());
+        }
+        QStringList done;
+        connect(&bench.window.session(), &RobotSession::message, &bench.window,
+                [&](Severity, const QString& text, Origin origin) {
+                    done << (origin == Origin::Operator ? QStringList(text) : QStringList());
+                });
+        const std::uint64_t before = bench.cell.truth().digitalOutputs;
+        change("gripper.close");
+        QMessageBox* question = bench.question("changeQuestion");
+        QVERIFY2(question != nullptr, "the change was made without a question");
+        QVERIFY2(question->text().contains("Cycle"), qPrintable(question->text()));
+        QVERIFY2(QApplication::activeModalWidget() == nullptr, "STOP cannot be clicked");
+        bench.cell.advanceMs(500);
+        QCOMPARE(bench.cell.truth().digitalOutputs, before);
+        QVERIFY2(done.isEmpty(), qPrintable(done.join('\n')));
+        bench.answer("changeQuestion.take");
+        QVERIFY(bench.until([&] { return !done.isEmpty(); }));
+        QVERIFY(bench.runs());
+        change("gripper.open");
+        QVERIFY(bench.until([&] { return bench.question("changeQuestion") != nullptr; }));
+    }
+
+    void theAnswerAppliesToOneRun() {
+        DayBench bench;
+        QVERIFY2(bench.bringUp(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.run());
+        RobotSession& session = bench.window.session();
+        QVERIFY(session.mustAskBeforeChange());
+        session.confirmChanges();
+        QVERIFY(!session.mustAskBeforeChange());
+        session.stop(control::StopCause::StopButton);
+        QVERIFY(bench.until([&] { return session.state().canMove() && !session.state().programRuns; }));
+        QVERIFY(!session.mustAskBeforeChange());
+    }
 };
 
 QTEST_MAIN(TestOperatorDay)

@@ -392,8 +392,12 @@ void IoTab::buildAnalog(QVBoxLayout* layout) {
     layout->addWidget(registerHeading_);
     registers_ = new RegisterPanel;
     layout->addWidget(registers_);
-    connect(registers_, &RegisterPanel::writeRequested, this,
-            [this](const RegisterValue& value) { session_.outputs().setRegister(value); });
+    connect(registers_, &RegisterPanel::writeRequested, this, [this](const RegisterValue& value) {
+        const auto set = [this, value] { session_.outputs().setRegister(value); };
+        if (!session_.asksBeforeChange(RobotOutputs::registerName(value), set)) {
+            set();
+        }
+    });
 }
 
 void IoTab::refreshAnalog(bool known, bool stale) {

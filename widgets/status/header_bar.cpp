@@ -38,6 +38,11 @@ StateChip* chip(const QString& caption, const char* name, QWidget* parent) {
     return made;
 }
 
+/// Does not apply to a program of Tiller, because its operator may slow it down at any time.
+bool asksBeforeSlider(const RobotSession& session) {
+    return session.state().foreignProgramRuns() && session.mustAskBeforeChange();
+}
+
 void showOn(StateChip& chip, const ModeLook& look) {
     chip.setState(look.text, look.shape, look.emphasis, look.advice);
     chip.setMark(look.mark);
@@ -183,11 +188,11 @@ HeaderBar::HeaderBar(RobotSession& session, QWidget* parent)
                             const QString what = QStringLiteral("%1: %2 %")
                                                      .arg(SpeedChip::tr("Speed slider"))
                                                      .arg(std::lround(100 * fraction));
-                            if (!session.asksBeforeChange(what, set)) {
+                            if (!asksBeforeSlider(session) || !session.asksBeforeChange(what, set)) {
                                 set();
                             }
                         },
-                    .asksBeforeSlider = [&session] { return session.mustAskBeforeChange(); },
+                    .asksBeforeSlider = [&session] { return asksBeforeSlider(session); },
                     .stop = [&session](control::StopCause cause) { session.stop(cause); },
                 },
                 parent) {

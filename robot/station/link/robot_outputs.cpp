@@ -274,6 +274,11 @@ void RobotOutputs::setDigitalOutputs(std::uint32_t mask, std::uint32_t values, c
 }
 
 QString RobotOutputs::pulseObstacle() const {
+    if (d_.state.programRuns) {
+        return tr(
+            "The robot cannot time pulses while a program is running. Stop the program first, or switch "
+            "the output on and off manually.");
+    }
     return d_.link && d_.state.control == ControlState::InControl
                ? QString()
                : tr("The robot times pulses only while Tiller is in control. Take control first, or switch "
@@ -351,12 +356,17 @@ void RobotOutputs::setAnalogOutput(int output, io::AnalogDomain domain, double l
     });
 }
 
+QString RobotOutputs::registerName(const RegisterValue& value) {
+    using Kind = RegisterValue::Kind;
+    return (value.kind == Kind::Int      ? tr("Input int register %1")
+            : value.kind == Kind::Double ? tr("Input float register %1")
+                                         : tr("Input bit register %1"))
+        .arg(value.number);
+}
+
 void RobotOutputs::setRegister(const RegisterValue& value) {
     using Kind = RegisterValue::Kind;
-    const QString name = (value.kind == Kind::Int      ? tr("Input int register %1")
-                          : value.kind == Kind::Double ? tr("Input float register %1")
-                                                       : tr("Input bit register %1"))
-                             .arg(value.number);
+    const QString name = registerName(value);
     if (session_.refusesCommand(name) || !d_.link) {
         return;
     }

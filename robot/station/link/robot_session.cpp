@@ -773,7 +773,7 @@ void RobotSession::reportExternalProgram() {
     const bool runs = state.isFresh() && !d_->takingControl && state.foreignProgramRuns() &&
                       !state.programAbandoned && !state.controlInDoubt &&
                       (state.runtimeState == RuntimeState::Playing || d_->externalRunSeen);
-    if (!state.foreignProgramRuns()) {
+    if (!state.foreignProgramRuns() && !freeProgram()) {
         d_->changesConfirmed = false;
     }
     if (!state.isFresh()) {
@@ -815,8 +815,9 @@ void RobotSession::reportEndOfExternalProgram(bool exists) {
 }
 
 bool RobotSession::mustAskBeforeChange() const {
-    return d_->state.foreignProgramRuns() && !d_->state.programAbandoned && !d_->changesConfirmed &&
-           isSignalConnected(QMetaMethod::fromSignal(&RobotSession::changeQuestion));
+    const SessionState& state = d_->state;
+    return (freeProgram() || (state.foreignProgramRuns() && !state.programAbandoned)) &&
+           !d_->changesConfirmed && isSignalConnected(QMetaMethod::fromSignal(&RobotSession::changeQuestion));
 }
 
 bool RobotSession::asksBeforeChange(const QString& what, const std::function<void()>& change) {
@@ -828,7 +829,7 @@ bool RobotSession::asksBeforeChange(const QString& what, const std::function<voi
 }
 
 void RobotSession::confirmChanges(bool confirmed) {
-    d_->changesConfirmed = confirmed && d_->state.foreignProgramRuns();
+    d_->changesConfirmed = confirmed && (d_->state.foreignProgramRuns() || freeProgram());
 }
 
 void RobotSession::reportControllerMessages() {

@@ -113,9 +113,9 @@ public:
     /// monitor-only mode, reports that `command` is rejected and returns true.
     bool refusesCommand(const QString& command);
 
-    /// For a change of outputs, gripper or speed slider by the operator. If a program of another client is
-    /// running, emits changeQuestion() and returns true, and the caller must not make the change. If nothing
-    /// is connected to the signal, returns false.
+    /// For a change of outputs, registers, gripper or speed slider by the operator. If a program of another
+    /// client is running, or one of Tiller without hold-to-run, emits changeQuestion() and returns true, and
+    /// the caller must not make the change. If nothing is connected to the signal, returns false.
     /// what    name of the change, e.g. "DO 3"
     /// change  makes the change after the operator has agreed
     bool asksBeforeChange(const QString& what, const std::function<void()>& change);
@@ -232,8 +232,7 @@ Q_SIGNALS:
     /// takeControl() would end a program of another client. If the operator agrees, call it again with
     /// ForeignProgram::Stop.
     void takeControlQuestion();
-    /// A change could disturb the program of another client. If the operator agrees, call confirmChanges() and
-    /// `change`.
+    /// A change could disturb the running program. If the operator agrees, call confirmChanges() and `change`.
     void changeQuestion(const QString& what, const std::function<void()>& change);
     /// RobotServices::perform() would start, pause or end a program that is not Tiller's own. If the operator
     /// agrees, call it again with `confirmed`.

@@ -151,7 +151,7 @@ struct SessionBackend {
     bool externalExists = false;                ///< that program runs or is paused
     std::optional<std::int64_t> externalEndNs;  ///< end of that program, until it is reported
     bool readySeen = false;                     ///< the last reported robot mode was Running
-    bool changesConfirmed = false;              ///< the operator agreed to changes while this program runs
+    bool changesConfirmed = false;  ///< the operator agreed to changes while this program runs, own or not
 
     QStringList extraFields;                 ///< requested in addition to the standard fields
     std::vector<receive::Sample> extraRoom;  ///< reused buffer for extra samples
