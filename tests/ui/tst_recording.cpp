@@ -29,10 +29,13 @@
 #include "resources/resources.h"
 #include "robot/recording/csv_reader.h"
 #include "robot/recording/formats/open_recording.h"
+#include "tests/support/go_on_until.h"
 #include "tests/support/window_bench.h"
+#include "widgets/common/elided_label.h"
 #include "widgets/common/empty_state.h"
 #include "widgets/plots/plot_dock.h"
 #include "widgets/project/undoable_document.h"
+#include "widgets/status/status_line.h"
 
 using namespace tiller;
 using namespace tiller::test;
@@ -297,6 +300,30 @@ private Q_SLOTS:
             120'000));
         QVERIFY2(failure().contains("free"), qPrintable(failure()));
         QVERIFY(recording::readCsv(path).ok());
+    }
+
+    void aRecordingThatCannotStartSaysWhyUntilTheNextAttempt() {
+        WindowBench bench;
+        bench.show(QSize(1280, 720));
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        const QString file = bench.folder.filePath("file");
+        QVERIFY(QFile(file).open(QIODevice::WriteOnly));
+        auto& recording = bench.window.session().recording();
+        auto& line = bench.find<StatusLine>("statusLine");
+        auto& details = bench.find<ElidedLabel>("recordingDetails");
+        recording.start(file + "/run.csv");
+        QVERIFY(goOnUntil(bench.cell, [&] { return line.messageText().contains("run.csv"); }));
+        Q_EMIT bench.window.session().message(Severity::Info, QStringLiteral("Something else"));
+        bench.cell.advanceMs(2000);
+        QVERIFY(!line.messageText().contains("run.csv"));
+        QVERIFY2(details.fullText().contains("run.csv"), qPrintable(details.fullText()));
+        QCOMPARE(line.recordingText(), QStringLiteral("Not recording"));
+        QCOMPARE(details.property("role").toByteArray(), QByteArray("alarm"));
+        recording.start(bench.folder.filePath("run.csv"));
+        QVERIFY(goOnUntil(bench.cell, [&] { return bench.window.session().state().recording.active; }));
+        recording.stop();
+        QVERIFY(goOnUntil(bench.cell, [&] { return !bench.window.session().state().recording.active; }));
+        QVERIFY2(details.fullText().isEmpty(), qPrintable(details.fullText()));
     }
 
     void impossibleRequestsAreRefusedWithoutChanges() {

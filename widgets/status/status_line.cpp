@@ -137,12 +137,10 @@ void StatusLine::applyState(const SessionState& state) {
                                   .arg(format::grouped(state_.rows), QFileInfo(state_.path).fileName(),
                                        format::bytes(state_.freeBytes)));
         details_->setToolTip(state_.path);
-    } else if (!state_.error.isEmpty()) {
-        recording_->setText(tr("Recording stopped"));
-        details_->setFullText(state_.error);
     } else {
-        recording_->setText(tr("Not recording"));
-        details_->setFullText({});
+        const bool ended = !state_.error.isEmpty() && state_.rows > 0;
+        recording_->setText(ended ? tr("Recording stopped") : tr("Not recording"));
+        details_->setFullText(state_.error);
     }
     if (turned) {
         paintWords();

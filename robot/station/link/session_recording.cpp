@@ -87,9 +87,16 @@ std::shared_ptr<receive::Receiver> SessionRecording::receiverFor(const std::vect
     return another;
 }
 
+void SessionRecording::refuse(Severity severity, const QString& why) {
+    d_.recordingRefusal = why;
+    Q_EMIT session_.message(severity, why);
+    session_.refresh();
+}
+
 void SessionRecording::start(const RecordingOrder& order) {
+    d_.recordingRefusal.clear();
     if (!d_.link) {
-        Q_EMIT session_.message(Severity::Warning, tr("Cannot record: connect to a robot first."));
+        refuse(Severity::Warning, tr("Cannot record: connect to a robot first."));
         return;
     }
     const receive::Receiver& receiver = *d_.link->receiver;
@@ -116,8 +123,8 @@ void SessionRecording::start(const RecordingOrder& order) {
         }
     }
     if (const QStringList unknown = receive::unknownOutputs(options.fields); !unknown.isEmpty()) {
-        Q_EMIT session_.message(Severity::Error, texts::errorText({ErrorCode::FieldUnknown, order.path,
-                                                                   unknown.join(QStringLiteral("; "))}));
+        refuse(Severity::Error,
+               texts::errorText({ErrorCode::FieldUnknown, order.path, unknown.join(QStringLiteral("; "))}));
         return;
     }
     const std::shared_ptr<receive::Receiver> source = receiverFor(options.fields);
@@ -183,15 +190,16 @@ void SessionRecording::start(const RecordingOrder& order) {
                         tr("Not recorded, because the robot does not accept a second connection: %1")
                             .arg(missing.join(QStringLiteral(", "))));
                 }
+                session_.refresh();
             } else {
-                Q_EMIT session_.message(Severity::Error, texts::errorText(result.error()));
+                refuse(Severity::Error, texts::errorText(result.error()));
             }
-            session_.refresh();
         });
     });
 }
 
 void SessionRecording::stop() {
+    d_.recordingRefusal.clear();
     d_.files.post(&session_, [this, was = std::exchange(wasRecording_, false)](const CancelToken&) {
         const recording::RecorderState state = d_.recorder.progress().state;
         d_.recorder.stop();

@@ -20,6 +20,7 @@
 namespace tiller {
 
 class RobotSession;
+enum class Severity;
 struct SessionBackend;
 
 /// Settings of a new recording.
@@ -56,6 +57,8 @@ public:
 private:
     /// Adds an entry to the current recording, if there is one.
     void keep(const recording::RecordedNote& note);
+    /// Reports why a recording cannot start. The state shows the reason until the next attempt.
+    void refuse(Severity severity, const QString& why);
     /// The receiver of the link, or another receiver if the link does not receive all fields.
     std::shared_ptr<receive::Receiver> receiverFor(const std::vector<std::string>& fields);
 

@@ -59,7 +59,8 @@ struct RecordingState {
     std::int64_t bytes = 0;      ///< size of the file
     std::uint64_t lost = 0;      ///< packets missing in the file for any reason
     std::int64_t freeBytes = 0;  ///< free space on the disk of the file
-    QString error;               ///< why the last recording ended; empty if it was stopped on request
+    /// Why the last recording ended, or could not start (without rows); empty if it was stopped on request.
+    QString error;
 };
 
 struct SessionState {

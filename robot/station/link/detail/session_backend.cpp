@@ -296,6 +296,10 @@ void SessionBackend::readRecording() {
     state.recording.path = recorder.path();
     state.recording.error =
         progress.state == recording::RecorderState::Failed ? texts::errorText(recorder.error()) : QString();
+    if (!state.recording.active && !recordingRefusal.isEmpty()) {
+        state.recording.rows = 0;
+        state.recording.error = recordingRefusal;
+    }
 }
 
 QString SessionBackend::obstacle() const {

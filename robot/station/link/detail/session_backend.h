@@ -117,6 +117,7 @@ struct SessionBackend {
     /// Receives fields for the recorder that the link does not receive. Used only by jobs of `files`.
     std::shared_ptr<receive::Receiver> recorderReceiver;
     recording::Recorder recorder;
+    QString recordingRefusal;  ///< why the last recording could not start; empty if it started
     QTimer frameClock;
 
     LinkHistory history;

@@ -39,6 +39,7 @@ private Q_SLOTS:
         StatusLine line;
         line.show();
         SessionState state;
+        state.recording.rows = 96'000;
         state.recording.error = QStringLiteral("Disk full: 96 000 samples are kept");
         line.applyState(state);
         QCOMPARE(line.recordingText(), QStringLiteral("Recording stopped"));
