@@ -276,6 +276,48 @@ private Q_SLOTS:
         QVERIFY(bench.until([&] { return session.state().canMove() && !session.state().programRuns; }));
         QVERIFY(!session.mustAskBeforeChange());
     }
+
+    void aPositionIsTaughtOnlyAtStandstill_data() {
+        QTest::addColumn<QString>("way");
+        for (const char* way : {"key", "button", "menu", "touch up"}) {
+            QTest::newRow(way) << QString::fromLatin1(way);
+        }
+    }
+    void aPositionIsTaughtOnlyAtStandstill() {
+        QFETCH(QString, way);
+        DayBench bench;
+        QVERIFY2(bench.bringUp(), qPrintable(bench.cell.what()));
+        bench.window.showTab("waypoints");
+        bench.window.selectWaypoint(0);
+        const int before = bench.window.waypointCount();
+        auto* notice = bench.window.waypoints().findChild<NoticeBar*>();
+        const auto teach = [&] {
+            if (way == "key") {
+                QTest::keyClick(&bench.window, Qt::Key_T);
+            } else if (way == "button") {
+                bench.find<QPushButton>("waypoint.teach").click();
+            } else {
+                bench.action(way == "menu" ? "waypoint.action.teach" : "waypoint.action.touchUp")->trigger();
+            }
+        };
+        auto& key = bench.find<HoldToRunButton>("jog.X+");
+        press(key);
+        QVERIFY(bench.until([&] { return bench.window.session().state().moving; }));
+        teach();
+        QCOMPARE(bench.window.waypointCount(), before);
+        QVERIFY2(notice->isVisible() && notice->title().contains("Stop the arm first"),
+                 qPrintable(notice->title()));
+        release(key);
+        QVERIFY(
+            bench.until([&] { return standsStill(bench.cell) && !bench.window.session().state().moving; }));
+        teach();
+        if (way == "touch up") {
+            QVERIFY2(notice->title().startsWith("Touch up"), qPrintable(notice->title()));
+        } else {
+            QCOMPARE(bench.window.waypointCount(), before + 1);
+            QVERIFY2(!notice->isVisible(), qPrintable(notice->title()));
+        }
+    }
 };
 
 QTEST_MAIN(TestOperatorDay)

@@ -417,6 +417,12 @@ QString WaypointsTab::teachObstacle() const {
     return state_.hasData() ? tr("Robot data are out of date. Wait for new data.")
                             : tr("No robot is connected. Connect a robot, or try the simulator.");
 }
+QString WaypointsTab::positionObstacle() const {
+    const QString obstacle = teachObstacle();
+    return obstacle.isEmpty() && state_.moving
+               ? tr("The arm is moving. Stop the arm first, then store the position.")
+               : obstacle;
+}
 
 QString WaypointsTab::goToObstacle() const {
     if (currentRow() < 0) {
@@ -613,10 +619,11 @@ void WaypointsTab::addToMenu(const QList<QAction*>& actions) {
 // ---- teaching --------------------------------------------------------------------------------------
 
 void WaypointsTab::teach() {
-    if (const QString obstacle = teachObstacle(); !obstacle.isEmpty()) {
+    if (const QString obstacle = positionObstacle(); !obstacle.isEmpty()) {
         showProblem(obstacle);
         return;
     }
+    notice_->dismissWithoutCause();
     const int row = currentRow();
     project::Waypoint point;
     if (row >= 0) {
@@ -643,7 +650,7 @@ void WaypointsTab::teach() {
 
 void WaypointsTab::touchUp() {
     const int row = currentRow();
-    const QString obstacle = row < 0 ? tr("Select a waypoint to touch up.") : teachObstacle();
+    const QString obstacle = row < 0 ? tr("Select a waypoint to touch up.") : positionObstacle();
     if (!obstacle.isEmpty()) {
         showProblem(obstacle);
         return;

@@ -128,6 +128,9 @@ private:
     void onComing();
     void replaceByTouchUp(const QUuid& id, const project::Waypoint& taught);
     QString teachObstacle() const;
+    /// Why the current position cannot be stored now: also a moving arm, whose position at the time of the
+    /// press the operator does not know.
+    QString positionObstacle() const;
     void showSpeed();
     void setTouchUpGhost(const std::optional<Ghost>& ghost);
     void showProblem(const QString& text, const QString& details = {});
