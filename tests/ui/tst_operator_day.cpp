@@ -318,6 +318,33 @@ private Q_SLOTS:
             QVERIFY2(!notice->isVisible(), qPrintable(notice->title()));
         }
     }
+
+    void ctrlZInAFieldUndoesTheAcceptedValue() {
+        DayBench bench;
+        bench.window.showTab("waypoints");
+        bench.window.selectWaypoint(0);
+        auto& x = bench.find<DecimalSpinBox>("waypoint.details.x");
+        const project::Waypoint before = bench.window.document().waypoints().at(0);
+        const auto now = [&] { return bench.window.document().waypoints().at(0).pose; };
+        x.setFocus();
+        x.selectAll();
+        QTest::keyClicks(&x, "123.5");
+        QTest::keyClick(&x, Qt::Key_Return);
+        QVERIFY(std::abs(now().position.x() - 0.1235) < 1e-9);
+        QVERIFY(x.hasFocus());
+        // Typed text is undone in the field first.
+        QTest::keyClicks(&x, "7");
+        QTest::keyClick(&x, Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(std::abs(now().position.x() - 0.1235) < 1e-9);
+        QTest::keyClick(&x, Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(now(), before.pose);
+        QVERIFY(std::abs(x.value() - 1000 * before.pose.position.x()) < 0.01);
+        QTest::keyClick(&x, Qt::Key_Y, Qt::ControlModifier);
+        QVERIFY(std::abs(now().position.x() - 0.1235) < 1e-9);
+        // Leaving the field must not enter an old text.
+        bench.window.setFocus();
+        QVERIFY(std::abs(now().position.x() - 0.1235) < 1e-9);
+    }
 };
 
 QTEST_MAIN(TestOperatorDay)

@@ -121,6 +121,11 @@ double DecimalSpinBox::valueFromText(const QString& text) const {
     return figure ? *figure : QDoubleSpinBox::valueFromText(plainNumber(text));
 }
 
+bool DecimalSpinBox::event(QEvent* event) {
+    return leavesUndoToProject(*event, lineEdit()->isUndoAvailable(), lineEdit()->isRedoAvailable()) ||
+           QDoubleSpinBox::event(event);
+}
+
 void DecimalSpinBox::keyPressEvent(QKeyEvent* event) {
     if (copies(*event)) {
         return;

@@ -5,7 +5,8 @@
 // accepted as decimal separators. The value is reported only when editing is finished by Return or a change
 // of focus. The entered text remains as typed. A value outside the range is rejected with a message, and the
 // field is marked until its text is valid. Esc restores the last value. The minus sign is displayed
-// typographically and copied as a hyphen for spreadsheets and scripts.
+// typographically and copied as a hyphen for spreadsheets and scripts. After Return, undo and redo apply to
+// the project.
 
 #include <QDoubleSpinBox>
 
@@ -28,6 +29,7 @@ public:
     QString textFromValue(double value) const override;
 
 protected:
+    bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;

@@ -2,6 +2,7 @@
 #include "widgets/common/text_entry.h"
 
 #include <QAbstractSpinBox>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QStyle>
@@ -22,6 +23,18 @@ bool takesText(const QWidget* widget) {
     return qobject_cast<const QTextEdit*>(widget) != nullptr ||
            qobject_cast<const QPlainTextEdit*>(widget) != nullptr ||
            qobject_cast<const QAbstractSpinBox*>(widget) != nullptr;
+}
+
+bool leavesUndoToProject(QEvent& event, bool canUndo, bool canRedo) {
+    if (event.type() != QEvent::ShortcutOverride) {
+        return false;
+    }
+    const auto& key = static_cast<const QKeyEvent&>(event);
+    if ((key.matches(QKeySequence::Undo) && !canUndo) || (key.matches(QKeySequence::Redo) && !canRedo)) {
+        event.ignore();
+        return true;
+    }
+    return false;
 }
 
 void markRefused(QWidget& field, bool refused) {

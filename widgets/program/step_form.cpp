@@ -31,6 +31,10 @@ public:
     void release() { done_ = nullptr; }
 
 protected:
+    bool event(QEvent* event) override {
+        return leavesUndoToProject(*event, document()->isUndoAvailable(), document()->isRedoAvailable()) ||
+               QPlainTextEdit::event(event);
+    }
     void focusOutEvent(QFocusEvent* event) override {
         QPlainTextEdit::focusOutEvent(event);
         if (done_) {
@@ -48,6 +52,9 @@ public:
     explicit LineEditor(const QString& text) : QLineEdit(text), accepted_(text) {}
 
 protected:
+    bool event(QEvent* event) override {
+        return leavesUndoToProject(*event, isUndoAvailable(), isRedoAvailable()) || QLineEdit::event(event);
+    }
     void keyPressEvent(QKeyEvent* event) override {
         if (event->key() == Qt::Key_Escape && text() != accepted_) {
             setText(accepted_);
