@@ -345,6 +345,21 @@ private Q_SLOTS:
         bench.window.setFocus();
         QVERIFY(std::abs(now().position.x() - 0.1235) < 1e-9);
     }
+
+    void theValuesOfAWaypointNameTheirTcp() {
+        DayBench bench;
+        bench.window.showTab("waypoints");
+        project::Waypoint point = bench.window.document().waypoints().at(0);
+        bench.window.selectWaypoint(0);
+        auto& details = bench.find<WaypointDetails>("waypoint.details");
+        QVERIFY2(details.headline().contains("TCP at the flange"), qPrintable(details.headline()));
+        point.tcpOffset = Pose(0, 0, 0.1, 0, 0, 0);
+        bench.window.document().changeWaypoint(0, point, "Change");
+        QVERIFY2(details.headline().contains("TCP “gripper”"), qPrintable(details.headline()));
+        point.tcpOffset = Pose(0, 0, 0.25, 0, 0, 0);
+        bench.window.document().changeWaypoint(0, point, "Change");
+        QVERIFY2(details.headline().contains("TCP 250.0 mm from the flange"), qPrintable(details.headline()));
+    }
 };
 
 QTEST_MAIN(TestOperatorDay)

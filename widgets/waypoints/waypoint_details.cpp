@@ -68,6 +68,7 @@ WaypointDetails::WaypointDetails(ProjectDocument& document, WaypointModel& model
         refresh();
     });
 
+    connect(&document_, &ProjectDocument::toolingChanged, this, &WaypointDetails::refresh);
     connect(pose_, &PoseEditor::poseEntered, this, [this](const Pose& pose) {
         model_.setPose(row_, pose);
         refresh();
@@ -173,6 +174,23 @@ void WaypointDetails::setValuesSlot(int height) {
     pose_->setMaximumHeight(height > 0 ? inner : QWIDGETSIZE_MAX);
 }
 
+/// Names the TCP to which the values belong, which may not be the TCP of the robot.
+QString WaypointDetails::tcpText(const Pose& offset) const {
+    constexpr double kSameDistance = 1e-4;  // [m]
+    constexpr double kSameAngle = 1e-3;     // [rad]
+    const auto isOffset = [&offset](const Pose& tcp) {
+        const project::PoseDifference by = project::poseDifference(tcp, offset);
+        return by.distance <= kSameDistance && by.angle <= kSameAngle;
+    };
+    for (const project::Tool& tool : document_.tooling().tools) {
+        if (isOffset(tool.tcpOffset)) {
+            return tr("TCP “%1”").arg(tool.name);
+        }
+    }
+    return isOffset(Pose()) ? tr("TCP at the flange")
+                            : tr("TCP %1 from the flange").arg(format::length(offset.position.norm(), 1));
+}
+
 QString WaypointDetails::headline() const {
     return name_->text() + QLatin1Char(' ') + facts_->fullText();
 }
@@ -192,7 +210,7 @@ void WaypointDetails::refresh() {
     const std::optional<Pose> place =
         joints ? std::optional(kinematics::forwardTcp(document_.robot().dh, point.joints, point.tcpOffset))
                : project::poseInBase(point, document_.frames());
-    QStringList facts;
+    QStringList facts{tcpText(point.tcpOffset)};
     if (usedIn_) {
         facts << tr("used in %n steps", nullptr, *usedIn_);
     }

@@ -59,6 +59,7 @@ protected:
 
 private:
     void refresh();
+    QString tcpText(const Pose& offset) const;
     void showFrame();
 
     ProjectDocument& document_;
