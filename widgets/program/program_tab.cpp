@@ -211,11 +211,17 @@ void ProgramTab::showRun() {
             showStatus(tr("Stopping…"));
             break;
         case program::ProgramRunner::State::Ended:
-            showStatus(
-                QStringList{runner.endText(document_.project()), offerContinuation()}.join(u' ').trimmed());
+            showEnd(runner);
             Q_EMIT session_->message(Severity::Info, runner.endText(document_.project()));
             break;
     }
+}
+
+void ProgramTab::showEnd(const program::ProgramRunner& runner) {
+    QStringList texts{runner.endText(document_.project()), offerContinuation()};
+    texts << runBar_->keepPlace();
+    texts.removeAll(QString());
+    showStatus(texts.join(QStringLiteral(" · ")));
 }
 
 void ProgramTab::showRunningStep(const program::ProgramRunner& runner) {

@@ -117,6 +117,7 @@ private:
     QString offerContinuation();
     void exportScript();
     void showRun();
+    void showEnd(const program::ProgramRunner& runner);
     void showRunningStep(const program::ProgramRunner& runner);
 
     /// A step selected by showNextProblem().

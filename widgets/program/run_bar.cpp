@@ -267,10 +267,32 @@ void RunBar::clearStartStep() {
 void RunBar::toggleStartStep() {
     if (startStep_) {
         clearStartStep();
+QString RunBar::keepPlace() {
+    const bool mayNotContinue = !continuation_.text.isEmpty() && !continuation_.start;
+    if (continuesStop_ && runner_.end() == program::ProgramRunner::End::Completed) {
+        clearStartStep();
+        Q_EMIT startStepChanged();
+    }
+    if (!isHeld_ || !runner_.isStoppedInLastStep() || mayNotContinue) {
+        return {};
+    }
+    const program::StartStepChoice choice = program::chooseStoppedStep(
+        document_.project(), program_, program::optionsFor(document_.project(), session_.state()),
+        runner_.script(), runner_.log().lastStep(), session_.state().q);
+    if (choice.start) {
+        startStep_ = choice.start;
+        continuesStop_ = true;
+        updateAvailability();
+        Q_EMIT startStepChanged();
+    }
+    return choice.obstacle;
+}
+
         Q_EMIT startStepChanged();
         return;
     }
     const program::StartStepChoice choice =
+        continuesStop_ = false;
         continues() ? program::StartStepChoice{continuation_.start, {}}
                     : program::chooseStartStep(document_.project(), program_, selected_,
                                                program::optionsFor(document_.project(), session_.state()),
@@ -379,6 +401,7 @@ void RunBar::updateGateKeys() {
 void RunBar::showRun() {
     hasLostPower_ = hasLostPower_ && !runner_.isActive();
     run_->setText(runner_.isActive() && !isHeld_ ? tr("Stop") : tr("Run"));
+    hold_->setText(continuesStop_ ? tr("Continue (hold)") : tr("Run (hold)"));
     updateAvailability();
     Q_EMIT runChanged();
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 // The buttons that run the program of the Program tab: "Run (hold)", "Move to start (hold)", and "Run", which
-// also stops a program that runs without hold-to-run. "Pause", "Step" and "Finish cycle" control the running
+// also stops a program that runs without hold-to-run. After a release, "Run (hold)" continues the program. "Pause", "Step" and "Finish cycle" control the running
 // program. "Start from here" makes the selected step the first step. HoldRules determines when a held motion
 // ends.
 
@@ -52,6 +52,11 @@ public:
     /// The step at which the program starts; empty for the beginning of the program.
     const std::optional<program::StartStep>& startStep() const { return startStep_; }
     void clearStartStep();
+    /// After a held run was stopped in a step that can continue where the arm is, makes it the first step of
+    /// the next run. After a completed run, the next run starts from the beginning again. Call this when a run
+    /// has ended.
+    /// Returns  why the program cannot continue, as a sentence; empty if it can, or if the run was not held
+    QString keepPlace();
     void showSpeed();
     const program::ProgramRunner& runner() const { return runner_; }
     void setBreakpoints(const QSet<QUuid>& steps) { runner_.setBreakpoints(steps); }
@@ -106,7 +111,8 @@ private:
     program::Continuation continuation_;
     bool hasLostPower_ = false;  ///< true if power was lost since the end of the last run
     std::optional<program::StartStep> startStep_;
-    MoveRequest startMove_;  ///< current motion to the start position
+    bool continuesStop_ = false;  ///< true if startStep_ is the step in which a held run was stopped
+    MoveRequest startMove_;       ///< current motion to the start position
     HoldToRunButton* hold_;
     HoldToRunButton* start_;
     QPushButton* run_;

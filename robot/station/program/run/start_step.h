@@ -27,4 +27,14 @@ struct StartStepChoice {
 StartStepChoice chooseStartStep(const project::Project& project, const QUuid& program, const QUuid& step,
                                 ScriptOptions options, const ProgramScript& script, const Preview* preview);
 
+/// Determines whether a stopped program can continue with its last step from the arm position after the stop,
+/// without a check of its recoverability. It can in moves to a target and in waits at the top level.
+/// stopped  script of the stopped run, which may begin at a later step
+/// step     number of the last step in `stopped`
+/// q        arm position after the stop [rad]
+/// Returns  no start and no obstacle if the program was stopped in its first step
+StartStepChoice chooseStoppedStep(const project::Project& project, const QUuid& program,
+                                  ScriptOptions options, const ProgramScript& stopped, int step,
+                                  const JointPositions& q);
+
 }  // namespace tiller::program

@@ -241,6 +241,71 @@ private Q_SLOTS:
         QVERIFY(bench.session.state().canMove());
     }
 
+    void aReleasedRunContinuesWhereItWasStopped() {
+        TabBench bench;
+        bench.setSteps({"pick", "place", "home"});
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        const auto stopInStep = [&](int step) {
+            bench.press(bench.hold());
+            const bool reached = bench.cell.advanceUntil(
+                [&] { return bench.runner().log().step() == step && bench.speedNow() > 0.03; }, kLongMs);
+            bench.cell.advanceMs(400);
+            bench.release(bench.hold());
+            return reached && bench.awaitEnd();
+        };
+        QVERIFY(stopInStep(2));
+        QVERIFY2(bench.status().contains("Stopped in step 2"), qPrintable(bench.status()));
+        QCOMPARE(bench.hold().text(), QStringLiteral("Continue (hold)"));
+        QCOMPARE(bench.from().text(), QStringLiteral("Start at step 2"));
+        QVERIFY(bench.from().isChecked());
+        bench.cell.advanceMs(200);
+        const Pose stopped = bench.cell.truth().tcpPose;
+        const Pose place = bench.document.project().waypoints.at(2).pose;
+        QVERIFY(distanceMm(stopped, place) > 20);
+        // The press continues directly to the target of the step.
+        bench.press(bench.hold());
+        double farthest = 0;
+        QVERIFY(bench.cell.advanceUntil(
+            [&] {
+                farthest = std::max(farthest, distanceMm(bench.cell.truth().tcpPose, place));
+                return bench.runner().log().step() == 3;
+            },
+            kLongMs));
+        QVERIFY2(farthest <= distanceMm(stopped, place) + 0.5, qPrintable(QString::number(farthest)));
+        QVERIFY(bench.awaitEnd());
+        bench.release(bench.hold());
+        QCOMPARE(bench.runner().end(), ProgramRunner::End::Completed);
+        QCOMPARE(bench.runner().log().timings()[0].count, 0);
+        // The completed program starts from the beginning.
+        QCOMPARE(bench.hold().text(), QStringLiteral("Run (hold)"));
+        QVERIFY(!bench.from().isChecked());
+        // The button and an edit select the beginning as well.
+        bench.cell.advanceMs(200);
+        QVERIFY(stopInStep(2));
+        QVERIFY(bench.from().isChecked());
+        bench.cell.advanceMs(200);
+        bench.from().click();
+        QCOMPARE(bench.hold().text(), QStringLiteral("Run (hold)"));
+        bench.cell.advanceMs(200);
+        QVERIFY(stopInStep(2));
+        QVERIFY(bench.from().isChecked());
+        bench.setSteps({"pick", "place"});
+        QCOMPARE(bench.hold().text(), QStringLiteral("Run (hold)"));
+    }
+
+    void aRunReleasedInASectionStartsFromTheBeginning() {
+        TabBench bench;
+        bench.setProgram({program::step("loop", {{"times", 2}}, bench.moves({"pick", "place"}))});
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.press(bench.hold());
+        QVERIFY(bench.reachMotion());
+        bench.release(bench.hold());
+        QVERIFY(bench.awaitEnd());
+        QVERIFY2(bench.status().contains("cannot continue inside a section"), qPrintable(bench.status()));
+        QCOMPARE(bench.hold().text(), QStringLiteral("Run (hold)"));
+        QVERIFY(!bench.from().isChecked());
+    }
+
     void runNeedsAPreviewAndTheStartPosition() {
         TabBench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
