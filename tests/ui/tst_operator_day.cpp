@@ -360,6 +360,22 @@ private Q_SLOTS:
         bench.window.document().changeWaypoint(0, point, "Change");
         QVERIFY2(details.headline().contains("TCP 250.0 mm from the flange"), qPrintable(details.headline()));
     }
+
+    void theButtonsOfAProgramFitTheirTexts() {
+        DayBench bench;
+        bench.window.setTheme("light");
+        bench.window.showTab("program");
+        QTest::qWait(50);
+        for (const auto& [name, text] : {std::pair{"program.fromHere", "Continue at 4"},
+                                         {"program.fromHere", "Start at step 12"},
+                                         {"program.pause", "Resume"},
+                                         {"program.run", "Stop"}}) {
+            const int needed = QPushButton(QString::fromLatin1(text)).sizeHint().width();
+            const int width = bench.find<QPushButton>(name).width();
+            QVERIFY2(width >= needed,
+                     qPrintable(QStringLiteral("%1: %2 < %3").arg(text).arg(width).arg(needed)));
+        }
+    }
 };
 
 QTEST_MAIN(TestOperatorDay)

@@ -34,11 +34,25 @@ QPushButton* keyNamed(const char* name, const QString& text) {
     return key;
 }
 
-/// Sets a minimum width that fits both texts, so that the button keeps its size.
-void reserveWidth(QPushButton& key, const QString& otherText) {
-    key.setMinimumWidth(
-        std::max({key.minimumWidth(), key.sizeHint().width(), EnterKey(otherText).sizeHint().width()}));
-}
+/// A key that keeps its size when it shows one of the other texts.
+class ChangingKey : public EnterKey {
+public:
+    ChangingKey(const char* name, const QString& text, const QStringList& others)
+        : EnterKey(text), others_(others) {
+        setObjectName(QLatin1String(name));
+        setAutoDefault(false);
+    }
+    QSize sizeHint() const override {
+        QSize size = EnterKey::sizeHint();
+        for (const QString& other : others_) {
+            size = size.expandedTo(EnterKey(other).sizeHint());
+        }
+        return size;
+    }
+
+private:
+    QStringList others_;
+};
 
 /// Setting a tooltip sends an event even if the text is unchanged, so set it only after a change.
 void setToolTipOf(QPushButton& key, const QString& text) {
@@ -78,11 +92,12 @@ RunBar::RunBar(RobotSession& session, HoldPolicy& policy, const ProjectDocument&
     , start_(holdKey("program.moveToStart", tr("Move to start (hold)"),
                      tr("Move to the start position (hold)"),
                      tr("Moves all joints to the start position while the button is held"), policy))
-    , run_(keyNamed("program.run", tr("Run")))
-    , pause_(keyNamed("program.pause", tr("Pause")))
+    , run_(new ChangingKey("program.run", tr("Run"), {tr("Stop")}))
+    , pause_(new ChangingKey("program.pause", tr("Pause"), {tr("Resume")}))
     , step_(keyNamed("program.step", tr("Step")))
     , finish_(keyNamed("program.finishCycle", tr("Finish cycle")))
-    , from_(keyNamed("program.fromHere", tr("Start from here"))) {
+    , from_(new ChangingKey("program.fromHere", tr("Start from here"),
+                            {tr("Start at step %1").arg(999), tr("Continue at %1").arg(999)})) {
     setObjectName("program.runBar");
     auto* begin = new QHBoxLayout;
     begin->setSpacing(8);
@@ -99,11 +114,7 @@ RunBar::RunBar(RobotSession& session, HoldPolicy& policy, const ProjectDocument&
     layout->setSpacing(6);
     layout->addLayout(begin);
     layout->addLayout(gate);
-    reserveWidth(*run_, tr("Stop"));
-    reserveWidth(*pause_, tr("Resume"));
     finish_->setCheckable(true);
-    reserveWidth(*from_, tr("Start at step %1").arg(999));
-    reserveWidth(*from_, tr("Continue at %1").arg(999));
     from_->setCheckable(true);
     hold_->setMotion(runner_.motion([this] {
         isHeld_ = true;
@@ -256,17 +267,6 @@ RunBar::StoppedAt RunBar::stoppedAt() const {
             hasLostPower_ ? program::StopKind::PowerLoss : program::StopKind::Operator};
 }
 
-void RunBar::clearStartStep() {
-    if (startStep_) {
-        stop(control::StopCause::SelectionChanged);
-        startStep_.reset();
-        updateAvailability();
-    }
-}
-
-void RunBar::toggleStartStep() {
-    if (startStep_) {
-        clearStartStep();
 QString RunBar::keepPlace() {
     const bool mayNotContinue = !continuation_.text.isEmpty() && !continuation_.start;
     if (continuesStop_ && runner_.end() == program::ProgramRunner::End::Completed) {
@@ -288,11 +288,22 @@ QString RunBar::keepPlace() {
     return choice.obstacle;
 }
 
+void RunBar::clearStartStep() {
+    if (startStep_) {
+        stop(control::StopCause::SelectionChanged);
+        startStep_.reset();
+        continuesStop_ = false;
+        updateAvailability();
+    }
+}
+
+void RunBar::toggleStartStep() {
+    if (startStep_) {
+        clearStartStep();
         Q_EMIT startStepChanged();
         return;
     }
     const program::StartStepChoice choice =
-        continuesStop_ = false;
         continues() ? program::StartStepChoice{continuation_.start, {}}
                     : program::chooseStartStep(document_.project(), program_, selected_,
                                                program::optionsFor(document_.project(), session_.state()),
@@ -390,6 +401,7 @@ void RunBar::updateGateKeys() {
                                           : QString(),
               tr("Starts the program at the selected step. Press again to start at the beginning. Move the "
                  "arm to the start position first."));
+    hold_->setText(continuesStop_ ? tr("Continue (hold)") : tr("Run (hold)"));
     from_->setChecked(startStep_.has_value());
     from_->setText(startStep_    ? tr("Start at step %1").arg(script_.numberOf(startStep_->step))
                    : continues() ? tr("Continue at %1").arg(continuation_.number)
@@ -401,7 +413,6 @@ void RunBar::updateGateKeys() {
 void RunBar::showRun() {
     hasLostPower_ = hasLostPower_ && !runner_.isActive();
     run_->setText(runner_.isActive() && !isHeld_ ? tr("Stop") : tr("Run"));
-    hold_->setText(continuesStop_ ? tr("Continue (hold)") : tr("Run (hold)"));
     updateAvailability();
     Q_EMIT runChanged();
 }
