@@ -95,6 +95,9 @@ constexpr QSize kStart{1600, 900};
 /// Distance between panels [px].
 constexpr int kGap = 10;
 constexpr int kKeepLayoutMs = 2000;
+/// Time for the window manager to give a new window its size. Shorter than kKeepLayoutMs, so that the stored
+/// layout is still the last one.
+constexpr int kOpenMs = 1500;
 /// Time after a request of the desktop to end its session in which the window closes without a question.
 constexpr int kDesktopEndMs = 60'000;
 
@@ -288,12 +291,18 @@ void MainWindow::showEvent(QShowEvent* event) {
                         Qt::Horizontal);
         }
         perspectives_->restoreLast();
+        opens_.setRemainingTime(kOpenMs);
     }
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
     QMainWindow::resizeEvent(event);
     setRoomForTouch(*qApp, height() >= kRoomForTouch);
+    // The window manager may maximize the window after it was shown. Restore the widths of the panels for that
+    // size, because widths that are first reduced and then enlarged would differ from the stored ones.
+    if (!opens_.hasExpired()) {
+        perspectives_->restoreSizes();
+    }
     layoutTimer_.start();
 }
 
@@ -401,6 +410,9 @@ void MainWindow::connectParts() {
             stopMotion(control::StopCause::WindowDeactivated);
         }
     });
+    // The user may cancel the end of the desktop session in another program.
+    connect(qApp, &QGuiApplication::commitDataRequest, this,
+            [this] { desktopEnds_.setRemainingTime(kDesktopEndMs); });
 }
 
 void MainWindow::connectReplay() {
@@ -412,9 +424,6 @@ void MainWindow::connectReplay() {
         scene_->setReplay(moment);
         io_->setReplay(moment);
         log_->setReplay(moment);
-        // The user may cancel the end of the desktop session in another program.
-        connect(qApp, &QGuiApplication::commitDataRequest, this,
-                [this] { desktopEnds_.setRemainingTime(kDesktopEndMs); });
     });
     connect(scene_, &SceneDock::liveWanted, plots_, &PlotDock::endReplay);
     connect(io_, &IoTab::liveWanted, plots_, &PlotDock::endReplay);
@@ -889,6 +898,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         event->ignore();
         return;
     }
+    stopMotion(control::StopCause::WindowClosed);
     if (session_->state().recording.active) {
         session_->recording().stop();
     }
@@ -900,7 +910,6 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         if (dock->isFloating()) {
             dock->hide();
         }
-        stopMotion(control::StopCause::WindowClosed);
     }
 }
 
@@ -964,16 +973,6 @@ void MainWindow::ask(const Question& words, const std::function<void(bool option
     question->activateWindow();
 }
 
-void MainWindow::changeRobot(const std::function<void()>& change) {
-    if (runningWork().isEmpty()) {
-        change();
-        return;
-    }
-    askToEndWork(tr("Change connection"), tr("This stops when you change the connection."),
-                 tr("Stop and continue"), change);
-}
-
-// ---- commands -----------------------------------------------------------------------------------------------
 void MainWindow::askToEndWork(const QString& title, const QString& effect, const QString& accept,
                               const std::function<void()>& accepted) {
     ask({.name = QStringLiteral("endQuestion"),
@@ -985,6 +984,17 @@ void MainWindow::askToEndWork(const QString& title, const QString& effect, const
          .icon = QMessageBox::Question},
         [accepted](bool) { accepted(); });
 }
+
+void MainWindow::changeRobot(const std::function<void()>& change) {
+    if (runningWork().isEmpty()) {
+        change();
+        return;
+    }
+    askToEndWork(tr("Change connection"), tr("This stops when you change the connection."),
+                 tr("Stop and continue"), change);
+}
+
+// ---- commands -----------------------------------------------------------------------------------------------
 
 void MainWindow::buildActions() {
     actions_ = new ActionTable(*this);
@@ -1372,6 +1382,10 @@ void MainWindow::reopenWindow(SettingsPage& page) {
         page.refuseNewWindow(tr("A recording is running. Stop the recording first."));
         return;
     }
+    if (program_->runsFreely()) {
+        page.refuseNewWindow(tr("A program is running. Stop the program first."));
+        return;
+    }
     if (waypoints_->isStoringPath()) {
         page.refuseNewWindow(tr("A path is being recorded. Stop the path recording first."));
         return;
@@ -1383,10 +1397,6 @@ void MainWindow::reopenWindow(SettingsPage& page) {
     }
 }
 
-if (program_->runsFreely()) {
-    page.refuseNewWindow(tr("A program is running. Stop the program first."));
-    return;
-}
 ReportSources MainWindow::reportSources() const {
     ReportSources sources{.settings = settings_.bundle(),
                           .state = session_->state(),

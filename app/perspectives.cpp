@@ -232,6 +232,13 @@ void Perspectives::restoreLast() {
                  .arg(first));
 }
 
+void Perspectives::restoreSizes() {
+    const LastArrangement last = settings_.arrangement();
+    if (changed_ && last.changed && last.found == LastArrangement::Found::Usable) {
+        stage_.restore(last.panels);
+    }
+}
+
 void Perspectives::readAgain() {
     saved_ = settings_.perspectives();
     Q_EMIT listChanged();

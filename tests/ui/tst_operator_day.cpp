@@ -376,6 +376,65 @@ private Q_SLOTS:
                      qPrintable(QStringLiteral("%1: %2 < %3").arg(text).arg(width).arg(needed)));
         }
     }
+
+    void thePanelsKeepTheirWidthsOverRestarts_data() {
+        QTest::addColumn<QSize>("size");
+        QTest::addColumn<QString>("tab");
+        QTest::addColumn<bool>("enlarged");
+        for (const QSize size : {QSize(1280, 720), QSize(1920, 1080)}) {
+            for (const char* tab : {"waypoints", "program", "io"}) {
+                for (const bool enlarged : {false, true}) {
+                    QTest::addRow("%dx%d %s %s", size.width(), size.height(), tab,
+                                  enlarged ? "maximized" : "normal")
+                        << size << QString::fromLatin1(tab) << enlarged;
+                }
+            }
+        }
+    }
+    void thePanelsKeepTheirWidthsOverRestarts() {
+        QFETCH(QSize, size);
+        QFETCH(QString, tab);
+        QFETCH(bool, enlarged);
+        QTemporaryDir folder;
+        const QString file = folder.filePath("settings.ini");
+        QList<int> widths;
+        for (int start = 0; start < 6; ++start) {
+            app::MainWindow window{app::Settings(file)};
+            if (start == 0 || enlarged) {
+                window.resize(size);
+            }
+            window.show();
+            QVERIFY(QTest::qWaitForWindowActive(&window));
+            if (enlarged) {
+                window.resize(size + QSize(640, 200));  // as by a window manager that maximizes the window
+            }
+            window.showTab(tab);
+            QTest::qWait(50);
+            if (start == 0) {
+                // The user drags the separator to make the panel wider.
+                auto& stage = *window.findChild<QMainWindow*>("stage");
+                auto* panel = window.findChild<QDockWidget*>("tabsDock");
+                const int before = panel->width();
+                const QPoint separator(panel->x() - 3, panel->y() + panel->height() / 2);
+                QTest::mousePress(&stage, Qt::LeftButton, {}, separator);
+                sendMouse(stage, QEvent::MouseMove, Qt::LeftButton, separator - QPoint(40, 0));
+                QTest::qWait(50);
+                QTest::mouseRelease(&stage, Qt::LeftButton, {}, separator - QPoint(40, 0));
+                QTest::qWait(50);
+                QVERIFY2(panel->width() > before + 20, qPrintable(QString::number(panel->width())));
+            }
+            widths << window.findChild<QDockWidget*>("tabsDock")->width()
+                   << window.findChild<QDockWidget*>("jogDock")->width();
+            QVERIFY(window.close());
+        }
+        QString text;
+        for (const int width : widths) {
+            text += QString::number(width) + QLatin1Char(' ');
+        }
+        for (qsizetype i = 2; i < widths.size(); ++i) {
+            QVERIFY2(std::abs(widths[i] - widths[i % 2]) <= 1, qPrintable(text));
+        }
+    }
 };
 
 QTEST_MAIN(TestOperatorDay)
