@@ -205,6 +205,8 @@ private:
         std::vector<VariableAssignment> values;
         static const QRegularExpression assignment(
             QStringLiteral("^(global\\s+|local\\s+)?([A-Za-z_]\\w*)\\s*=(?!=)\\s*(.+)$"));
+        // An assignment to an element or a member, or a method, which may change the variable.
+        static const QRegularExpression element(QStringLiteral("^([A-Za-z_]\\w*)\\s*[\\[.]"));
         forEachStatement(main_, false, [&](const ScriptStatement& statement, bool inFunction) {
             isPendant_ = isPendant_ || statement.node > 0;
             if (statement.kind == Kind::Disabled) {
@@ -217,6 +219,10 @@ private:
                 codes << branch.condition;
             }
             functionSetsTcp_ = functionSetsTcp_ || (inFunction && callsSetTcp(statement.code));
+            if (const auto changed = element.match(statement.code);
+                statement.kind == Kind::Simple && changed.hasMatch()) {
+                ++assignments[changed.captured(1)];
+            }
             const auto match = assignment.match(statement.code);
             if (statement.kind == Kind::Simple && match.hasMatch()) {
                 ++assignments[match.captured(2)];

@@ -314,6 +314,13 @@ const Sample kSamples[] = {
      "      a=1.4, v=1)\n"
      "# done\n"
      "set_standard_digital_out(1, True)  # end\n"},
+    {"a position whose element changes", "script",
+     "def p():\n"
+     "  global Pick_q = [-1.6, -1.7, -2.2, -0.8, 1.6, 0]\n"
+     "  movej(Pick_q)\n"
+     "  Pick_q[0] = -1.4\n"
+     "  movej(Pick_q)\n"
+     "end\n"},
     {"an unknown type", "assign assign script setRegister",
      "def p():\n"
      "  global x = 1\n"
