@@ -136,7 +136,7 @@ void Motion::defineWaypoints(const XmlElement& element) {
 Motion::Definer Motion::definerOf(const XmlElement& node) {
     static const std::map<QString, QString> kFunctions{
         {"MoveJ", "movej"}, {"MoveL", "movel"}, {"MoveP", "movep"}};
-    const XmlElement* at = &node;
+    const XmlElement* at = &t_.placeOf(node);
     while (at != nullptr && !at->has("motionType")) {
         at = at->parent;
     }
@@ -324,7 +324,7 @@ void Motion::writeCircle(const XmlElement& node) {
     if (const XmlElement* const children = node.child("children")) {
         for (const auto& child : children->children) {
             if (child->is("Waypoint")) {
-                points.push_back(child.get());
+                points.push_back(&t_.nodeAt(*child));
             } else if (!isSuppressed(*child) && !child->is("Comment")) {
                 t_.refuse(*child, QStringLiteral("this node is not simulated within a circle"));
             }

@@ -17,7 +17,7 @@ constexpr double kMinCurrent = 0.004, kMaxCurrent = 0.020;  ///< of analog termi
 constexpr double kMaxVoltage = 10.0;                        ///< [V]
 
 QString textOf(const XmlElement& node, const char* child) {
-    const XmlElement* const found = node.child(child);
+    const XmlElement* const found = node.target(child);
     return found == nullptr ? QString() : found->text.trimmed();
 }
 
@@ -30,12 +30,12 @@ bool continuesIf(const XmlElement& node) {
 }
 
 /// Branches that are stored as children of an If instead of after it, without the branches of nested Ifs.
-std::vector<const XmlElement*> branchesBelow(const XmlElement& node) {
+std::vector<const XmlElement*> branchesBelow(const XmlElement& node, const Translation& t) {
     std::vector<const XmlElement*> branches;
     const XmlElement* const children = node.child("children");
     bool isOpen = false;
     for (std::size_t i = 0; children != nullptr && i < children->children.size(); ++i) {
-        const XmlElement& child = *children->children[i];
+        const XmlElement& child = t.nodeAt(*children->children[i]);
         if (!isSuppressed(child) && !continuesIf(child)) {
             isOpen = child.is("If");
         } else if (!isSuppressed(child) && !isOpen) {
@@ -68,6 +68,7 @@ Result<PendantProgram> ProgramTranslator::translate(const XmlElement& root, cons
     if (t_.refusal()) {
         return *t_.refusal();
     }
+    t_.findPlaces(root);
     t_.numberNodes(*parts);
     const QString head = QStringLiteral("def %1():").arg(t_.uniqueName(name));
     writeInstallation();
@@ -361,6 +362,7 @@ const XmlElement* ProgramTranslator::mainOfFile(const QString& name, const XmlEl
         // The definitions of the file belong to the beginning of the program, not to the position of the
         // call.
         ScriptText* const here = std::exchange(t_.out, &head_);
+        t_.findPlaces(*known->second);
         writeInitialValues(*known->second, false);
         motion_.defineWaypoints(*known->second);
         t_.out = here;
@@ -397,29 +399,30 @@ void ProgramTranslator::writeChildren(const XmlElement& node) {
             writeBranches(std::exchange(branches, {}), 0);
         }
     };
-    for (const auto& child : children->children) {
-        if (isSuppressed(*child)) {
+    for (const auto& place : children->children) {
+        const XmlElement& child = t_.nodeAt(*place);
+        if (isSuppressed(child)) {
             if (source_.keepsDisabled) {
                 finish();
-                writeDisabled(*child);
+                writeDisabled(child);
             }
             continue;
         }
-        if (continuesIf(*child)) {
+        if (continuesIf(child)) {
             // In older files, branches are children of the If node, which has already written them.
             if (!branches.empty()) {
-                branches.push_back(child.get());
+                branches.push_back(&child);
             } else if (!node.is("If")) {
-                t_.refuse(*child, QStringLiteral("there is no If before it"));
+                t_.refuse(child, QStringLiteral("there is no If before it"));
             }
             continue;
         }
         finish();
-        if (child->is("If")) {
-            branches = branchesBelow(*child);
-            branches.insert(branches.begin(), child.get());
+        if (child.is("If")) {
+            branches = branchesBelow(child, t_);
+            branches.insert(branches.begin(), &child);
         } else {
-            writeNode(*child);
+            writeNode(child);
         }
     }
     finish();
@@ -447,7 +450,7 @@ void ProgramTranslator::writeDisabled(const XmlElement& suppressed) {
         if (continuesIf(*node)) {
             t_.refuse(*node, QStringLiteral("a disabled branch of an If is not translated"));
         } else if (node->is("If")) {
-            std::vector<const XmlElement*> branches = branchesBelow(*node);
+            std::vector<const XmlElement*> branches = branchesBelow(*node, t_);
             branches.insert(branches.begin(), node.get());
             writeBranches(branches, 0);
         } else {
@@ -612,7 +615,7 @@ void ProgramTranslator::writeTimer(const XmlElement& node) {
 }
 
 void ProgramTranslator::writeScript(const XmlElement& node) {
-    const XmlElement* const cached = node.child("cachedContents");
+    const XmlElement* const cached = node.target("cachedContents");
     const QString file = textOf(node, "file");
     QString text;
     if (cached != nullptr || !file.isEmpty()) {
@@ -848,7 +851,7 @@ void ProgramTranslator::writeSwitch(const XmlElement& node) {
         writeBlock(branch);
     };
     for (std::size_t i = 0; children != nullptr && i < children->children.size(); ++i) {
-        const XmlElement& branch = *children->children[i];
+        const XmlElement& branch = t_.nodeAt(*children->children[i]);
         if (isSuppressed(branch) || branch.is("Comment")) {
             markOmitted(branch);
             continue;

@@ -38,10 +38,6 @@ private:
         const XmlElement* node;  ///< node referenced by the program
         const XmlElement* body;  ///< element whose children are the nodes
     };
-    struct Branch {
-        const XmlElement* node;
-        bool isContinuous;
-    };
 
     // beginning of a program
     void writeInstallation();

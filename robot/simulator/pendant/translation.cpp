@@ -47,10 +47,34 @@ QString Translation::uniqueName(const QString& text) {
     return name;
 }
 
+void Translation::findPlaces(const XmlElement& element) {
+    for (const auto& child : element.children) {
+        if (element.is("children") && child->has("reference") && !child->is("SubProgram")) {
+            const XmlElement* const node = child->resolved();
+            const bool isElsewhere = node != nullptr && node->name == child->name &&
+                                     node->parent != nullptr && !node->parent->is("children");
+            if (isElsewhere && places_.emplace(node, child.get()).second) {
+                nodes_.emplace(child.get(), node);
+            }
+        }
+        findPlaces(*child);
+    }
+}
+
+const XmlElement& Translation::nodeAt(const XmlElement& place) const {
+    const auto found = nodes_.find(&place);
+    return found == nodes_.end() ? place : *found->second;
+}
+
+const XmlElement& Translation::placeOf(const XmlElement& node) const {
+    const auto found = places_.find(&node);
+    return found == places_.end() ? node : *found->second;
+}
+
 void Translation::numberNodes(const XmlElement& container) {
     for (const auto& child : container.children) {
         // A subprogram may be stored at its call. Its line is determined by the program tree.
-        const XmlElement* const node = child->is("SubProgram") ? child->resolved() : child.get();
+        const XmlElement* const node = child->is("SubProgram") ? child->resolved() : &nodeAt(*child);
         if (node == nullptr || !lines_.emplace(node, ++lastLine_).second) {
             continue;
         }

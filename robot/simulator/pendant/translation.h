@@ -55,6 +55,13 @@ public:
     QString uniqueName(const QString& text);
     int nextNumber() { return ++lastNumber_; }  ///< for generated names
 
+    /// Finds the nodes that are stored elsewhere in the file, e.g. in an expression. Their place in the program
+    /// tree contains a reference.
+    void findPlaces(const XmlElement& element);
+    /// The node at a place in the program tree.
+    const XmlElement& nodeAt(const XmlElement& place) const;
+    /// The place of a node in the program tree. Its parents are the nodes around the node.
+    const XmlElement& placeOf(const XmlElement& node) const;
     /// Assigns each program node its line number in the program tree.
     void numberNodes(const XmlElement& container);
     void label(const XmlElement& node, const QString& text);
@@ -66,6 +73,8 @@ private:
     std::function<bool(const QString&)> isReserved_;
     std::optional<Error> refusal_, unfinished_;
     std::set<QString> names_;
+    /// Each node has one place, so a node cannot contain itself.
+    std::map<const XmlElement*, const XmlElement*> places_, nodes_;
     std::map<const XmlElement*, int> lines_;
     int lastLine_ = 0;
     int lastNumber_ = 0;
