@@ -63,7 +63,9 @@ void Expressions::appendPart(const XmlElement& part, Expression& to) {
     if (part.is("ExpressionChar")) {
         both(part.attribute("character"));
     } else if (part.is("ExpressionToken")) {
-        both(separated(part.attribute("token") + part.attribute("character")));
+        const QString token = part.attribute("token") + part.attribute("character");
+        to.script += separated(token);
+        to.shown += token;
     } else if (part.is("ExpressionVariable") && !part.children.empty()) {
         both(nameOfVariable(*part.children.front()));
     } else if (part.is("ExpressionIO")) {

@@ -293,16 +293,20 @@ void Motion::writeMove(const XmlElement& node) {
     writeChildren_(node);
 }
 
+void Motion::labelWaypoint(const XmlElement& waypoint) {
+    const bool isVariable = waypoint.attribute("type") == QLatin1String("Variable");
+    const XmlElement* const variable = isVariable ? waypoint.target("variable") : nullptr;
+    t_.label(waypoint, variable != nullptr && variable->has("name") ? variable->attribute("name")
+                                                                    : waypoint.attribute("name"));
+}
+
 void Motion::writeWaypoint(const XmlElement& node) {
     const Definer move = definerOf(node);
     if (move.function.isEmpty()) {
         t_.refuse(node, QStringLiteral("it is not in a move that is simulated"));
         return;
     }
-    const bool isVariable = node.attribute("type") == QLatin1String("Variable");
-    const XmlElement* const variable = isVariable ? node.target("variable") : nullptr;
-    t_.label(node, variable != nullptr && variable->has("name") ? variable->attribute("name")
-                                                                : node.attribute("name"));
+    labelWaypoint(node);
     const QString target = targetOf(node, move, true);
     if (target.isEmpty()) {
         return;
@@ -340,6 +344,9 @@ void Motion::writeCircle(const XmlElement& node) {
         return;
     }
     applyTcp(move);
+    for (const XmlElement* const point : points) {
+        labelWaypoint(*point);
+    }
     const QString via = targetOf(*points[0], move, false);
     const QString end = targetOf(*points[1], move, false);
     QString blend = QStringLiteral("0.0");

@@ -42,6 +42,7 @@ private:
     struct Definer;  // the node that defines motion, speed and feature of a waypoint
     struct Until;
 
+    void labelWaypoint(const XmlElement& waypoint);
     Definer definerOf(const XmlElement& node);
     QString targetOf(const XmlElement& waypoint, const Definer& move, bool joints);
     QString parametersOf(const XmlElement& waypoint, const Definer& move);

@@ -566,7 +566,8 @@ void ProgramTranslator::writeNode(const XmlElement& node) {
         statement(QStringLiteral("halt"));
     } else if (node.is("Comment")) {
         t_.out->mark(NodeMark::Kind::Comment, t_.numberOf(node), node.attribute("comment"));
-        t_.label(node, '\'' + node.attribute("comment") + '\'');
+        const QString comment = node.attribute("comment");
+        t_.label(node, comment.isEmpty() ? QStringLiteral("Comment") : '\'' + comment + '\'');
     } else if (node.is("Placeholder")) {
         t_.unfinished(node, QStringLiteral("it is empty"));
     } else if (!node.is("Until")) {  // written with its direction or waypoint
