@@ -49,10 +49,9 @@ bool isSamePose(const QString& a, const QString& b) {
 }
 
 /// The pose of a taught position as an expression; empty if not in the file.
-QString taughtPose(const XmlElement& position, const QString& joints, bool ofFlange) {
-    if (!joints.isEmpty() && (ofFlange || !tcpOf(position).isEmpty())) {
-        return QStringLiteral("get_forward_kin(%1, %2)")
-            .arg(joints, poseLiteral(ofFlange ? QStringLiteral("0,0,0,0,0,0") : tcpOf(position)));
+QString taughtPose(const XmlElement& position, const QString& joints) {
+    if (!joints.isEmpty() && !tcpOf(position).isEmpty()) {
+        return QStringLiteral("get_forward_kin(%1, %2)").arg(joints, poseLiteral(tcpOf(position)));
     }
     if (const QString pose = numberList(position.attribute("pose"), 6); !pose.isEmpty()) {
         return poseLiteral(pose);
@@ -100,16 +99,16 @@ void Motion::defineWaypoints(const XmlElement& element) {
         const XmlElement& position = positionOf(*child);
         const QString angles = child->is("Waypoint") ? anglesOf(position) : QString();
         if (child->is("Waypoint") && type == QLatin1String("Fixed")) {
-            const bool ofFlange = definerOf(*child).ignoresTcp;
-            const QString name =
-                t_.uniqueName(child->has("name") ? child->attribute("name") : QStringLiteral("Waypoint"));
-            const QString joints = '[' + angles + ']';
-            const QString pose = taughtPose(position, angles.isEmpty() ? QString() : name + "_q", ofFlange);
-            if (!angles.isEmpty()) {
-                t_.out->line(QStringLiteral("global %1_q = %2").arg(name, joints));
+            const auto [name, isNew] =
+                nameFor(*child, QStringList{angles, tcpOf(position), position.attribute("pose")}.join(';'));
+            const QString pose = taughtPose(position, angles.isEmpty() ? QString() : name + "_q");
+            if (isNew && !angles.isEmpty()) {
+                t_.out->line(QStringLiteral("global %1_q = [%2]").arg(name, angles));
+            }
+            if (isNew && !pose.isEmpty()) {
+                t_.out->line(QStringLiteral("global %1_p = %2").arg(name, pose));
             }
             if (!pose.isEmpty()) {
-                t_.out->line(QStringLiteral("global %1_p = %2").arg(name, pose));
                 x_.nameWaypoint(*child, name);
             }
         } else if (child->is("Waypoint") && type == QLatin1String("Relative")) {
@@ -118,19 +117,29 @@ void Motion::defineWaypoints(const XmlElement& element) {
             const QString start =
                 from == nullptr
                     ? QString()
-                    : taughtPose(*from, fromAngles.isEmpty() ? QString() : '[' + fromAngles + ']', false);
-            const QString end =
-                taughtPose(position, angles.isEmpty() ? QString() : '[' + angles + ']', false);
+                    : taughtPose(*from, fromAngles.isEmpty() ? QString() : '[' + fromAngles + ']');
+            const QString end = taughtPose(position, angles.isEmpty() ? QString() : '[' + angles + ']');
             if (!start.isEmpty() && !end.isEmpty()) {
-                const QString name =
-                    t_.uniqueName(child->has("name") ? child->attribute("name") : QStringLiteral("Waypoint"));
-                t_.out->line(QStringLiteral("global %1_from_p = %2").arg(name, start));
-                t_.out->line(QStringLiteral("global %1_to_p = %2").arg(name, end));
+                const auto [name, isNew] = nameFor(*child, start + ';' + end);
+                if (isNew) {
+                    t_.out->line(QStringLiteral("global %1_from_p = %2").arg(name, start));
+                    t_.out->line(QStringLiteral("global %1_to_p = %2").arg(name, end));
+                }
                 x_.nameWaypoint(*child, name);
             }
         }
         defineWaypoints(*child);
     }
+}
+
+/// Waypoints with the same name and position share their variables, so that a program can move all of them.
+std::pair<QString, bool> Motion::nameFor(const XmlElement& waypoint, const QString& position) {
+    const QString wanted = waypoint.has("name") ? waypoint.attribute("name") : QStringLiteral("Waypoint");
+    const auto known = names_.find({wanted, position});
+    return known != names_.end()
+               ? std::pair(known->second, false)
+               : std::pair(names_.emplace(std::pair(wanted, position), t_.uniqueName(wanted)).first->second,
+                           true);
 }
 
 Motion::Definer Motion::definerOf(const XmlElement& node) {
@@ -207,16 +216,22 @@ QString Motion::targetOf(const XmlElement& waypoint, const Definer& move, bool j
     const bool isMoved = frame.kind == Expressions::Frame::Kind::Other && !frame.script.isEmpty() &&
                          !then.isEmpty() &&
                          (feature->second.isVariable || !isSamePose(feature->second.pose, then));
-    const bool directly = hasJoints && !isMoved && joints &&
-                          (move.usesJoints || (!move.ignoresTcp && tcpOf(position).isEmpty()));
+    // Files of PolyScope 3 contain the pose with the TCP at that time, which is one of the installation.
+    const bool isPoseOfInstallation = position.has("pose") && !t_.installation.tcps.empty();
+    const bool directly =
+        hasJoints && !isMoved && joints &&
+        (move.usesJoints || (!move.ignoresTcp && tcpOf(position).isEmpty() && !isPoseOfInstallation));
     if (directly) {
         return name + "_q";
     }
     // If the file does not contain a TCP, the joint angles define the target. Its pose then refers to the
     // current TCP.
-    const bool isTcpUnknown =
-        hasJoints && !move.ignoresTcp && tcpOf(position).isEmpty() && !position.has("pose");
-    QString pose = isTcpUnknown ? QStringLiteral("get_forward_kin(%1_q)").arg(name) : name + "_p";
+    QString pose = name + "_p";
+    if (hasJoints && move.ignoresTcp) {
+        pose = QStringLiteral("get_forward_kin(%1_q, p[0,0,0,0,0,0])").arg(name);
+    } else if (hasJoints && tcpOf(position).isEmpty() && !position.has("pose")) {
+        pose = QStringLiteral("get_forward_kin(%1_q)").arg(name);
+    }
     if (isMoved) {
         pose =
             QStringLiteral("pose_trans(%1, pose_trans(pose_inv(p[%2]), %3))").arg(frame.script, then, pose);

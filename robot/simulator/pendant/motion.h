@@ -5,6 +5,8 @@
 
 #include <QString>
 #include <functional>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "robot/simulator/pendant/expressions.h"
@@ -43,6 +45,7 @@ private:
     struct Until;
 
     void labelWaypoint(const XmlElement& waypoint);
+    std::pair<QString, bool> nameFor(const XmlElement& waypoint, const QString& position);
     Definer definerOf(const XmlElement& node);
     QString targetOf(const XmlElement& waypoint, const Definer& move, bool joints);
     QString parametersOf(const XmlElement& waypoint, const Definer& move);
@@ -59,6 +62,7 @@ private:
     std::function<void(const XmlElement&)> writeChildren_;
     bool keepsDisabled_;
     bool usesDirections_ = false;
+    std::map<std::pair<QString, QString>, QString> names_;  ///< of waypoints, by their name and position
 };
 
 }  // namespace tiller::simulator::pendant
