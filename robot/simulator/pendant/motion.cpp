@@ -69,6 +69,20 @@ bool isMotion(const XmlElement& node) {
     return node.is("Waypoint") || node.is("CircleMove") || node.is("gui.program.direction.MoveDirectionNode");
 }
 
+/// The first motion node of an enabled node and the nodes below it; null if there is none.
+const XmlElement* firstMotion(const XmlElement& node) {
+    if (isSuppressed(node) || isMotion(node)) {
+        return isSuppressed(node) ? nullptr : &node;
+    }
+    const XmlElement* const children = node.child("children");
+    for (std::size_t i = 0; children != nullptr && i < children->children.size(); ++i) {
+        if (const XmlElement* const found = firstMotion(*children->children[i])) {
+            return found;
+        }
+    }
+    return nullptr;
+}
+
 }  // namespace
 
 struct Motion::Definer {
@@ -267,21 +281,40 @@ QString Motion::parametersOf(const XmlElement& waypoint, const Definer& move) {
     if (own != nullptr && own->has("blendRadius")) {
         text += QStringLiteral(", r=%1").arg(number(*own, "blendRadius"));
     } else if (move.function == QLatin1String("movep")) {
-        const bool blends = !isLast(waypoint) && move.node->has("blendRadius");
-        text +=
-            QStringLiteral(", r=%1").arg(blends ? number(*move.node, "blendRadius") : QStringLiteral("0.0"));
+        text += QStringLiteral(", r=%1").arg(processBlend(waypoint, move));
     }
     return text;
 }
 
-/// True for the last motion node of its move, at which a process move ends.
-bool Motion::isLast(const XmlElement& node) const {
-    const XmlElement* const siblings = node.parent;
-    const XmlElement* last = nullptr;
-    for (const auto& child : siblings->children) {
-        last = isMotion(*child) ? child.get() : last;
+/// The first motion node after a node in the order of the program tree; null if its part of the program ends. A
+/// part that repeats continues at its beginning.
+const XmlElement* Motion::nextMotion(const XmlElement& node) const {
+    for (const XmlElement* at = &t_.placeOf(node); at->parent != nullptr; at = at->parent) {
+        const auto& siblings = at->parent->children;
+        auto sibling = std::ranges::find(siblings, at, &std::unique_ptr<XmlElement>::get);
+        while (++sibling != siblings.end()) {
+            if (const XmlElement* const found = firstMotion(**sibling)) {
+                return found;
+            }
+        }
+        if (at->is("MainProgram") || at->is("Thread")) {
+            return at->attribute("runOnlyOnce") == QLatin1String("false") ? firstMotion(*at) : nullptr;
+        }
+        if (at->is("SubProgram") || at->is("subprogram")) {
+            break;
+        }
     }
-    return last == &node;
+    return nullptr;
+}
+
+/// A process move stops at its end if no motion follows, or the waypoint of a move of another type. Otherwise, it
+/// blends.
+QString Motion::processBlend(const XmlElement& node, const Definer& move) {
+    const XmlElement* const next = nextMotion(node);
+    const bool stops =
+        next == nullptr || (next->is("Waypoint") && definerOf(*next).function != QLatin1String("movep"));
+    return !stops && move.node->has("blendRadius") ? number(*move.node, "blendRadius")
+                                                   : QStringLiteral("0.0");
 }
 
 void Motion::applyTcp(const Definer& move) {
@@ -364,12 +397,9 @@ void Motion::writeCircle(const XmlElement& node) {
     }
     const QString via = targetOf(*points[0], move, false);
     const QString end = targetOf(*points[1], move, false);
-    QString blend = QStringLiteral("0.0");
-    if (!isLast(node) && move.node->has("blendRadius")) {
-        blend = number(*move.node, "blendRadius");
-    }
     t_.out->line(QStringLiteral("movec(%1, %2, a=%3, v=%4, r=%5, mode=%6)")
-                     .arg(via, end, number(*move.node, "acceleration"), number(*move.node, "speed"), blend)
+                     .arg(via, end, number(*move.node, "acceleration"), number(*move.node, "speed"),
+                          processBlend(node, move))
                      .arg(mode->second));
 }
 

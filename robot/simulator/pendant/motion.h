@@ -51,7 +51,8 @@ private:
     QString parametersOf(const XmlElement& waypoint, const Definer& move);
     QString number(const XmlElement& node, const char* attribute);
     void applyTcp(const Definer& move);
-    bool isLast(const XmlElement& node) const;
+    const XmlElement* nextMotion(const XmlElement& node) const;
+    QString processBlend(const XmlElement& node, const Definer& move);
     std::vector<Until> untilsOf(const XmlElement& node, bool ofWaypoint);
     void writeWatchedMove(const XmlElement& node, const QString& statement, const std::vector<Until>& untils);
     void writeUntil(const Until& until, const QString& thread, const QString& arrived);
