@@ -60,6 +60,9 @@ void readFeatures(const XmlElement& element, Installation& to) {
         }
         return;
     }
+    if (element.is("BaseView") && element.isTrue("isVariable")) {
+        to.features.try_emplace(QStringLiteral("Base"), Feature{QStringLiteral("0, 0, 0, 0, 0, 0"), true});
+    }
     for (const auto& child : element.children) {
         readFeatures(*child, to);
     }
