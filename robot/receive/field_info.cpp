@@ -130,8 +130,13 @@ const FieldInfo* findField(std::string_view name) {
     return found == kByName.end() ? nullptr : found->second;
 }
 
-std::size_t longestFieldList() {
-    return rtde::kMaxNameListSize;
+bool fitsFieldList(const std::vector<std::string>& fields) {
+    constexpr std::string_view kTimestamp = "timestamp";
+    std::size_t length = kTimestamp.size();
+    for (const std::string& field : fields) {
+        length += field == kTimestamp ? 0 : 1 + field.size();
+    }
+    return length <= rtde::kMaxNameListSize;
 }
 
 }  // namespace tiller::receive

@@ -46,7 +46,7 @@ std::span<const FieldInfo> fieldInfos();
 /// Returns null if there is no such output field.
 const FieldInfo* findField(std::string_view name);
 
-/// Maximum length of a comma-separated field list that every controller accepts [bytes].
-std::size_t longestFieldList();
+/// True if every controller accepts a request for these fields and `timestamp`, which a receiver adds.
+bool fitsFieldList(const std::vector<std::string>& fields);
 
 }  // namespace tiller::receive

@@ -405,9 +405,11 @@ bool SignalStore::want(const void* who, const QSet<int>& shown) {
         wanted_ = wanted;
         return true;
     }
-    constexpr qsizetype kTimestamp = 10;  // length of "timestamp,"
-    if (static_cast<std::size_t>(fields.join(QLatin1Char(',')).size() + kTimestamp) >
-        receive::longestFieldList()) {
+    std::vector<std::string> names;
+    for (const QString& field : fields) {
+        names.push_back(field.toStdString());
+    }
+    if (!receive::fitsFieldList(names)) {
         problem_ = tr("The robot cannot send this many signals at once. Remove other signals first.");
         return false;
     }

@@ -50,30 +50,24 @@ std::shared_ptr<receive::Receiver> SessionRecording::receiverFor(const std::vect
     if (isComplete) {
         return d_.link->receiver;
     }
-    receive::ReceiverOptions options;
-    options.host = d_.address.host;
-    options.port = static_cast<std::uint16_t>(rtde::kPort + d_.address.portOffset);
-    options.clock = d_.clock;
-    options.priority = 0;
-    options.fields.clear();
     // The robot limits the number of fields. Registers of the link are last, so that they are omitted first.
     std::vector<std::string> wanted = fields;
     for (const receive::SampleLayout::Entry& entry : receiver.layout()->entries()) {
         wanted.push_back(entry.name);
     }
-    std::size_t length = std::string("timestamp").size();
+    std::vector<std::string> chosen;
     QStringList missing;
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         const std::string& field = wanted[i];
-        if (field == "timestamp" ||
-            std::find(options.fields.begin(), options.fields.end(), field) != options.fields.end()) {
+        if (std::find(chosen.begin(), chosen.end(), field) != chosen.end()) {
             continue;
         }
-        if (length + 1 + field.size() <= receive::longestFieldList()) {
-            length += 1 + field.size();
-            options.fields.push_back(field);
-        } else if (i < fields.size()) {
-            missing << QString::fromStdString(field);
+        chosen.push_back(field);
+        if (!receive::fitsFieldList(chosen)) {
+            chosen.pop_back();
+            if (i < fields.size()) {
+                missing << QString::fromStdString(field);
+            }
         }
     }
     if (!missing.isEmpty()) {
@@ -82,7 +76,8 @@ std::shared_ptr<receive::Receiver> SessionRecording::receiverFor(const std::vect
             tr("The robot cannot send so many signals at once. These signals are not recorded: %1")
                 .arg(missing.join(QStringLiteral(", "))));
     }
-    auto another = std::make_shared<receive::Receiver>(options);
+    auto another = extraReceiver(
+        d_.address.host, static_cast<std::uint16_t>(rtde::kPort + d_.address.portOffset), *d_.clock, chosen);
     static_cast<void>(another->start());  // cannot fail, because start() has checked the names
     return another;
 }

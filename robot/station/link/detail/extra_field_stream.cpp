@@ -5,21 +5,27 @@
 
 namespace tiller {
 
+std::shared_ptr<receive::Receiver> extraReceiver(const QString& host, std::uint16_t port, const Clock& clock,
+                                                 const std::vector<std::string>& fields) {
+    receive::ReceiverOptions options;
+    options.host = host;
+    options.port = port;
+    options.clock = &clock;
+    options.priority = 0;
+    options.fields = fields;
+    return std::make_shared<receive::Receiver>(options);
+}
+
 void ExtraFieldStream::follow(const QString& host, std::uint16_t port, const QStringList& fields) {
     end();
     if (fields.isEmpty()) {
         return;
     }
-    receive::ReceiverOptions options;
-    options.host = host;
-    options.port = port;
-    options.clock = &clock_;
-    options.priority = 0;
-    options.fields.clear();
+    std::vector<std::string> names;
     for (const QString& field : fields) {
-        options.fields.push_back(field.toStdString());
+        names.push_back(field.toStdString());
     }
-    receiver_ = std::make_shared<receive::Receiver>(options);
+    receiver_ = extraReceiver(host, port, clock_, names);
     stream_ = receiver_->subscribe();
     lost_ = 0;
     static_cast<void>(receiver_->start());  // cannot fail, because all fields are in the catalogue

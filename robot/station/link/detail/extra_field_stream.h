@@ -6,7 +6,9 @@
 
 #include <QSet>
 #include <QStringList>
+#include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "robot/core/clock.h"
@@ -15,6 +17,10 @@
 #include "robot/station/link/sample_batch.h"
 
 namespace tiller {
+
+/// A receiver for a connection in addition to the link, without priority. Not started.
+std::shared_ptr<receive::Receiver> extraReceiver(const QString& host, std::uint16_t port, const Clock& clock,
+                                                 const std::vector<std::string>& fields);
 
 /// Threads  GUI; the thread of the receiver has normal priority
 class ExtraFieldStream {
