@@ -42,7 +42,8 @@ public:
     };
     virtual ~RecordingEncoder() = default;
 
-    /// utcNs  time of arrival [ns since 1970]
+    /// sample  in the layout of the setup. For MCAP, also in another layout: fields that it lacks have no value
+    /// utcNs   time of arrival [ns since 1970]
     virtual void add(const receive::Sample& sample, std::uint64_t lost, std::int64_t utcNs) = 0;
     /// A format that does not keep notes gets only those of the recorder and ignores them.
     virtual void add(const RecordedNote& note) = 0;

@@ -14,6 +14,7 @@
 #include <deque>
 #include <optional>
 #include <thread>
+#include <vector>
 
 #include "robot/core/atomic_file.h"
 #include "robot/core/modes.h"
@@ -21,6 +22,7 @@
 #include "robot/receive/robot_state.h"
 #include "robot/recording/detail/recording_file.h"
 #include "robot/recording/incident.h"
+#include "robot/recording/mcap/detail/extra_samples.h"
 #include "robot/recording/mcap/detail/sample_store.h"
 #include "robot/recording/mcap/mcap_format.h"
 
@@ -85,6 +87,7 @@ struct BlackBox::Worker {
     bool stopping = false;
     std::deque<RecordedNote> notes;
     std::optional<std::string> alarm;
+    std::vector<receive::Subscription> nextExtra;
     std::string projectName;
     std::string project;
     std::map<std::string, std::string> facts;
@@ -92,6 +95,7 @@ struct BlackBox::Worker {
 
     // Used by the thread only.
     std::optional<SampleStore> store;
+    std::optional<ExtraSamples> extra;
     std::optional<SafetyMode> previous;
     std::uint64_t lastSequence = 0;
     std::uint64_t lastConnection = 0;
@@ -103,7 +107,9 @@ struct BlackBox::Worker {
         realtime::nameThread("tiller-box");
         constexpr double kMaxRateHz = 500;
         const double seconds = options.before + options.after + 2;
-        store.emplace(static_cast<std::size_t>(seconds * kMaxRateHz), layout);
+        const auto capacity = static_cast<std::size_t>(seconds * kMaxRateHz);
+        store.emplace(capacity, layout);
+        extra.emplace(capacity);
         for (bool last = false; !last;) {
             std::optional<std::string> raised;
             {
@@ -112,6 +118,7 @@ struct BlackBox::Worker {
                 raised = std::exchange(alarm, std::nullopt);
             }
             drain();
+            drainExtra();
             if (raised && !pending && store->count() > 0) {
                 begin(raised->c_str(), store->at(store->count() - 1));
             }
@@ -145,12 +152,25 @@ struct BlackBox::Worker {
         }
     }
 
+    void drainExtra() {
+        std::vector<receive::Subscription> next;
+        {
+            const std::lock_guard lock(mutex);
+            next.swap(nextExtra);
+        }
+        for (receive::Subscription& each : next) {
+            extra->follow(std::move(each));
+        }
+        extra->drain();
+    }
+
     void forgetBefore(std::int64_t nowNs) {
         const std::int64_t from =
             (pending ? stopNs : nowNs) - static_cast<std::int64_t>(std::llround(options.before * 1e9));
         while (store->count() > 0 && store->at(0).hostTimeNs < from) {
             store->dropOldest();
         }
+        extra->forgetBefore(from);
     }
 
     void begin(const char* reason, const receive::Sample& sample) {
@@ -162,6 +182,7 @@ struct BlackBox::Worker {
     }
 
     void write() {
+        drainExtra();
         Incident incident = std::exchange(pending, std::nullopt).value();
         const auto result = writeFile(incident);
         if (!result) {
@@ -212,11 +233,13 @@ struct BlackBox::Worker {
             }
             said = notes;
         }
+        RowJoiner rows(layout, extra->samples());
+        const auto allFields = rows.layout();
         std::vector<std::string> fields;
-        for (const auto& entry : layout->entries()) {
+        for (const auto& entry : allFields->entries()) {
             fields.push_back(entry.name);
         }
-        const auto encoder = mcapFormat(format)->encoder({layout, fields, false});
+        const auto encoder = mcapFormat(format)->encoder({allFields, fields, false});
         auto file = systemFile();
         // The file has a temporary name until it is complete.
         const QString part = incident.path + QStringLiteral(".part");
@@ -226,7 +249,7 @@ struct BlackBox::Worker {
         incident.secondsBefore =
             store->count() == 0 ? 0 : static_cast<double>(stopNs - store->at(0).hostTimeNs) / 1e9;
         for (std::size_t i = 0; i < store->count(); ++i) {
-            encoder->add(store->at(i), i == 0 ? 0 : store->missingBefore(i),
+            encoder->add(rows.join(store->at(i)), i == 0 ? 0 : store->missingBefore(i),
                          store->at(i).hostTimeNs + steadyToUtc);
         }
         const std::int64_t from = store->count() == 0 ? 0 : store->at(0).hostTimeNs + steadyToUtc;
@@ -313,6 +336,13 @@ void BlackBox::stop() {
     }
     ending->wake.notify_all();
     ending->thread.join();
+}
+
+void BlackBox::followExtra(receive::Subscription extra) {
+    if (const auto box = worker()) {
+        const std::lock_guard lock(box->mutex);
+        box->nextExtra.push_back(std::move(extra));
+    }
 }
 
 void BlackBox::note(const RecordedNote& note) {

@@ -55,6 +55,10 @@ public:
     /// file is written
     void stop();
 
+    /// Also records the samples of another receiver of the same robot, with additional fields, from now on and
+    /// until the next call. The rows of a file contain these fields from the time at which they arrived. Call
+    /// after start(), which ends it. An invalid subscription: none.
+    void followExtra(receive::Subscription extra);
     /// Adds a log line. The lines of the last minute are written to the incident file.
     void note(const RecordedNote& note);
     /// Writes an incident file without a stop.

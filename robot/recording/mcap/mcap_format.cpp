@@ -3,6 +3,7 @@
 
 #include <array>
 #include <chrono>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -26,6 +27,8 @@ constexpr std::size_t kCloseSummaryAt = 1u << 20;
 constexpr std::size_t kMaxSummaries =
     300;  // messages per chunk; messages lost in a crash are recomputed from the rows
 
+constexpr std::size_t kNowhere = std::numeric_limits<std::size_t>::max();
+
 class McapEncoder : public RecordingEncoder {
 public:
     McapEncoder(const RecordingSetup& setup, const McapFormatOptions& options)
@@ -45,11 +48,12 @@ public:
         }
     }
 
-    bool hasColumns() const { return !columns_.empty(); }
+    bool hasColumns() const { return !components_.empty(); }
 
     void add(const receive::Sample& sample, std::uint64_t lost, std::int64_t utcNs) override {
-        if (!state_ || sample.connection != connection_) {
+        if (!state_ || sample.connection != connection_ || sample.layout != layout_) {
             connection_ = sample.connection;
+            follow(sample.layout);
             state_.emplace(fields_, sample);
             stateChannel_ = channel(kStateType, state_->definition(), kStateTopic,
                                     {{kStateFields, state_->fieldNames()}});
@@ -77,7 +81,7 @@ public:
             }
         }
         levels_.addRow([&](std::size_t i) {
-            return i < columns_.size() ? sample.values[columns_[i]] : static_cast<double>(lost);
+            return i < columns_.size() ? sample.at(columns_[i]) : static_cast<double>(lost);
         });
         ++part_.rows;
         part_.lost += lost;
@@ -119,18 +123,27 @@ public:
     }
 
 private:
-    /// Also fills columns_, which the constructor of the levels needs.
+    /// Also fills the names of the columns, which the constructor needs.
     std::size_t columnsOf(const receive::SampleLayout& layout) {
         for (const std::string& name : fields_) {
             const receive::SampleLayout::Entry* entry = layout.find(name);
             for (std::size_t i = 0; entry != nullptr && i < entry->count; ++i) {
-                columns_.push_back(entry->first + i);
-                columnNames_ += layout.componentNames()[entry->first + i] + ',';
+                components_.push_back(layout.componentNames()[entry->first + i]);
+                columnNames_ += components_.back() + ',';
             }
         }
-        timestamp_ = layout.indexOfComponent("timestamp");
         columnNames_ += kLostColumn;
-        return columns_.size() + 1;
+        return components_.size() + 1;
+    }
+
+    /// Finds the columns in the samples from now on.
+    void follow(const std::shared_ptr<const receive::SampleLayout>& layout) {
+        layout_ = layout;
+        timestamp_ = layout->indexOfComponent("timestamp");
+        columns_.clear();
+        for (const std::string& component : components_) {
+            columns_.push_back(layout->indexOfComponent(component).value_or(kNowhere));
+        }
     }
 
     double timestampOf(const receive::Sample& sample) const {
@@ -183,8 +196,10 @@ private:
 
     const McapFormatOptions options_;
     const std::vector<std::string> fields_;
-    std::vector<std::size_t> columns_;
-    std::string columnNames_;
+    std::vector<std::string> components_;  ///< names of the columns
+    std::string columnNames_;              ///< the same in one text
+    std::shared_ptr<const receive::SampleLayout> layout_;
+    std::vector<std::size_t> columns_;  ///< index of each column in the samples
     std::optional<std::size_t> timestamp_;
     Writer writer_;
     SummaryLevels levels_;

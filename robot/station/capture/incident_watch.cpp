@@ -34,6 +34,7 @@ QString reasonText(const std::string& reason) {
 IncidentWatch::IncidentWatch(RobotSession& session, const QString& folder, QObject* parent)
     : QObject(parent), session_(session), folder_(folder) {
     connect(&session, &RobotSession::linkBegan, this, &IncidentWatch::restart);
+    connect(&session, &RobotSession::extraFieldsChanged, this, &IncidentWatch::followExtraFields);
     connect(&session, &RobotSession::connected, this, &IncidentWatch::learnIdentity);
     connect(&session, &RobotSession::message, this,
             [this](Severity severity, const QString& text, Origin origin) {
@@ -72,6 +73,20 @@ void IncidentWatch::restart() {
             }
         });
     });
+    followExtraFields();
+}
+
+void IncidentWatch::followExtraFields() {
+    if (session_.receiver() == nullptr) {
+        return;
+    }
+    // After restart(), which starts the black box in the worker. Subscribe now, because the worker may be busy.
+    const auto receiver = session_.extraReceiver();
+    worker_.post(
+        this, [this, extra = receiver ? receiver->subscribe() : receive::Subscription()](const CancelToken&) {
+            box_.followExtra(extra);
+            return std::function<void()>();
+        });
 }
 
 void IncidentWatch::learnIdentity() {

@@ -2,7 +2,7 @@
 #pragma once
 
 // Incident recorder of the window. It runs while a robot is connected, receives the log messages, and reports
-// the file of each incident.
+// the file of each incident. The files also contain the additional fields displayed in plots.
 
 #include <QObject>
 #include <QString>
@@ -35,6 +35,7 @@ Q_SIGNALS:
 
 private:
     void restart();
+    void followExtraFields();
     void learnIdentity();
     void tell(const recording::Incident& incident);
 

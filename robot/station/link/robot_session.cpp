@@ -204,7 +204,12 @@ void RobotSession::followExtraFields(const QStringList& fields) {
     if (fields != d_->extraFields) {
         d_->extraFields = fields;
         d_->followExtraFields();
+        Q_EMIT extraFieldsChanged();
     }
+}
+
+std::shared_ptr<const receive::Receiver> RobotSession::extraReceiver() const {
+    return d_->further.receiver();
 }
 
 QSet<QString> RobotSession::absentFields() const {

@@ -93,6 +93,8 @@ public:
     /// Sets the additional fields requested by parts of the window, for this and later robots. Replaces
     /// earlier requests. extraSamplesReceived delivers the fields.
     void followExtraFields(const QStringList& fields);
+    /// Receives the additional fields; null if there are none. Like sharedReceiver(), for another thread.
+    std::shared_ptr<const receive::Receiver> extraReceiver() const;
     /// Requested or standard fields that this robot does not send, e.g. because of its software version.
     QSet<QString> absentFields() const;
 
@@ -211,6 +213,8 @@ public:
 Q_SIGNALS:
     /// A connection to a robot has started. Earlier data belong to another robot or connection.
     void linkBegan();
+    /// extraReceiver() has changed during a connection.
+    void extraFieldsChanged();
     /// The first data of a connection have arrived, after connecting or reconnecting.
     void connected();
     /// Emitted in each frame with new samples, before the stateChanged that shows the last of them.

@@ -2,6 +2,7 @@
 #include <QDir>
 #include <QTemporaryDir>
 #include <QTest>
+#include <cmath>
 #include <mutex>
 
 #include "robot/recording/formats/open_recording.h"
@@ -89,6 +90,7 @@ private Q_SLOTS:
     void stoppingTheBoxWritesAvailableData();
     void numberOfFilesIsLimited();
     void folderErrorIsReported();
+    void additionalFieldsBelongToTheirPackets();
 };
 
 void TestBlackBox::aProtectiveStopBecomesAFile() {
@@ -223,6 +225,46 @@ void TestBlackBox::folderErrorIsReported() {
     TRY_COMPARE(bench.count(), std::size_t(1));
     QCOMPARE(bench.incidents.front().error.code, ErrorCode::FileNotWritable);
     QVERIFY(bench.incidents.front().path.isEmpty());
+}
+
+/// A second connection delivers a register, without the packet of row 7.
+void TestBlackBox::additionalFieldsBelongToTheirPackets() {
+    Bench bench;
+    RtdePeer other;
+    receive::ReceiverOptions options = to(other.port());
+    options.fields = {"output_int_register_0"};
+    receive::Receiver extra(options);
+    extra.start().value();
+    QVERIFY(bench.box.start(bench.options, bench.receiver).ok());
+    bench.send(5, 1);
+    bench.box.followExtra(extra.subscribe());
+    int sent = 0;
+    const auto sendBoth = [&](int row) {
+        bench.send(1, 1);
+        if (row != 7) {
+            other.set("output_int_register_0", {static_cast<double>(row)});
+            other.send((row + 1) * 0.002);
+            ++sent;
+        }
+    };
+    for (int row = 5; row < 10; ++row) {
+        sendBoth(row);
+    }
+    TRY_COMPARE(extra.counters().packets, static_cast<std::uint64_t>(sent));
+    bench.box.followExtra({});
+    bench.send(3, 1);
+    bench.send(1, 3);
+    TRY_COMPARE(bench.count(), std::size_t(1));
+    const auto recording = openRecording(bench.incidents.front().path).value();
+    QVERIFY2(recording->problems().isEmpty(), qPrintable(recording->problems().join('\n')));
+    QCOMPARE(recording->rows(), std::uint64_t(14));
+    QStringList values;
+    for (const double value : bench.column(*recording, "output_int_register_0")) {
+        values << (std::isnan(value) ? QStringLiteral("-") : QString::number(value));
+    }
+    QCOMPARE(values.join(' '), QString("- - - - - 5 6 - 8 9 - - - -"));
+    QCOMPARE(bench.column(*recording, "safety_mode").back(), 3.0);
+    QCOMPARE(bench.column(*recording, "timestamp").back(), 14 * 0.002);
 }
 
 QTEST_GUILESS_MAIN(TestBlackBox)

@@ -5,6 +5,9 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
+#include <cmath>
+#include <vector>
 
 #include "robot/recording/mcap/mcap_recording.h"
 #include "robot/station/capture/incident_watch.h"
@@ -47,6 +50,7 @@ class TestIncidentWatch : public QObject {
 private Q_SLOTS:
     void aProtectiveStopIsRecordedAndReported();
     void aNewLinkEndsTheIncidentOfThePreviousLink();
+    void displayedRegistersAreRecordedWhileTheyAreDisplayed();
 };
 
 void TestIncidentWatch::aProtectiveStopIsRecordedAndReported() {
@@ -98,6 +102,73 @@ void TestIncidentWatch::aNewLinkEndsTheIncidentOfThePreviousLink() {
     QTRY_COMPARE_WITH_TIMEOUT(told.count(), 1, kWaitTimeoutMs);
     QVERIFY(QFile::exists(told.front()[3].toString()));
     session.shutDown();
+}
+
+/// The link receives neither of these two registers.
+void TestIncidentWatch::displayedRegistersAreRecordedWhileTheyAreDisplayed() {
+    const QTemporaryDir folder;
+    VirtualClock clock;
+    RobotSession session(clock);
+    IncidentWatch watch(session, folder.path());
+    QSignalSpy told(&watch, &IncidentWatch::told);
+    QSignalSpy extra(&session, &RobotSession::extraSamplesReceived);
+    test::VirtualCell cell(clock, session);
+    QVERIFY2(cell.connect(), qPrintable(cell.what()));
+    QVERIFY(hasSeen(watch, cell, 500));
+    const auto display = [&](const QStringList& fields) {
+        session.followExtraFields(fields);
+        extra.clear();
+        QElapsedTimer waited;
+        waited.start();
+        while (extra.isEmpty() && waited.elapsed() < kWaitTimeoutMs) {
+            cell.advanceMs(16);
+            QTest::qWait(1);
+        }
+        return !extra.isEmpty() && hasSeen(watch, cell, watch.packets() + 400);
+    };
+    QVERIFY(display({"output_int_register_0"}));
+    QVERIFY(display({"output_double_register_3", "output_int_register_0"}));
+    QVERIFY(display({"output_double_register_3"}));
+    cell.robot.protectiveStop();
+    for (int i = 0; i < 6; ++i) {
+        QVERIFY(hasSeen(watch, cell, watch.packets() + 1000));
+    }
+    QTRY_COMPARE_WITH_TIMEOUT(told.count(), 1, kWaitTimeoutMs);
+    session.shutDown();
+
+    const QString path = told.front()[3].toString();
+    const auto file = recording::openMcap(path).value();
+    QVERIFY2(file->problems().isEmpty(), qPrintable(file->problems().join('\n')));
+    const auto column = [&file](const char* name) {
+        const auto index = file->indexOf(name);
+        return index ? file->read(std::vector{*index}, {0, file->rows()}).value().front()
+                     : std::vector<double>();
+    };
+    const std::vector<double> whole = column("output_int_register_0");
+    const std::vector<double> number = column("output_double_register_3");
+    QCOMPARE(whole.size(), file->rows());
+    QCOMPARE(number.size(), file->rows());
+    // Before a register was displayed, there are no values; the integer register has no zeros there.
+    const auto has = [](double value) { return !std::isnan(value); };
+    const auto first = [&](const std::vector<double>& values) {
+        return std::find_if(values.begin(), values.end(), has) - values.begin();
+    };
+    QVERIFY2(first(whole) > 400, qPrintable(QString::number(first(whole))));
+    QVERIFY2(first(number) > first(whole) + 300, qPrintable(QString::number(first(number) - first(whole))));
+    QVERIFY(std::none_of(whole.end() - 5000, whole.end(), has));
+    // A row has the register of the same packet. Few packets are missed while the fields change.
+    QVERIFY2(std::count_if(whole.begin(), whole.end(), has) > 700,
+             qPrintable(QString::number(std::count_if(whole.begin(), whole.end(), has))));
+    QVERIFY2(std::count_if(number.end() - 5000, number.end() - 10, has) == 4990,
+             qPrintable(QString::number(std::count_if(number.end() - 5000, number.end() - 10, has))));
+    QVERIFY(column("safety_mode").back() == 3.0 && file->gaps().empty());
+    QVERIFY(std::none_of(column("safety_mode").begin(), column("safety_mode").end(),
+                         [](double value) { return std::isnan(value); }));
+    // The overviews have the same columns.
+    const std::vector<std::size_t> wanted{file->indexOf("output_int_register_0").value()};
+    const auto overview = file->summaries(wanted, {0, file->rows()}, file->rows() / 200).value();
+    QVERIFY(std::isnan(overview.front().max.front()) && std::isnan(overview.front().max.back()));
+    QVERIFY(std::count(overview.front().max.begin(), overview.front().max.end(), 0.0) >= 1);
 }
 
 QTEST_MAIN(TestIncidentWatch)
