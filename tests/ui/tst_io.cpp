@@ -146,6 +146,29 @@ private Q_SLOTS:
         QVERIFY2(warnings.isEmpty(), qPrintable(warnings.join('\n')));
     }
 
+    // The robot ends the pulse with the control program that times it, and nothing is reported as a fault.
+    void releasingControlEndsARunningPulse() {
+        QStringList warnings;
+        RobotSession& session = bench_->window.session();
+        QObject::connect(&session, &RobotSession::message, &bench_->window,
+                         [&warnings](Severity severity, const QString& text) {
+                             if (severity != Severity::Info) {
+                                 warnings << text;
+                             }
+                         });
+        session.outputs().pulseDigitalOutput(4, 30);
+        QVERIFY(until([this] { return output(4); }));
+        QVERIFY(until([this] { return tab().output(4)->state() == IoChannel::State::On; }));
+        const double released = cell().truth().timestamp;
+        session.releaseControl();
+        QVERIFY(until([this] { return !output(4); }));
+        QVERIFY2(cell().truth().timestamp - released < 25, "the pulse ended by itself");
+        QVERIFY(until([&session] { return session.state().control != ControlState::InControl; }));
+        cell().advanceMs(3000);
+        QVERIFY(!output(4));
+        QVERIFY2(warnings.isEmpty(), qPrintable(warnings.join('\n')));
+    }
+
     // Without control, no program on the robot can time the pulse.
     void aPulseIsRefusedWithoutControl() {
         bench_->window.session().releaseControl();
