@@ -165,6 +165,9 @@ void PlotView::build(const PageLayout& page) {
         !curves.empty() && std::find(curves.begin(), curves.end(), readoutSignal_) == curves.end()) {
         readoutSignal_ = curves.front();
     }
+    const QSet<int> shown = signalsShown();
+    showsLive_ = shown.isEmpty() || std::any_of(shown.begin(), shown.end(),
+                                                [this](int signal) { return !store_.isRecorded(signal); });
     setReadoutSignal(readoutSignal_);
     layOut();
 }
@@ -433,11 +436,11 @@ double PlotView::xAt(double time) const {
 // ---- time
 
 void PlotView::measure() {
-    // During an outage, the lane extends beyond the last sample.
+    // During an outage, the lane extends beyond the last sample. Live data do not extend a page of recordings.
     const SeriesBuffer& history = store_.live();
-    double oldest = history.firstTime();
-    double newest = std::max(history.lastTime(), lane_.endTime());
-    bool any = !history.isEmpty();
+    double oldest = showsLive_ ? history.firstTime() : 0;
+    double newest = showsLive_ ? std::max(history.lastTime(), lane_.endTime()) : 0;
+    bool any = showsLive_ && !history.isEmpty();
     for (const auto& [shown, grid] : grids_) {
         if (shown != &history && !shown->isEmpty()) {
             oldest = any ? std::min(oldest, shown->firstTime()) : shown->firstTime();
@@ -452,8 +455,8 @@ void PlotView::refresh(double seconds) {
     measure();
     sinceShown_ += seconds;
     // A paused view changes only when its oldest samples are dropped from the history.
-    if (window_.follows() && (shownEnd_ != store_.live().end() || shownNewest_ != window_.newest()) &&
-        isDue()) {
+    const bool isExtended = showsLive_ && shownEnd_ != store_.live().end();
+    if (window_.follows() && (isExtended || shownNewest_ != window_.newest()) && isDue()) {
         show(sinceShown_);
     }
 }
@@ -480,6 +483,7 @@ void PlotView::showLike(const PlotView& other, bool page) {
         setPage(other.page());
     }
     window_ = other.window_;
+    measure();
     reference_ = other.reference_;
     cursors_ = other.cursors_;
     for (const auto& pane : panes_) {
@@ -583,7 +587,7 @@ void PlotView::placeTicks() {
     // Reference of the labels. The time of day refers to midnight, so that ticks are round numbers.
     double reference = timeAxis_ == TimeAxis::Relative ? reference_
                        : timeAxis_ == TimeAxis::Controller
-                           ? window_.end() - store_.controllerTime(window_.end())
+                           ? window_.end() - store_.controllerTime(window_.end(), recordingInFront())
                            : 0;
     QDateTime midnight;
     if (timeAxis_ == TimeAxis::Clock) {
@@ -605,14 +609,14 @@ void PlotView::placeTicks() {
     const bool minutes = step >= 60 && timeAxis_ != TimeAxis::Controller;
     const double unit = minutes ? 60 : 1;
     const int digits = std::max(0, static_cast<int>(std::ceil(-std::log10(step / unit) - 1e-9)));
-    const auto label = [&](double value) {
+    const auto label = [&, recording = recordingInFront()](double value) {
         if (midnight.isValid()) {
             const QDateTime then = midnight.addMSecs(std::llround(value * 1e3));
             return then.toString(step < 1 ? QStringLiteral("HH:mm:ss.zzz") : QStringLiteral("HH:mm:ss"));
         }
         // The clock of the controller may have been restarted within the window.
         const double shown =
-            timeAxis_ == TimeAxis::Controller ? store_.controllerTime(value + reference) : value;
+            timeAxis_ == TimeAxis::Controller ? store_.controllerTime(value + reference, recording) : value;
         return format::number(shown / unit, digits) + (minutes ? tr(" min") : tr(" s"));
     };
     std::vector<AxisTick> ticks;
@@ -849,10 +853,6 @@ void PlotView::drawMarks(QPainter& painter) const {
     const double pitch = panes_.front()->area().width() + kLeft;
     const auto& all = marks_.marks();
     const QStringList recordings = recordingsShown();
-    const QSet<int> shown = signalsShown();
-    const bool isLive = recordings.isEmpty() || std::any_of(shown.begin(), shown.end(), [this](int signal) {
-                            return !store_.isRecorded(signal);
-                        });
     const auto first = std::lower_bound(all.begin(), all.end(), window_.start(),
                                         [](const PlotMark& mark, double time) { return mark.time < time; });
     for (int column = 0; column < columns_; ++column) {
@@ -865,7 +865,7 @@ void PlotView::drawMarks(QPainter& painter) const {
         painter.save();
         painter.setClipRect(curves, Qt::IntersectClip);
         for (auto mark = first; mark != all.end() && mark->time <= window_.end(); ++mark) {
-            if (mark->recording.isEmpty() ? !isLive : !recordings.contains(mark->recording)) {
+            if (mark->recording.isEmpty() ? !showsLive_ : !recordings.contains(mark->recording)) {
                 continue;
             }
             const double x = std::floor(xAt(mark->time) + column * pitch) + 0.5;

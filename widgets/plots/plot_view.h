@@ -178,7 +178,7 @@ private:
 
     void layOut();
     void build(const PageLayout& page);
-    /// Updates the time limits of the window from the history and the lane.
+    /// Updates the time limits of the window from the displayed histories and the lane.
     void measure();
     /// Updates immediately with the best scales. Call this after the user has changed the time window.
     void rewind();
@@ -225,6 +225,7 @@ private:
     Cursor active_ = Cursor::A;
     int readoutSignal_;
     std::map<const SeriesBuffer*, ColumnGrid> grids_;
+    bool showsLive_ = true;  // the page shows a live signal, or none
     std::int64_t shownEnd_ = -1;
     double shownNewest_ = 0;
     double sinceShown_ = 0;  // time since the last repaint [s]

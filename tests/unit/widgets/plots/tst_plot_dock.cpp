@@ -1698,6 +1698,85 @@ private Q_SLOTS:
         QVERIFY(near(b.view().window().end(), 61, 0.003));
     }
 
+    // The page keeps its range, its curves and its time labels, whatever the live data do.
+    void liveDataDoNotExtendAPageOfARecording_data() {
+        QTest::addColumn<int>("key");
+        QTest::newRow("as opened") << 0;
+        QTest::newRow("all data") << static_cast<int>(Qt::Key_F);
+        QTest::newRow("at the end") << static_cast<int>(Qt::Key_End);
+    }
+    void liveDataDoNotExtendAPageOfARecording() {
+        QFETCH(int, key);
+        Bench b;
+        const QTemporaryDir folder;
+        const QString name = QStringLiteral("day.csv");
+        // The recording continues after the live data, at 50 s ... 150 s.
+        b.view().setCursor(PlotView::Cursor::A, 50.0);
+        b.dock.openRecording(writeDay(folder, name));
+        QTRY_COMPARE_WITH_TIMEOUT(b.dock.pages().count(), 2, 60'000);
+        b.dock.setTimeAxis(TimeAxis::Controller);
+        if (key != 0) {
+            b.view().setFocus();
+            QTest::keyClick(&b.view(), static_cast<Qt::Key>(key));
+        }
+        const double start = b.view().window().start();
+        const double end = b.view().window().end();
+        const QStringList labels = b.view().timeLabels();
+        QCOMPARE(end, b.dock.store().timesOf(name)->lastTime());
+        QVERIFY2(labels.contains(QLatin1String("750 s")), qPrintable(labels.join('|')));
+        const auto unchanged = [&](const char* when) {
+            const TimeWindow& window = b.view().window();
+            if (window.start() == start && window.end() == end && b.view().timeLabels() == labels) {
+                return QString();
+            }
+            return QStringLiteral("%1: %2 ... %3 instead of %4 ... %5, %6")
+                .arg(QLatin1String(when))
+                .arg(window.start())
+                .arg(window.end())
+                .arg(start)
+                .arg(end)
+                .arg(b.view().timeLabels().join('|'));
+        };
+        b.runTo(65);
+        QCOMPARE(unchanged("data"), QString());
+        Q_EMIT b.session.linkBegan();
+        b.runTo(70);
+        QCOMPARE(unchanged("connected"), QString());
+        b.restartedAt = b.next;
+        b.runTo(80);
+        QCOMPARE(unchanged("controller restarted"), QString());
+        SessionState lost = running(80, false);
+        lost.link = LinkState::Lost;
+        lost.sequence = 1;
+        lost.quality.ageMs = 200e3;
+        Q_EMIT b.session.stateChanged(lost);
+        QCOMPARE(unchanged("no data"), QString());
+        b.view().setSpan(b.view().window().span());
+        b.runTo(300);
+        QCOMPARE(unchanged("later data"), QString());
+        // Nothing beyond its end can be shown, also after the live page.
+        b.view().scrollBy(1e3);
+        QCOMPARE(b.view().window().end(), end);
+        b.dock.pages().setCurrent(0);
+        b.view().follow();
+        QVERIFY(b.view().window().end() > 290);
+        b.dock.pages().setCurrent(1);
+        QCOMPARE(b.view().window().end(), end);
+        for (const auto& pane : b.view().panes()) {
+            for (const auto& curve : pane->curves()) {
+                const ColumnGrid& grid = b.view().gridOf(*b.dock.store().timesOf(name));
+                for (std::size_t i = 0; i < curve->columns().size(); ++i) {
+                    QVERIFY(curve->columns()[i].isEmpty() ||
+                            grid.start + static_cast<double>(i) * grid.width <= end);
+                }
+            }
+        }
+        // With a live signal on the page, its range includes the live data.
+        b.view().addSignals({QStringLiteral("actual_TCP_force_2")});
+        b.view().follow();
+        QVERIFY(b.view().window().end() > 290);
+    }
+
     void aTableWithoutAClearTimeIsOpenedWithTheChosenFormat() {
         Bench b;
         QTemporaryDir folder;
