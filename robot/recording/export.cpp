@@ -9,6 +9,7 @@
 #include "robot/core/atomic_file.h"
 #include "robot/recording/detail/column_knowledge.h"
 #include "robot/recording/detail/csv_notes.h"
+#include "robot/recording/detail/exported_events.h"
 #include "robot/recording/detail/ranges.h"
 #include "robot/recording/detail/restart_note.h"
 
@@ -143,39 +144,42 @@ Result<RowRange> chooseRows(const Recording& recording, const ExportChoice& choi
 
 namespace {
 
-/// Writes the notes, warnings and errors of these rows to the second file. Removes an older second file.
-Result<void> exportNotes(const Recording& recording, const RowRange& rows, const QString& path) {
-    std::string lines;
-    for (const RecordedEvent& event : recording.events()) {
-        // Skip restarts, because the reader detects them in the time stamps.
-        if (event.source == QLatin1String(kRestartSource) || !isCsvNote(event.level, event.source)) {
-            continue;
-        }
-        const auto row = recording.rowAt(std::max(event.seconds, 0.0));
-        if (!row) {
-            return row.error();
-        }
-        if (row.value() < rows.first || row.value() >= rows.first + rows.count) {
-            continue;
-        }
-        const auto start = recording.startUtcNs();
-        const std::int64_t utcNs = start ? *start + std::llround(event.seconds * 1e9) : 0;
-        lines += csvNoteLine(row.value() - rows.first, {utcNs, event.level, event.source, event.text});
+Result<void> exportNotes(const Recording& recording, const ExportChoice& choice, const RowRange& rows) {
+    const auto events = exportedEvents(recording, choice, rows);
+    if (!events) {
+        return events.error();
     }
-    const QString notes = csvNotesPath(path);
+    const auto start = recording.startUtcNs();
+    std::vector<RowNote> notes;
+    for (const auto& [row, event] : *events) {
+        // Skip restarts, because the reader detects them in the time stamps.
+        if (event.source != QLatin1String(kRestartSource)) {
+            const std::int64_t utcNs = start ? *start + std::llround(event.seconds * 1e9) : 0;
+            notes.push_back({row, {utcNs, event.level, event.source, event.text}});
+        }
+    }
+    return writeCsvNotes(choice.path, notes);
+}
+
+}  // namespace
+
+Result<void> writeCsvNotes(const Text& path, const std::vector<RowNote>& notes) {
+    std::string lines;
+    for (const RowNote& note : notes) {
+        lines +=
+            isCsvNote(note.note.level, note.note.source) ? csvNoteLine(note.row, note.note) : std::string();
+    }
     if (const Result<void> free = removeCsvNotes(path); !free) {
         return lines.empty() ? Result<void>() : free;
     }
     if (lines.empty()) {
         return {};
     }
-    AtomicFile file(notes);
+    AtomicFile file(csvNotesPath(path));
     Result<void> done = file.open();
     done = done ? file.write(csvNotesHeader() + lines) : done;
     return done ? file.commit() : done;
 }
-
-}  // namespace
 
 Result<ExportReport> exportCsv(const Recording& recording, const ExportChoice& choice,
                                const CsvStyle& style) {
@@ -269,7 +273,7 @@ Result<ExportReport> exportCsv(const Recording& recording, const ExportChoice& c
     if (const Result<void> committed = file.commit(); !committed) {
         return committed.error();
     }
-    if (const Result<void> noted = exportNotes(recording, rows.value(), choice.path); !noted) {
+    if (const Result<void> noted = exportNotes(recording, choice, rows.value()); !noted) {
         return noted.error();
     }
     return report;

@@ -12,6 +12,7 @@
 
 #include "robot/core/text.h"
 #include "robot/recording/recording.h"
+#include "robot/recording/recording_format.h"
 
 namespace tiller::recording {
 
@@ -56,6 +57,16 @@ std::string csvNumber(double value);
 std::string csvNumber(float value);
 /// The selected rows.
 Result<RowRange> chooseRows(const Recording& recording, const ExportChoice& choice);
+
+/// A note of a CSV file.
+struct RowNote {
+    std::uint64_t row = 0;  ///< number of rows before the note
+    RecordedNote note;
+};
+/// Writes the notes, warnings and errors of the CSV file `path` to a second file, "a.notes.csv" for "a.csv". Without
+/// any, removes an older second file.
+/// Errors  FileNotWritable, DiskFull
+Result<void> writeCsvNotes(const Text& path, const std::vector<RowNote>& notes);
 
 /// Writes a text file. Numbers are written as the shortest text that converts back exactly; missing values
 /// are empty cells. Notes, warnings and errors are written to a second file, "a.notes.csv" for "a.csv".

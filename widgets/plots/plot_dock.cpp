@@ -990,8 +990,17 @@ Result<void> PlotDock::exportValues(const QString& path, ExportRange range) cons
     if (range == ExportRange::BetweenCursors && a && b) {
         std::tie(from, until) = std::minmax(*a, *b);
     }
-    const Result<std::int64_t> rows =
-        exportSignals(*store_, shownInOrder(*store_, *pages_), from, until, path);
+    const std::vector<int> shownSignals = shownInOrder(*store_, *pages_);
+    const QString recording = shownSignals.empty() ? QString() : store_->recordingOf(shownSignals.front());
+    std::vector<HistoryNote> notes;
+    for (const PlotMark& mark : marks_->marks()) {
+        if (mark.recording == recording && !mark.alarm) {
+            const QDateTime moment = recording.isEmpty() ? replay_->clockAt(mark.time) : QDateTime();
+            notes.push_back(
+                {mark.time, moment.isValid() ? moment.toMSecsSinceEpoch() * kNsPerMs : 0, mark.text});
+        }
+    }
+    const Result<std::int64_t> rows = exportSignals(*store_, shownSignals, from, until, path, notes);
     return rows ? Result<void>() : Result<void>(rows.error());
 }
 

@@ -10,7 +10,9 @@
 #include <string>
 
 #include "robot/core/atomic_file.h"
+#include "robot/recording/detail/exported_events.h"
 #include "robot/recording/hdf5/detail/hdf5_handle.h"
+#include "robot/recording/hdf5/detail/hdf5_notes.h"
 #include "robot/rtde/fields.h"
 
 namespace tiller::recording {
@@ -57,7 +59,8 @@ struct Field {
 
 /// Names are from a file, so they may be duplicate, empty, or special in HDF5.
 void makeNamesUsable(std::vector<Field>& fields) {
-    std::set<std::string> used{"time", "gaps"};  // names of data sets written in addition to the fields
+    // Names written in addition to the fields.
+    std::set<std::string> used{"time", "gaps", "notes"};
     for (Field& field : fields) {
         std::string name = field.name;
         // A slash would create a group, and names consisting of dots refer to groups.
@@ -173,7 +176,11 @@ public:
         if (auto written = writeRows(); !written) {
             return written.error();
         }
-        if (!writeGaps() || !finish()) {
+        const auto events = exportedEvents(recording_, choice_, rows_);
+        if (!events) {
+            return events.error();
+        }
+        if (!writeGaps() || !writeNotes(file_.get(), *events) || !finish()) {
             return failure();
         }
         ExportReport report;

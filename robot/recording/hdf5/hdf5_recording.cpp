@@ -11,6 +11,7 @@
 #include "robot/recording/detail/ranges.h"
 #include "robot/recording/detail/time_axis.h"
 #include "robot/recording/hdf5/detail/hdf5_handle.h"
+#include "robot/recording/hdf5/detail/hdf5_notes.h"
 
 namespace tiller::recording {
 
@@ -114,7 +115,11 @@ public:
         std::vector<std::string> names;
         H5Lvisit(file_.get(), H5_INDEX_NAME, H5_ITER_INC, collectName, &names);
         std::vector<DataSet> sets;
+        const bool withNotes = hasNotes(file_.get());
         for (const std::string& name : names) {
+            if (withNotes && isOfNotes(name)) {
+                continue;
+            }
             if (isGroup(file_.get(), name)) {
                 if (isEmptyGroup(file_.get(), name)) {
                     problems_ << QStringLiteral("\"%1\" is skipped: it is empty.").arg(Text(name));
@@ -135,7 +140,18 @@ public:
             return Error{ErrorCode::FileCorrupt, path_, QStringLiteral("it contains no tables of numbers")};
         }
         readAttributes();
-        return readAxis();
+        if (const Result<void> read = readAxis(); !read) {
+            return read;
+        }
+        events_ = line_.restarts;
+        for (RecordedEvent& note : withNotes ? readNotes(file_.get()) : std::vector<RecordedEvent>()) {
+            note.seconds -= timeStart_;
+            events_.push_back(std::move(note));
+        }
+        std::stable_sort(events_.begin(), events_.end(), [](const RecordedEvent& a, const RecordedEvent& b) {
+            return a.seconds < b.seconds;
+        });
+        return {};
     }
 
     const QString& path() const override { return path_; }
@@ -143,7 +159,7 @@ public:
     const std::vector<RecordedColumn>& columns() const override { return columns_; }
     std::uint64_t rows() const override { return rows_; }
     const std::vector<RecordedGap>& gaps() const override { return gaps_; }
-    const std::vector<RecordedEvent>& events() const override { return line_.restarts; }
+    const std::vector<RecordedEvent>& events() const override { return events_; }
     double period() const override { return period_; }
     std::optional<std::size_t> timeColumn() const override {
         return isOwn_ ? Recording::timeColumn() : timeColumn_;
@@ -367,6 +383,7 @@ private:
     std::optional<std::int64_t> start_;
     std::map<std::string, std::string> facts_;
     std::vector<RecordedGap> gaps_;
+    std::vector<RecordedEvent> events_;
     QStringList problems_;
 };
 

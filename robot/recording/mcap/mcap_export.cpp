@@ -8,6 +8,7 @@
 
 #include "robot/core/atomic_file.h"
 #include "robot/core/clock.h"
+#include "robot/recording/detail/exported_events.h"
 #include "robot/recording/detail/ranges.h"
 #include "robot/recording/mcap/detail/bytes.h"
 #include "robot/recording/mcap/detail/topics.h"
@@ -95,22 +96,14 @@ public:
         return writer_.take();
     }
 
-    /// Writes the events of the exported time range and the end of the file.
-    Result<std::string> end() {
-        const auto first = rows_.count == 0 ? Result<std::vector<double>>(std::vector<double>())
-                                            : recording_.times({rows_.first, 1});
-        const auto last = rows_.count == 0 ? Result<std::vector<double>>(std::vector<double>())
-                                           : recording_.times({rows_.first + rows_.count - 1, 1});
-        if (!first || !last) {
-            return first ? last.error() : first.error();
+    /// Writes the events of the export and the end of the file.
+    Result<std::string> end(const ExportChoice& choice) {
+        const auto events = exportedEvents(recording_, choice, rows_);
+        if (!events) {
+            return events.error();
         }
         ChunkBuilder chunk;
-        const bool isWhole = rows_.first == 0 && rows_.count == recording_.rows();
-        for (const RecordedEvent& event : recording_.events()) {
-            if (!isWhole &&
-                (first->empty() || event.seconds < first->front() || event.seconds > last->front())) {
-                continue;
-            }
+        for (const auto& [row, event] : *events) {
             std::string bytes;
             const std::int64_t time = utcNsAt(event.seconds);
             writeLog({time, event.level, Text(event.source), Text(event.text)}, bytes);
@@ -191,7 +184,7 @@ Result<ExportReport> exportMcap(const Recording& recording, const ExportChoice& 
         }
         report.rows += part.count;
     }
-    if (const Result<void> written = write(exporter.end()); !written) {
+    if (const Result<void> written = write(exporter.end(choice)); !written) {
         return written.error();
     }
     if (const Result<void> committed = file.commit(); !committed) {

@@ -3,17 +3,20 @@
 
 #include <QCoreApplication>
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 
 #include "robot/core/atomic_file.h"
 #include "robot/recording/formats/export_recording.h"
+#include "robot/station/history/selected_signals.h"
 #include "robot/station/history/signal_store.h"
+#include "robot/station/link/recorded_note.h"
 
 namespace tiller {
 
 Result<std::int64_t> exportSignals(const SignalStore& store, const std::vector<int>& shown, double t0,
-                                   double t1, const QString& path) {
+                                   double t1, const QString& path, const std::vector<HistoryNote>& notes) {
     // If the context is a complete sentence, it is shown without the text of the error code.
     const auto refusal = [](const char* sentence, ErrorCode code = ErrorCode::Rejected) {
         return Error{code, QCoreApplication::translate("tiller::PlotDock", sentence), {}};
@@ -28,15 +31,27 @@ Result<std::int64_t> exportSignals(const SignalStore& store, const std::vector<i
     }
     const bool isCsv = path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive);
     if (source.isEmpty()) {
-        return isCsv ? exportCsv(store, shown, t0, t1, path)
+        return isCsv ? exportCsv(store, shown, t0, t1, path, notes)
                      : refusal(QT_TRANSLATE_NOOP("tiller::PlotDock",
                                                  "Live signals can be exported only as .csv. For "
                                                  "other formats, record the signals first."));
     }
-    const std::unique_ptr<recording::Recording> selected = store.selected(shown);
+    const std::unique_ptr<SelectedSignals> selected = store.selected(shown);
     // A cursor on a row includes the row, although its time on the plot axis is rounded.
     constexpr double kRounding = 1e-6;  // [s]
     const double begin = store.timesOf(source)->firstTime();
+    for (const HistoryNote& note : notes) {
+        const std::vector<recording::RecordedEvent>& known = store.recorded(source)->events();
+        const bool isInFile =
+            std::any_of(known.begin(), known.end(), [&](const recording::RecordedEvent& event) {
+                return event.text == note.text && std::abs(event.seconds - (note.time - begin)) < kRounding;
+            });
+        if (!isInFile) {
+            selected->add({.seconds = note.time - begin,
+                           .source = QLatin1String(recording::kNoteSource),
+                           .text = note.text});
+        }
+    }
     recording::ExportChoice choice;
     choice.path = path;
     choice.from = t0 - begin - kRounding;
@@ -63,7 +78,7 @@ Result<std::int64_t> exportSignals(const SignalStore& store, const std::vector<i
 }
 
 Result<std::int64_t> exportCsv(const SignalStore& store, const std::vector<int>& shown, double t0, double t1,
-                               const QString& path) {
+                               const QString& path, const std::vector<HistoryNote>& notes) {
     const SeriesBuffer& history = store.live();
     const std::int64_t begin = history.lowerBound(t0);
     std::int64_t end = history.lowerBound(t1);
@@ -110,6 +125,16 @@ Result<std::int64_t> exportCsv(const SignalStore& store, const std::vector<int>&
     }
     if (const Result<void> committed = file.commit(); !committed) {
         return committed.error();
+    }
+    std::vector<recording::RowNote> written;
+    for (const HistoryNote& note : notes) {
+        if (note.time >= t0 && note.time <= t1) {
+            const std::int64_t row = std::clamp(history.lowerBound(note.time), begin, end - 1) - begin;
+            written.push_back({static_cast<std::uint64_t>(row), operatorNote(note.text, note.utcNs)});
+        }
+    }
+    if (const Result<void> noted = recording::writeCsvNotes(path, written); !noted) {
+        return noted.error();
     }
     return end - begin;
 }

@@ -13,23 +13,33 @@ namespace tiller {
 
 class SignalStore;
 
+/// A note in the plots.
+struct HistoryNote {
+    double time = 0;         ///< on the plots' time axis [s]
+    std::int64_t utcNs = 0;  ///< [ns since 1970]; 0: unknown
+    QString text;
+};
+
 /// For signals of one recording, writes the rows and times of its file as .csv, .h5, .hdf5 or .mcap. For live
 /// signals, see exportCsv().
 /// t0, t1   on the plots' time axis [s]
+/// notes    of the signals' recording or of the live data; those in the range are exported, together with those in
+///          the file of the recording
 /// Returns  rows written
 /// Errors   as exportCsv() and recording::exportRecording(); Rejected if the signals have different time
 ///          axes, or if the format for live signals is not .csv
 Result<std::int64_t> exportSignals(const SignalStore& store, const std::vector<int>& shown, double t0,
-                                   double t1, const QString& path);
+                                   double t1, const QString& path,
+                                   const std::vector<HistoryNote>& notes = {});
 
 /// Writes every sample of t0 ... t1 [s] as CSV: "timestamp" of the controller, then one column per signal, named as in
 /// recordings. Rows are the samples of the standard stream. Additionally requested signals have their last
 /// valid value at that time. A value that the robot does not send is an empty cell. A lost sample is a
-/// missing row, as in recordings.
+/// missing row, as in recordings. Notes are written to a second file, as by recording::writeCsvNotes().
 /// Returns  number of rows written
 /// Errors   FileNotWritable, DiskFull; InvalidArgument if there is no sample in the range. An existing file
 ///          is unchanged after an error
 Result<std::int64_t> exportCsv(const SignalStore& store, const std::vector<int>& shown, double t0, double t1,
-                               const QString& path);
+                               const QString& path, const std::vector<HistoryNote>& notes = {});
 
 }  // namespace tiller

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "robot/station/history/selected_signals.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "robot/recording/export.h"
 
 namespace tiller {
 
 SelectedSignals::SelectedSignals(const recording::Recording& file, const std::vector<Column>& columns)
-    : file_(file) {
+    : file_(file), events_(file.events()) {
     const auto time = recording::timeColumn(file);
     columns_.push_back(time ? file.columns()[*time] : recording::RecordedColumn{"seconds", "s"});
     signals_.push_back(time ? RecordedSignal{{*time}} : RecordedSignal{});
@@ -14,6 +17,13 @@ SelectedSignals::SelectedSignals(const recording::Recording& file, const std::ve
         columns_.push_back(each.column);
         signals_.push_back(each.signal);
     }
+}
+
+void SelectedSignals::add(recording::RecordedEvent event) {
+    const auto next = std::upper_bound(
+        events_.begin(), events_.end(), event.seconds,
+        [](double seconds, const recording::RecordedEvent& one) { return seconds < one.seconds; });
+    events_.insert(next, std::move(event));
 }
 
 Result<std::vector<std::vector<double>>> SelectedSignals::read(std::span<const std::size_t> columns,

@@ -21,13 +21,15 @@ public:
     /// file     must outlive the object
     /// columns  without the time column, which is added automatically
     SelectedSignals(const recording::Recording& file, const std::vector<Column>& columns);
+    /// Adds an event that the file does not contain.
+    void add(recording::RecordedEvent event);
 
     const QString& path() const override { return file_.path(); }
     QString format() const override { return file_.format(); }
     const std::vector<recording::RecordedColumn>& columns() const override { return columns_; }
     std::uint64_t rows() const override { return file_.rows(); }
     const std::vector<recording::RecordedGap>& gaps() const override { return file_.gaps(); }
-    const std::vector<recording::RecordedEvent>& events() const override { return file_.events(); }
+    const std::vector<recording::RecordedEvent>& events() const override { return events_; }
     double period() const override { return file_.period(); }
     std::optional<std::int64_t> startUtcNs() const override { return file_.startUtcNs(); }
     const std::map<std::string, std::string>& facts() const override { return file_.facts(); }
@@ -41,6 +43,7 @@ public:
 private:
     const recording::Recording& file_;
     std::vector<recording::RecordedColumn> columns_;
+    std::vector<recording::RecordedEvent> events_;
     std::vector<RecordedSignal> signals_;  ///< one per column; the time column has no source columns
 };
 

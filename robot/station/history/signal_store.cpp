@@ -261,7 +261,7 @@ std::optional<RecordedStretch> SignalStore::stretchOf(std::span<const int> wante
     return stretch;
 }
 
-std::unique_ptr<recording::Recording> SignalStore::selected(std::span<const int> wanted) const {
+std::unique_ptr<SelectedSignals> SignalStore::selected(std::span<const int> wanted) const {
     const Table& table =
         tables_[static_cast<std::size_t>(signals_[static_cast<std::size_t>(wanted.front())].table)];
     const auto time = recording::timeColumn(*table.file);

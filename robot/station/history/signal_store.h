@@ -27,6 +27,8 @@
 
 namespace tiller {
 
+class SelectedSignals;
+
 /// Threads  GUI
 class SignalStore : public QObject {
     Q_OBJECT
@@ -104,7 +106,7 @@ public:
                                              std::int64_t end) const;
     /// Makes these signals available as a recording with the rows and times of their file. They must all
     /// belong to one recording.
-    std::unique_ptr<recording::Recording> selected(std::span<const int> wanted) const;
+    std::unique_ptr<SelectedSignals> selected(std::span<const int> wanted) const;
     /// Available fraction of a signal computed from a long recording: 0 ... 1.
     double computedPart(int signal) const { return signals_[static_cast<std::size_t>(signal)].computedPart; }
     /// Why the last want() failed: too many signals for the robot or for the memory limit.

@@ -169,7 +169,7 @@ void TestOthersRead::h5pyReadsHdf5() {
         "text(f['actual_q'].attrs['unit']),\n"
         "  'mode': str(f['robot_mode'].dtype), 'gaps': f['gaps'][:].tolist(), 'model': "
         "text(f.attrs['model']),\n"
-        "  'time': f['time'][-1]}))\n";
+        "  'time': f['time'][-1], 'note': text(f['notes/text'][0]), 'noted': f['notes/time'][0]}))\n";
     QString complaint;
     const QJsonObject found = answerOf("/usr/bin/python3", {"-c", script, path("a.h5")}, complaint);
     QVERIFY2(!found.isEmpty(), qPrintable(complaint));
@@ -183,6 +183,8 @@ void TestOthersRead::h5pyReadsHdf5() {
     QCOMPARE(found["gaps"][0][0].toInt(), int(kGap));
     QCOMPARE(found["gaps"][0][1].toInt(), 5);
     QVERIFY(std::abs(found["time"].toDouble() - (kRows - 1) * 0.002) < 1e-6);
+    QCOMPARE(found["note"].toString(), QStringLiteral("half way"));
+    QVERIFY(std::abs(found["noted"].toDouble() - kRows / 2 * 0.002) < 1e-6);
 }
 
 void TestOthersRead::octaveReadsCsv() {

@@ -84,6 +84,25 @@ void TestHdf5::exportedDataAreReadBack() {
     }
     QCOMPARE(back->times({0, kRows}).value(), source->times({0, kRows}).value());
     QCOMPARE(back->rowAt(1.0).value(), std::uint64_t(500));
+    // The notes, also of a part of the recording, and of the part of a part.
+    const auto noteIn = [&](const Recording& recording, double from, double until, const char* name) {
+        const QString to = path(name);
+        const auto exported = exportHdf5(recording, {.path = to, .from = from, .until = until});
+        const auto part = exported ? openRecording(to) : Result<std::unique_ptr<Recording>>(exported.error());
+        QStringList found(part ? part.value()->problems() : QStringList(part.error().toString()));
+        for (const RecordedEvent& event : part ? part.value()->events() : std::vector<RecordedEvent>()) {
+            found << QStringLiteral("%1 %2 %3 %4")
+                         .arg(event.seconds, 0, 'f', 3)
+                         .arg(event.level)
+                         .arg(event.source, event.text);
+        }
+        return found.join(QStringLiteral(", "));
+    };
+    QCOMPARE(noteIn(*source, 0, 1e9, "whole.h5"), QString("1.000 30 operator half way"));
+    QCOMPARE(noteIn(*source, 0.5, 1.2, "part.h5"), QString("0.500 30 operator half way"));
+    QCOMPARE(noteIn(*openRecording(path("part.h5")).value(), 0.4, 0.6, "again.h5"),
+             QString("0.100 30 operator half way"));
+    QCOMPARE(noteIn(*source, 1.1, 1.2, "without.h5"), QString());
 }
 
 void TestHdf5::anyColumnNameCanBeWritten() {

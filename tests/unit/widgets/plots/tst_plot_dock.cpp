@@ -31,6 +31,8 @@
 #include <array>
 #include <cmath>
 
+#include "robot/recording/formats/open_recording.h"
+#include "robot/recording/recording_format.h"
 #include "robot/station/history/history_export.h"
 #include "robot/station/history/plot_marks.h"
 #include "robot/station/history/signal_store.h"
@@ -1589,6 +1591,74 @@ private Q_SLOTS:
         QVERIFY(dock.exportTo(folder.filePath("all.h5")));
         QVERIFY(dock.exportTo(folder.filePath("all.mcap")));
         QVERIFY(dock.exportTo(folder.filePath("all.png")));
+    }
+
+    // Notes of the file, and notes added in the window.
+    void exportsTheNotesOfTheRange_data() {
+        QTest::addColumn<QString>("suffix");
+        QTest::newRow("CSV") << QStringLiteral("csv");
+        QTest::newRow("MCAP") << QStringLiteral("mcap");
+        QTest::newRow("HDF5") << QStringLiteral("h5");
+    }
+    void exportsTheNotesOfTheRange() {
+        QFETCH(QString, suffix);
+        const QTemporaryDir folder;
+        Bench b;
+        const QString path = writeDay(folder, QStringLiteral("day.csv"));
+        QFile notes(folder.filePath("day.notes.csv"));
+        QVERIFY(notes.open(QIODevice::WriteOnly));
+        notes.write(
+            "row,utc,level,source,text\n1000,,20,note,early\n3000,,20,note,\"in the file, \"\"A\"\"\"\n"
+            "4500,,30,robot,warning\n9000,,20,note,late\n");
+        notes.close();
+        b.dock.openRecording(path);
+        QTRY_COMPARE_WITH_TIMEOUT(b.dock.pages().count(), 2, 60'000);
+        const double begin = b.dock.store().timesOf(QStringLiteral("day.csv"))->firstTime();
+        b.dock.addNote(begin + 40, QStringLiteral("in the window ü"));
+        b.dock.addNote(begin + 70, QStringLiteral("afterwards"));
+        b.view().setCursor(PlotView::Cursor::A, begin + 20);
+        b.view().setCursor(PlotView::Cursor::B, begin + 50);
+        const auto notesIn = [&](const char* name, PlotDock::ExportRange range) {
+            const QString file = folder.filePath(QLatin1String(name) + '.' + suffix);
+            if (!b.dock.exportTo(file, range)) {
+                return QStringLiteral("not exported");
+            }
+            const auto back = recording::openRecording(file);
+            QStringList found(back ? (*back)->problems() : QStringList("not readable"));
+            for (const recording::RecordedEvent& event :
+                 back ? (*back)->events() : std::vector<recording::RecordedEvent>()) {
+                found << QStringLiteral("%1 %2 %3 %4")
+                             .arg(std::lround(event.seconds))
+                             .arg(event.level)
+                             .arg(event.source, event.text);
+            }
+            return found.join(QStringLiteral(" | "));
+        };
+        QCOMPARE(notesIn("part", PlotDock::ExportRange::BetweenCursors),
+                 QString("10 20 note in the file, \"A\" | 20 20 note in the window ü | 25 30 robot warning"));
+        QCOMPARE(notesIn("all", PlotDock::ExportRange::Visible),
+                 QString("10 20 note early | 30 20 note in the file, \"A\" | 40 20 note in the window ü | "
+                         "45 30 robot warning | 70 20 note afterwards | 90 20 note late"));
+    }
+
+    void exportsTheNotesOfLiveData() {
+        const QTemporaryDir folder;
+        Bench b;
+        const QString path = folder.filePath("live.csv");
+        b.dock.addNote(20, QStringLiteral("before"));
+        b.dock.addNote(45, QStringLiteral("slipped"));
+        b.view().setCursor(PlotView::Cursor::A, 40.0);
+        b.view().setCursor(PlotView::Cursor::B, 50.0);
+        QVERIFY(b.dock.exportTo(path, PlotDock::ExportRange::BetweenCursors));
+        const auto back = recording::openRecording(path).value();
+        QCOMPARE(back->events().size(), std::size_t(1));
+        QCOMPARE(back->events()[0].text, QString("slipped"));
+        QCOMPARE(back->events()[0].source, QString(recording::kNoteSource));
+        QVERIFY(near(back->events()[0].seconds, 5, 0.003));
+        // An export without notes leaves none of an earlier export.
+        b.view().setCursor(PlotView::Cursor::A, 46.0);
+        QVERIFY(b.dock.exportTo(path, PlotDock::ExportRange::BetweenCursors));
+        QVERIFY(recording::openRecording(path).value()->events().empty());
     }
 
     void recordingsInOnePlotAreDistinguishable() {
