@@ -85,23 +85,23 @@ class TestLink(unittest.TestCase):
     def test_outputs_are_confirmed_whatever_fields_are_followed(self):
         robot = self.robot(fields=["actual_q"])
         robot.outputs.set_digital(1, True, LIMIT)
-        self.assertEqual(self.simulator.truth["digital_outputs"], 2)
+        self.assertEqual(self.simulator.truth.digital_outputs, 2)
         robot.outputs.set_speed_slider(0.5, LIMIT)
         robot.outputs.set_voltage(0, 5.0, LIMIT)
         self.assertEqual(robot.state.fields(), ["timestamp", "actual_q"])
 
     def test_modes_are_unknown_when_the_link_is_lost(self):
         robot = self.robot().take_control(LIMIT)
-        self.assertEqual((robot.status["safety_mode"], robot.state.safety_mode), ("NORMAL", "NORMAL"))
+        self.assertEqual((robot.status.safety_mode, robot.state.safety_mode), ("NORMAL", "NORMAL"))
         self.simulator.stop()
         end = time.monotonic() + LIMIT
-        while robot.state.safety_mode == "NORMAL" or robot.status["safety_mode"] == "NORMAL":
+        while robot.state.safety_mode == "NORMAL" or robot.status.safety_mode == "NORMAL":
             self.assertLess(time.monotonic(), end)
             time.sleep(0.01)
         self.assertFalse(robot.in_control)
-        self.assertFalse(robot.status["fresh"])
-        self.assertEqual((robot.state.robot_mode, robot.status["robot_mode"]), ("DISCONNECTED", "DISCONNECTED"))
-        self.assertEqual((robot.state.safety_mode, robot.status["safety_mode"]), ("UNDEFINED_SAFETY_MODE",) * 2)
+        self.assertFalse(robot.status.fresh)
+        self.assertEqual((robot.state.robot_mode, robot.status.robot_mode), ("DISCONNECTED", "DISCONNECTED"))
+        self.assertEqual((robot.state.safety_mode, robot.status.safety_mode), ("UNDEFINED_SAFETY_MODE",) * 2)
         self.assertEqual(robot.state.runtime_state, "STOPPED")
         self.assertEqual(robot.state["safety_mode"], 1.0)  # the packet is unchanged
 
@@ -119,7 +119,7 @@ class TestLink(unittest.TestCase):
         robot.recover(tiller.Consent(power_on=True, release_brakes=True), LIMIT, steps.append)
         self.assertEqual(steps[0], "Look")
         self.assertEqual(steps[-1], "Done")
-        self.assertEqual(self.simulator.truth["robot_mode"], "RUNNING")
+        self.assertEqual(self.simulator.truth.robot_mode, "RUNNING")
 
 
 class TestTables(unittest.TestCase):

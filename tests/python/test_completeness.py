@@ -6,6 +6,7 @@ import re
 import unittest
 
 import tiller
+from tiller import modes
 
 ROBOT = pathlib.Path(os.environ["TILLER_SOURCE"], "robot")
 HEADERS = {"control/controller.h": ("Controller",), "control/motions.h": ("Motions",),
@@ -124,6 +125,30 @@ class TestCompleteness(unittest.TestCase):
                     self.assertTrue(getattr(getattr(tiller, name), function).__doc__ or function.startswith("__"))
                     count += 1
         self.assertGreater(count, 80)
+
+    def test_the_enumerations_have_the_names_of_the_library(self):
+        """The names are those of C++, or the spelling of the controller; the numbers are those of RTDE."""
+        for header, name in (("motion_types.h", "StopCause"), ("control_status.h", "ControlLoss"),
+                             ("control_status.h", "LimiterKind")):
+            text = (ROBOT / "control" / header).read_text(encoding="utf-8")
+            body = re.search(rf"^enum class {name} : [\w:]+ {{(.*?)^}};", text, re.S | re.M)[1]
+            with self.subTest(name):
+                self.assertEqual([str(one) for one in getattr(tiller, name)],
+                                 re.findall(r"^    (\w+)(?:,| =)", body, re.M))
+        header = (ROBOT / "core" / "modes.h").read_text(encoding="utf-8")
+        source = (ROBOT / "core" / "modes.cpp").read_text(encoding="utf-8")
+        lists = (ROBOT / "core" / "mode_lists.h").read_text(encoding="utf-8")
+        for table, name, numbers in (("kRobotModes", "RobotMode", modes.ROBOT_MODES),
+                                     ("kSafetyModes", "SafetyMode", modes.SAFETY_MODES),
+                                     ("kRuntimeStates", "RuntimeState", modes.RUNTIME_STATES)):
+            rows = re.search(rf"{table} = .*?{{(.*?)}}\);", source, re.S)[1]
+            expected = {}
+            for value, text in re.findall(r'{(?:\w+::)?(\w+), "(\w+)"}', rows):
+                number = re.search(rf"^    {value} = (-?\d+),", header, re.M) or re.search(rf"{value} = .*?\((\d+)\)", lists)
+                expected[int(number[1])] = text
+            with self.subTest(name):
+                self.assertEqual({number: str(mode) for number, mode in numbers.items()}, expected)
+                self.assertEqual(list(getattr(tiller, name)), list(numbers.values()))
 
     def test_calls_that_move_the_arm_are_in_the_table_of_ends(self):
         """Every Python call that starts a motion must have a row in ENDS.md."""

@@ -62,7 +62,7 @@ until(lambda: abs(robot.state.qd[0]) > 0.02)
 robot = connected()
 seen = []
 def turn(cycle):
-    seen.append(cycle["cycle"])
+    seen.append(cycle.cycle)
     return [0.2, 0, 0, 0, 0, 0]
 threading.Thread(target=lambda: robot.packet_loop("speed_j", turn), daemon=True).start()
 until(lambda: len(seen) > 10)
@@ -103,12 +103,12 @@ sys.exit(3)
 """, 3, ""),
     "sys_exit_in_a_callback": ("""
 robot = connected()
-robot.packet_loop("speed_j", lambda cycle: sys.exit(4) if cycle["cycle"] > 20 else [0.2, 0, 0, 0, 0, 0])
+robot.packet_loop("speed_j", lambda cycle: sys.exit(4) if cycle.cycle > 20 else [0.2, 0, 0, 0, 0, 0])
 """, 4, ""),
     "an_exception_in_a_callback": ("""
 robot = connected()
 def fail(cycle):
-    if cycle["cycle"] > 20:
+    if cycle.cycle > 20:
         1 / 0
     return [0.2, 0, 0, 0, 0, 0]
 try:
@@ -204,7 +204,7 @@ until(lambda: recording.rows > 50)
 robot = connected()
 begin(robot)
 def watch():
-    until(lambda: not robot.status["moving"])
+    until(lambda: not robot.status.moving)
     print("at standstill", flush=True)
 threading.Thread(target=watch).start()
 sys.stderr = open(os.devnull, "w")
@@ -216,7 +216,7 @@ begin(robot)
 threading.excepthook = lambda arguments, earlier=threading.excepthook: (setattr(sys, "stderr", open(os.devnull, "w")),
                                                                         earlier(arguments))
 threading.Thread(target=lambda: 1 / 0).start()
-until(lambda: not robot.status["moving"])
+until(lambda: not robot.status.moving)
 """, 0, ""),
     "a_notebook_cell_that_fails_brakes": ("""
 import builtins, types
@@ -227,9 +227,9 @@ robot = connected()
 begin(robot)
 hooks["post_run_cell"](types.SimpleNamespace(success=True))
 time.sleep(0.2)
-print(robot.status["moving"], flush=True)
+print(robot.status.moving, flush=True)
 hooks["post_run_cell"](types.SimpleNamespace(success=False))
-until(lambda: not robot.status["moving"])
+until(lambda: not robot.status.moving)
 """, 0, "True"),
     "ctrl_c_brakes_a_move_without_its_handle": ("""
 robot = connected()
@@ -242,7 +242,7 @@ time.sleep(30)
 
 
 def at_standstill(simulator):
-    return float(np.abs(simulator.truth["qd"]).max()) < 1e-3
+    return float(np.abs(simulator.truth.qd).max()) < 1e-3
 
 
 class TestExits(unittest.TestCase):
@@ -290,11 +290,11 @@ class TestExits(unittest.TestCase):
         end = time.monotonic() + HANG
         while not at_standstill(self.simulator) and time.monotonic() < end:
             time.sleep(0.01)
-        q = self.simulator.truth["q"]
-        then = self.simulator.truth["timestamp"]
-        while self.simulator.truth["timestamp"] < then + 0.1:
+        q = self.simulator.truth.q
+        then = self.simulator.truth.timestamp
+        while self.simulator.truth.timestamp < then + 0.1:
             time.sleep(0.01)
-        self.assertLess(float(np.abs(self.simulator.truth["q"] - q).max()), 1e-3)
+        self.assertLess(float(np.abs(self.simulator.truth.q - q).max()), 1e-3)
 
 
 def test_of(name):

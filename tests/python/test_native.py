@@ -27,7 +27,7 @@ SOFT = {"compliant": [False, False, True, False, False, False], "wrench": [0.0] 
 
 
 def stands(simulator):
-    return float(np.abs(simulator.truth["qd"]).max()) < 1e-3
+    return float(np.abs(simulator.truth.qd).max()) < 1e-3
 
 
 def until(condition):
@@ -55,9 +55,9 @@ class VirtualCase(unittest.TestCase):
         """Verifies that the arm stops within the 250 ms of robot time in the jog contract and does not move again."""
         self.simulator.step(0.25)
         self.assertTrue(stands(self.simulator))
-        q = self.simulator.truth["q"]
+        q = self.simulator.truth.q
         self.simulator.step(0.5)
-        self.assertLess(float(np.abs(self.simulator.truth["q"] - q).max()), 1e-3)
+        self.assertLess(float(np.abs(self.simulator.truth.q - q).max()), 1e-3)
 
 
 class TestHandles(VirtualCase):
@@ -91,7 +91,7 @@ class TestReceive(VirtualCase):
     def test_samples_are_arrays_with_names(self):
         sample = self.robot.state
         self.assertEqual(sample.q.shape, (6,))
-        self.assertLess(float(np.abs(sample.q - self.simulator.truth["q"]).max()), 1e-3)
+        self.assertLess(float(np.abs(sample.q - self.simulator.truth.q).max()), 1e-3)
         self.assertEqual(sample.robot_mode, "RUNNING")
         self.assertEqual(sample.safety_mode, "NORMAL")
         self.assertIsInstance(sample["timestamp"], float)
@@ -285,11 +285,11 @@ class TestMotion(VirtualCase):
         move.wait(PATIENCE)
         self.assertEqual(move.cause, "Completed")
         self.assertEqual(move.progress.fraction, 1.0)
-        self.assertLess(float(np.abs(self.simulator.truth["q"] - target).max()), 1e-3)
+        self.assertLess(float(np.abs(self.simulator.truth.q - target).max()), 1e-3)
         pose = self.robot.state.tcp_pose
         pose[2] += 0.05
         self.robot.move_l(pose, 0.1).wait(PATIENCE)
-        self.assertLess(float(np.abs(self.simulator.truth["tcp_pose"][:3] - pose[:3]).max()), 1e-3)
+        self.assertLess(float(np.abs(self.simulator.truth.tcp_pose[:3] - pose[:3]).max()), 1e-3)
         pose[2] -= 0.05
         self.robot.move_j_to_pose(pose).wait(PATIENCE)
         path = [tiller.PathMove(self.robot.state.q + [0, 0, 0, 0, 0, x]) for x in (0.1, 0.2)]
@@ -340,7 +340,7 @@ class TestMotion(VirtualCase):
         self.robot.move_j(target)
         gc.collect()
         self.simulator.step(3.0)
-        self.assertLess(float(np.abs(self.simulator.truth["q"] - target).max()), 1e-3)
+        self.assertLess(float(np.abs(self.simulator.truth.q - target).max()), 1e-3)
 
     def test_stop_ends_a_move_without_a_handle(self):
         for stop in (self.robot.stop, self.robot.release):
@@ -445,7 +445,7 @@ class TestMotion(VirtualCase):
 
     def in_force_mode(self):
         self.simulator.step(0.02)  # the status is only as new as the latest packet
-        return self.robot.status["force_mode"]
+        return self.robot.status.force_mode
 
     def test_force_mode_starts_at_the_call(self):
         mode = self.robot.force_mode(**SOFT, timeout=PATIENCE)
@@ -465,9 +465,9 @@ class TestMotion(VirtualCase):
 
         def sinks():
             self.simulator.step(0.3)
-            before = self.simulator.truth["tcp_pose"][2]
+            before = self.simulator.truth.tcp_pose[2]
             self.simulator.step(0.3)
-            return before - self.simulator.truth["tcp_pose"][2] > 1e-4
+            return before - self.simulator.truth.tcp_pose[2] > 1e-4
 
         with self.robot.force_mode(**down, timeout=PATIENCE):
             self.assertTrue(sinks())
@@ -513,12 +513,12 @@ class TestMotion(VirtualCase):
 
     def test_a_refreshed_jog_keeps_its_frame_and_its_contact_force(self):
         quarter = [0, 0, 0, 0, 0, math.pi / 2]  # the X axis of this frame is Y of the base
-        start = self.simulator.truth["tcp_pose"]
+        start = self.simulator.truth.tcp_pose
         with self.robot.jog([0.05, 0, 0, 0, 0, 0], "custom", custom_frame=quarter, contact_force=60) as jog:
             for _ in range(20):
                 self.assertTrue(jog.refresh([0.05, 0, 0, 0, 0, 0]))
                 self.simulator.step(0.02)
-            way = self.simulator.truth["tcp_pose"] - start
+            way = self.simulator.truth.tcp_pose - start
             self.assertGreater(way[1], 0.005)
             self.assertLess(abs(way[0]), 0.001)
             self.simulator.press_hand([0, 150, 0, 0, 0, 0])
@@ -562,14 +562,14 @@ class TestMotion(VirtualCase):
         near = start.tcp_pose + [0, 0, 0.05, 0, 0, 0]
         for place in (list(near), np.array(near), near):
             self.robot.move_path([tiller.PathMove(place, kind="l", speed=0.2)], PATIENCE).wait(PATIENCE)
-            self.assertLess(float(np.abs(self.simulator.truth["tcp_pose"] - near).max()), 1e-3)
+            self.assertLess(float(np.abs(self.simulator.truth.tcp_pose - near).max()), 1e-3)
             self.robot.move_path([tiller.PathMove(list(start.q))], PATIENCE).wait(PATIENCE)
-            self.assertLess(float(np.abs(self.simulator.truth["q"] - start.q).max()), 1e-3)
+            self.assertLess(float(np.abs(self.simulator.truth.q - start.q).max()), 1e-3)
         there = self.robot.inverse_kinematics(near, start.q, PATIENCE)
         for move in (tiller.PathMove(near), tiller.PathMove(list(near), pose=True), tiller.PathMove(there, kind="l"),
                      tiller.PathMove(list(there), kind="l", pose=False)):
             self.robot.move_path([move], PATIENCE).wait(PATIENCE)
-            self.assertLess(float(np.abs(self.simulator.truth["tcp_pose"] - near).max()), 1e-3)
+            self.assertLess(float(np.abs(self.simulator.truth.tcp_pose - near).max()), 1e-3)
             self.robot.move_path([tiller.PathMove(list(start.q))], PATIENCE).wait(PATIENCE)
         for wrong in ({"target": near, "pose": False}, {"target": start.q, "pose": True}, {"target": [0.1] * 5},
                       {"target": start.q, "kind": "c", "pose": False, "via": near}, {"target": start.q, "pose": 1}):
@@ -587,8 +587,8 @@ class TestMotion(VirtualCase):
                      lambda: self.robot.move_l_to_joints(pose), lambda: self.robot.servo_j().send(pose),
                      lambda: self.robot.servo_l().send(q), lambda: self.robot.set_tcp(q), lambda: arm.forward(pose),
                      lambda: self.robot.forward_kinematics(pose), lambda: self.robot.inverse_kinematics(q),
-                     lambda: self.robot.packet_loop("servo_l", lambda cycle: cycle["q"], timeout=PATIENCE),
-                     lambda: self.robot.packet_loop("servo_j", lambda cycle: cycle["tcp_pose"], timeout=PATIENCE)):
+                     lambda: self.robot.packet_loop("servo_l", lambda cycle: cycle.q, timeout=PATIENCE),
+                     lambda: self.robot.packet_loop("servo_j", lambda cycle: cycle.tcp_pose, timeout=PATIENCE)):
             with self.subTest(call), self.assertRaisesRegex(errors.InvalidArgument, "expected"):
                 call()
         self.simulator.step(0.5)
@@ -600,9 +600,9 @@ class TestMotion(VirtualCase):
         up += [0, 0, 0.05, 0, 0, 0]
         up[2] -= 0.02
         self.robot.move_l(up).wait(PATIENCE)
-        self.assertLess(float(np.abs(self.simulator.truth["tcp_pose"] - up).max()), 1e-3)
+        self.assertLess(float(np.abs(self.simulator.truth.tcp_pose - up).max()), 1e-3)
         self.robot.move_l_to_joints(q).wait(PATIENCE)
-        self.assertLess(float(np.abs(self.simulator.truth["q"] - q).max()), 1e-3)
+        self.assertLess(float(np.abs(self.simulator.truth.q - q).max()), 1e-3)
 
     def test_defaults_respect_the_speed_cap(self):
         self.robot.speed_cap = 0.1
@@ -630,8 +630,8 @@ class TestMotion(VirtualCase):
             for _ in range(300):
                 stream.send(target)
                 self.simulator.step(0.004)
-                self.assertLess(abs(float(self.simulator.truth["tcp_speed"][2])), 0.11)
-        self.assertLess(float(np.abs(self.simulator.truth["tcp_pose"] - target).max()), 1e-3)
+                self.assertLess(abs(float(self.simulator.truth.tcp_speed[2])), 0.11)
+        self.assertLess(float(np.abs(self.simulator.truth.tcp_pose - target).max()), 1e-3)
         self.assert_brakes()
 
     def test_queries_are_answered_by_the_robot(self):
@@ -691,12 +691,12 @@ class TestMotion(VirtualCase):
 
     def test_pulses_are_timed_by_the_robot(self):
         self.robot.pulses.begin(0b101, 0b001, 0.2, timeout=TIMEOUT)
-        self.assertEqual(self.simulator.truth["digital_outputs"] & 0b101, 0b001)
+        self.assertEqual(self.simulator.truth.digital_outputs & 0b101, 0b001)
         self.simulator.step(0.3)
-        self.assertEqual(self.simulator.truth["digital_outputs"] & 0b101, 0b100)
+        self.assertEqual(self.simulator.truth.digital_outputs & 0b101, 0b100)
         self.robot.pulses.begin(1, 1, 10.0, held=False, timeout=TIMEOUT)
         self.robot.pulses.end(1, TIMEOUT)
-        self.assertEqual(self.simulator.truth["digital_outputs"] & 1, 0)
+        self.assertEqual(self.simulator.truth.digital_outputs & 1, 0)
         with self.assertRaises((errors.InvalidArgument, errors.LimitExceeded)):
             self.robot.pulses.begin(1, 1, 4000.0, timeout=TIMEOUT)
 
@@ -705,10 +705,10 @@ class TestMotion(VirtualCase):
         seen = []
 
         def circle(cycle):
-            seen.append(cycle["cycle"])
-            if cycle["time"] > 1.0:
+            seen.append(cycle.cycle)
+            if cycle.time > 1.0:
                 return None
-            return q + [0, 0, 0, 0, 0, 0.05 * math.sin(cycle["time"])]
+            return q + [0, 0, 0, 0, 0, 0.05 * math.sin(cycle.time)]
 
         report = self.robot.packet_loop("servo_j", circle, timeout=PATIENCE)
         self.assertEqual(report.cycles, len(seen))
@@ -723,9 +723,9 @@ class TestMotion(VirtualCase):
         packets = []
 
         def hold(cycle):
-            packets.append(cycle["packet"])
-            self.assertEqual(list(cycle["packet"].q), list(cycle["q"]))
-            return None if cycle["cycle"] == 5 else [0.0] * 6
+            packets.append(cycle.packet)
+            self.assertEqual(list(cycle.packet.q), list(cycle.q))
+            return None if cycle.cycle == 5 else [0.0] * 6
 
         robot.packet_loop("speed_j", hold, timeout=TIMEOUT)
         self.assertEqual(len({packet.time for packet in packets}), 6)
@@ -738,7 +738,7 @@ class TestMotion(VirtualCase):
 
     def test_an_exception_in_a_packet_loop_brakes(self):
         def callback(cycle):
-            if cycle["time"] > 0.3:
+            if cycle.time > 0.3:
                 raise ValueError("mine")
             return [0.3, 0, 0, 0, 0, 0]
 
@@ -776,11 +776,11 @@ class TestMotion(VirtualCase):
                 refused.append(error)
 
         def callback(cycle):
-            if cycle["cycle"] == 10:
+            if cycle.cycle == 10:
                 thread = threading.Thread(target=other)
                 thread.start()
                 thread.join()
-            return None if cycle["time"] > 0.3 else [0.1, 0, 0, 0, 0, 0]
+            return None if cycle.time > 0.3 else [0.1, 0, 0, 0, 0, 0]
 
         report = self.robot.packet_loop("speed_j", callback, timeout=PATIENCE)
         self.assertEqual(len(refused), 1)
@@ -793,7 +793,7 @@ class TestMotion(VirtualCase):
                 self.robot.run_function(body, timeout=PATIENCE)
         self.robot.run_function('# the end\nif True:\n  textmsg("end")\nend\nset_standard_digital_out(3, True)\nsync()',
                                 timeout=PATIENCE).wait(PATIENCE)
-        self.assertTrue(self.simulator.truth["digital_outputs"] & 8)
+        self.assertTrue(self.simulator.truth.digital_outputs & 8)
 
     def test_queries_settings_and_functions(self):
         pose = self.robot.forward_kinematics(self.robot.state.q, PATIENCE)
@@ -802,7 +802,7 @@ class TestMotion(VirtualCase):
         self.robot.set_payload(0.5, [0, 0, 0.02], PATIENCE)
         self.robot.set_tcp([0, 0, 0.1, 0, 0, 0], PATIENCE)
         self.robot.run_function("set_standard_digital_out(2, True)\nsync()", timeout=PATIENCE).wait(PATIENCE)
-        self.assertTrue(self.simulator.truth["digital_outputs"] & 4)
+        self.assertTrue(self.simulator.truth.digital_outputs & 4)
         with self.assertRaises(errors.ScriptError):
             self.robot.run_function("b = = 2", timeout=PATIENCE)
 
@@ -820,10 +820,10 @@ class TestTorque(VirtualCase):
             for _ in range(30):
                 stream.send([8, 0, 0, 0, 0, 0])
                 self.simulator.step(0.004)
-            self.assertGreater(self.simulator.truth["qd"][0], 0.05)
+            self.assertGreater(self.simulator.truth.qd[0], 0.05)
             self.assertTrue(stream.active)
         self.assert_brakes()
-        self.assertGreater(self.simulator.truth["q"][0], q[0])
+        self.assertGreater(self.simulator.truth.q[0], q[0])
         self.assertEqual(stream.cause, "ApiCall")
 
     def test_torques_end_at_the_speed_cap(self):
@@ -847,12 +847,12 @@ class TestTorque(VirtualCase):
 
     def test_packet_loops_send_torques(self):
         def steady(cycle):
-            return None if cycle["time"] > 0.3 else [40 * (0.2 - cycle["qd"][0]), 0, 0, 0, 0, 0]
+            return None if cycle.time > 0.3 else [40 * (0.2 - cycle.qd[0]), 0, 0, 0, 0, 0]
 
         q = self.robot.state.q
         self.robot.packet_loop("torque", steady, timeout=PATIENCE)
         self.assert_brakes()
-        self.assertGreater(self.simulator.truth["q"][0] - q[0], 0.01)
+        self.assertGreater(self.simulator.truth.q[0] - q[0], 0.01)
 
 
 class TestNoTorque(VirtualCase):
@@ -868,9 +868,9 @@ class TestNoTorque(VirtualCase):
 class TestServices(VirtualCase):
     def test_outputs_are_confirmed(self):
         self.robot.outputs.set_digital(3, True, PATIENCE)
-        self.assertTrue(self.simulator.truth["digital_outputs"] & 8)
+        self.assertTrue(self.simulator.truth.digital_outputs & 8)
         self.robot.outputs.set_speed_slider(0.5, PATIENCE)
-        self.assertEqual(self.simulator.truth["speed_slider"], 0.5)
+        self.assertEqual(self.simulator.truth.speed_slider, 0.5)
 
     def test_recovery_needs_consent(self):
         self.simulator.fault("protective-stop")
@@ -960,9 +960,9 @@ class TestSlowLoops(unittest.TestCase):
         cycles = []
 
         def callback(cycle):
-            cycles.append(dict(cycle))
+            cycles.append(cycle)
             work()
-            return None if cycle["time"] > 1.0 else [0] * 6
+            return None if cycle.time > 1.0 else [0] * 6
 
         with tiller.Simulator() as simulator, simulator.robot(timeout=PATIENCE) as robot:
             robot.take_control(PATIENCE)
@@ -975,10 +975,10 @@ class TestSlowLoops(unittest.TestCase):
 
     def check(self, cycles, report):
         for cycle in cycles:
-            self.assertTrue(not cycle["fresh"] or cycle["age"] <= 2 * cycle["period"], cycle)
+            self.assertTrue(not cycle.fresh or cycle.age <= 2 * cycle.period, cycle)
         if report is not None:
             # Calls must not fall behind the robot, so the age of the samples must not increase.
-            ages = sorted(cycle["age"] for cycle in cycles)
+            ages = sorted(cycle.age for cycle in cycles)
             self.assertLess(ages[len(ages) // 2], 0.02)
             self.assertGreater(report.missed, 0)
             self.assertGreater(report.overruns, 0)
@@ -1024,10 +1024,10 @@ class TestEnds(unittest.TestCase):
                 process.send_signal(how)
                 process.wait(PATIENCE)
                 self.assertTrue(until(lambda: stands(simulator)))
-                q = simulator.truth["q"]
-                then = simulator.truth["timestamp"]
-                self.assertTrue(until(lambda: simulator.truth["timestamp"] > then + 0.5))
-                self.assertLess(float(np.abs(simulator.truth["q"] - q).max()), 1e-2)
+                q = simulator.truth.q
+                then = simulator.truth.timestamp
+                self.assertTrue(until(lambda: simulator.truth.timestamp > then + 0.5))
+                self.assertLess(float(np.abs(simulator.truth.q - q).max()), 1e-2)
             finally:
                 process.kill()
                 process.wait()
@@ -1047,8 +1047,8 @@ class TestEnds(unittest.TestCase):
                 self.assertEqual(process.stdout.readline().strip(), "moving")
                 self.assertTrue(until(lambda: not stands(simulator)))
                 process.send_signal(signal.SIGSTOP)
-                then = simulator.truth["timestamp"]
-                self.assertTrue(until(lambda: simulator.truth["timestamp"] > then + 0.5))
+                then = simulator.truth.timestamp
+                self.assertTrue(until(lambda: simulator.truth.timestamp > then + 0.5))
                 self.assertFalse(stands(simulator))
                 process.send_signal(signal.SIGCONT)
                 self.assertEqual(process.stdout.readline().strip(), "Completed")

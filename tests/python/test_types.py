@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Type checkers must accept the stubs, the package, and a program that uses both. Checkers that are not installed are
 skipped."""
+import ast
 import os
 import shutil
 import subprocess
@@ -11,6 +12,8 @@ import unittest
 MODULES = ("rtde_control", "rtde_receive", "rtde_io", "dashboard_client", "script_client", "robotiq_gripper")
 EXAMPLES = os.path.join(os.environ["TILLER_SOURCE"], "robot", "examples", "python")
 PROGRAM = '''
+from __future__ import annotations
+
 import numpy as np
 import tiller
 from dashboard_client import DashboardClient
@@ -34,6 +37,20 @@ with tiller.Simulator(virtual=True) as simulator, simulator.robot() as robot:
     robot.take_control().move_l(pose).wait(timeout=5.0)
     for sample in robot.samples():
         print(sample.q.mean(), sample.time + 1.0)
+
+
+def target(cycle: tiller.Cycle) -> list[float] | None:
+    return None if cycle.time > 1.0 else [0.1 * cycle.q[0], *cycle.packet.tcp_force[1:]]
+
+
+async def watch(robot: tiller.Robot) -> tiller.SafetyMode:
+    async for sample in robot.samples():
+        if sample.robot_mode is tiller.RobotMode.IDLE:
+            break
+    loss: tiller.ControlLoss = robot.status.loss
+    report = robot.packet_loop("speed_j", target)
+    print(loss.value, report.cycles + robot.link.packets)
+    return (await robot.until(lambda sample: sample.digital_input(1))).safety_mode
 '''
 WRONG = '''
 import tiller
@@ -42,6 +59,9 @@ from rtde_control import RTDEControlInterface
 RTDEControlInterface(7)
 RTDEControlInterface("127.0.0.1").moveJ("up")
 tiller.Kinematics("UR5e").forward(None)
+tiller.Robot("127.0.0.1").jog([0.0] * 6, frame="bse")
+tiller.Robot("127.0.0.1").packet_loop("servoj", lambda cycle: cycle.q)
+print(tiller.Robot("127.0.0.1").status["moving"])
 '''
 
 
@@ -112,7 +132,7 @@ class TestTypes(unittest.TestCase):
     def test_mypy_finds_type_errors(self):
         code, text = self.mypy(self.write(WRONG))
         self.assertNotEqual(code, 0)
-        self.assertIn("Found 3 errors", text)
+        self.assertIn("Found 6 errors", text)
 
     def test_pyright_agrees(self):
         self.write(PROGRAM)
@@ -123,8 +143,28 @@ class TestTypes(unittest.TestCase):
         self.write(WRONG)
         code, text = self.pyright()
         self.assertNotEqual(code, 0)
-        for line in (5, 6, 7):
+        for line in range(5, 11):
             self.assertIn(f"program.py:{line}:", text)
+
+    def test_the_stub_of_the_native_module_is_complete(self):
+        from tiller import _native
+
+        with open(os.path.join(self.modules, "tiller", "_native.pyi"), encoding="utf-8") as file:
+            stub = ast.parse(file.read())
+        classes = {node.name: node for node in stub.body if isinstance(node, ast.ClassDef)}
+
+        def methods(name):
+            own = {node.name for node in classes[name].body if isinstance(node, ast.FunctionDef)}
+            return own.union(*(methods(base.id) for base in classes[name].bases))
+
+        public = {name: member for name, member in vars(_native).items() if not name.startswith("_")}
+        types = {name for name, member in public.items() if isinstance(member, type)}
+        self.assertEqual({name for name in classes if not name.startswith("_")}, types)
+        self.assertEqual({node.name for node in stub.body if isinstance(node, ast.FunctionDef)}, set(public) - types)
+        for name in types:
+            with self.subTest(name):
+                actual = {method for method in dir(public[name]) if not method.startswith("_")}
+                self.assertEqual(methods(name) - {"__init__"}, actual)
 
     def test_packages_declare_that_they_are_typed(self):
         self.assertTrue(os.path.exists(os.path.join(self.modules, "tiller", "py.typed")))

@@ -10,7 +10,7 @@ with tiller.Robot(sys.argv[1]) as robot:
     centre = robot.state.tcp_pose - [0.03, 0, 0, 0, 0, 0]
 
     def circle(cycle):
-        angle = math.pi * cycle["time"]
+        angle = math.pi * cycle.time
         if angle > 2 * math.pi:
             return None  # ends the loop, and the arm stops
         return centre + [0.03 * math.cos(angle), 0.03 * math.sin(angle), 0, 0, 0, 0]

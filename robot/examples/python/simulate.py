@@ -12,4 +12,4 @@ with tiller.Simulator("UR10e", virtual=True) as simulator, simulator.robot() as 
     except tiller.Error as error:
         print(error)
     simulator.step(0.2)
-    print(robot.state.safety_mode, simulator.truth["qd"].round(3))
+    print(robot.state.safety_mode, simulator.truth.qd.round(3))

@@ -19,12 +19,15 @@ from .arm import JointLimits, Pulses, Queries, Tool
 from .doctor import examine
 from .errors import Error
 from .kinematics import Kinematics
+from .modes import ControlLoss, LimiterKind, RobotMode, RuntimeState, SafetyMode, StopCause
 from .motions import ForceMode, Jog, Move, PathMove, Plan, Progress, Stream
-from .receive import Recording, Sample, Samples, read_recording
-from .robot import LoopReport, Robot
+from .receive import Condition, Recording, Sample, Samples, read_recording
+from .robot import ControlStatus, Cycle, LinkCounters, LoopReport, Robot
 from .services import Consent, Dashboard, Outputs, Registers, Service
-from .simulator import Simulator
+from .simulator import SimulatedState, Simulator
 
-__all__ = ["Consent", "Dashboard", "Error", "ForceMode", "Jog", "JointLimits", "Joints", "Kinematics", "LoopReport", "Move",
-           "Outputs", "PathMove", "Plan", "Pose", "Progress", "Pulses", "Queries", "Recording", "Registers", "Robot", "Sample",
-           "Samples", "Service", "Simulator", "Stream", "Tool", "__version__", "doctor", "errors", "examine", "kinematics", "read_recording"]
+__all__ = ["Condition", "Consent", "ControlLoss", "ControlStatus", "Cycle", "Dashboard", "Error", "ForceMode", "Jog",
+           "JointLimits", "Joints", "Kinematics", "LimiterKind", "LinkCounters", "LoopReport", "Move", "Outputs", "PathMove",
+           "Plan", "Pose", "Progress", "Pulses", "Queries", "Recording", "Registers", "Robot", "RobotMode", "RuntimeState",
+           "SafetyMode", "Sample", "Samples", "Service", "SimulatedState", "Simulator", "StopCause", "Stream", "Tool",
+           "__version__", "doctor", "errors", "examine", "kinematics", "read_recording"]

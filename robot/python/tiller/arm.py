@@ -172,7 +172,7 @@ class Queries(_Part):
             return self._native.freedrive_status(timeout)
 
     def start_contact_detection(self, direction: Floats = ZEROS, timeout: float | None = TIMEOUT) -> None:
-        """Starts contact detection: a contact ends the current motion with the cause "Contact". direction: in the base
+        """Starts contact detection: a contact ends the current motion with the cause CONTACT. direction: in the base
         frame; zeros: direction of the tool motion."""
         vector = floats(direction, "direction")
         with self._waiting():

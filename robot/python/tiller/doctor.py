@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Literal
 
 from . import _native
 from ._arguments import checked_call
+
+
+Verdict = Literal["good", "attention", "bad", "skipped"]
 
 
 @dataclass(frozen=True)
@@ -14,7 +18,7 @@ class Finding:
 
     condition: str  #: stable name, e.g. "address", "port.rtde", "registers.upper"
     title: str
-    verdict: str  #: "good", "attention", "bad", "skipped"
+    verdict: Verdict
     cause: str  #: stable name, e.g. "port.rtde.refused"; empty if good or skipped
     detail: str  #: observed value
     fix: str  #: suggested action; empty if none
@@ -24,7 +28,7 @@ class Report(list[Finding]):
     """Findings in the order of their dependencies; str() returns one line per finding."""
 
     @property
-    def verdict(self) -> str:
+    def verdict(self) -> Literal["good", "attention", "bad"]:
         """"bad" if any finding is bad, otherwise "attention" if any finding needs attention, otherwise "good"."""
         verdicts = {finding.verdict for finding in self}
         return "bad" if "bad" in verdicts else "attention" if "attention" in verdicts else "good"

@@ -8,12 +8,13 @@ from collections.abc import Callable, Generator
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from types import TracebackType
-from typing import Any, Union
+from typing import Any, Literal, Union
 
 from . import _native
 from ._arguments import checked
 from ._values import Floats, Joints, Pose, floats, joint_positions, one_of, pose_numbers
 from .errors import Error, InvalidArgument
+from .modes import LimiterKind, StopCause
 
 Waiting = Callable[[], AbstractContextManager[Any]]
 
@@ -30,7 +31,7 @@ class Progress:
     """
 
     active: bool  #: accepted and not ended
-    cause: str  #: cause of the end, e.g. "Completed", "ApiCall", "LinkLost"; "None" while active
+    cause: StopCause  #: cause of the end, e.g. COMPLETED, API_CALL, LINK_LOST; NONE while active
     fraction: float  #: completed fraction of the path, 0 ... 1; 0 for motions without a known end
     waypoint: int  #: of a path: current target, counted from 1
     waypoints: int  #: of a path: number of targets
@@ -44,13 +45,13 @@ class Plan:
     """Values computed at the start of a move. The speed slider and the robot's own limits may reduce the speed further.
 
     duration: from standstill to standstill, with the speed slider at 100 % [s]. speed: move_j: of the leading joint
-    [rad/s]; move_l: of the TCP [m/s]. limiter: the limit that reduces the requested speed: "TcpSpeed" or "ElbowSpeed"
-    (the speed cap), "RotationSpeed"; "None": no limit. scale: factor applied to the requested speed, 0 ... 1.
+    [rad/s]; move_l: of the TCP [m/s]. limiter: the limit that reduces the requested speed: TCP_SPEED or ELBOW_SPEED
+    (the speed cap), ROTATION_SPEED; NONE: no limit. scale: factor applied to the requested speed, 0 ... 1.
     """
 
     duration: float  #: from standstill to standstill, with the speed slider at 100 % [s]
     speed: float  #: move_j: of the leading joint [rad/s]; move_l: of the TCP [m/s]
-    limiter: str  #: limit that reduces the requested speed: "TcpSpeed", "ElbowSpeed", "RotationSpeed"; "None"
+    limiter: LimiterKind  #: limit that reduces the requested speed: TCP_SPEED, ELBOW_SPEED, ROTATION_SPEED; NONE
     scale: float  #: factor applied to the requested speed, 0 ... 1
 
 
@@ -107,26 +108,31 @@ class Move:
         return self._native.is_active()
 
     @property
-    def cause(self) -> str:
-        """The cause of the end; "None" while the motion is active.
+    def cause(self) -> StopCause:
+        """The cause of the end; NONE while the motion is active. `move.cause == "Completed"` is also possible.
 
-        "Completed"; "ApiCall" (cancelled, or its `with` block ended); "Superseded" (by a newer command);
-        "EventLoopStalled" (not refreshed in time); "LimitReached"; "Contact"; "Unreachable" or "TargetTooFar" (a target
-        of a stream); "UnsafeMode" (e.g. a protective stop); "ControlLost" (the control program ended or was paused);
-        "LinkLost"; "DataStale" (the robot's data arrived too late).
+        COMPLETED; API_CALL (cancelled, or its `with` block ended); SUPERSEDED (by a newer command); EVENT_LOOP_STALLED
+        (not refreshed in time); LIMIT_REACHED; CONTACT; UNREACHABLE or TARGET_TOO_FAR (a target of a stream);
+        UNSAFE_MODE (e.g. a protective stop); CONTROL_LOST (the control program ended or was paused); LINK_LOST;
+        DATA_STALE (the robot's data arrived too late; wait() raises LinkLost with the measured times).
         """
-        return self._native.cause()
+        return StopCause(self._native.cause())
 
     @property
     def progress(self) -> Progress:
         """Progress of the motion."""
-        return Progress(**self._native.progress())
+        values = self._native.progress()
+        values["cause"] = StopCause(values["cause"])
+        return Progress(**values)
 
     @property
     def plan(self) -> Plan | None:
         """Duration of the move and the limit that slows it down; None for paths and motions without a known end."""
-        plan = self._native.plan()
-        return None if plan is None else Plan(**plan)
+        values = self._native.plan()
+        if values is None:
+            return None
+        values["limiter"] = LimiterKind(values["limiter"])
+        return Plan(**values)
 
     def __repr__(self) -> str:
         state = "active" if self.active else f"ended: {self.cause}"
@@ -187,9 +193,9 @@ class Stream:
         return self._native.is_active()
 
     @property
-    def cause(self) -> str:
-        """The cause of the end; "None" while it is active."""
-        return self._native.cause()
+    def cause(self) -> StopCause:
+        """The cause of the end; NONE while it is active."""
+        return StopCause(self._native.cause())
 
     def __enter__(self) -> Stream:
         return self
@@ -199,7 +205,7 @@ class Stream:
         _leave(self._native, self._waiting, error)
 
     def __repr__(self) -> str:
-        return f"<tiller.Stream, {'active' if self.active else 'ended: ' + self.cause}>"
+        return f"<tiller.Stream, {'active' if self.active else f'ended: {self.cause}'}>"
 
 
 @checked
@@ -234,9 +240,9 @@ class Jog:
         return self._native.is_active()
 
     @property
-    def cause(self) -> str:
-        """The cause of the end, like Move.cause; "None" while it is active. "EventLoopStalled": not refreshed in time."""
-        return self._native.cause()
+    def cause(self) -> StopCause:
+        """The cause of the end, like Move.cause; NONE while it is active. EVENT_LOOP_STALLED: not refreshed in time."""
+        return StopCause(self._native.cause())
 
     def __enter__(self) -> Jog:
         return self
@@ -246,7 +252,7 @@ class Jog:
         _leave(self._native, self._waiting, error)
 
     def __repr__(self) -> str:
-        return f"<tiller.Jog, {'active' if self.active else 'ended: ' + self.cause}>"
+        return f"<tiller.Jog, {'active' if self.active else f'ended: {self.cause}'}>"
 
 
 class ForceMode:
@@ -299,7 +305,8 @@ class ForceMode:
                 raise
 
 
-PATH_KINDS = ("j", "l", "p", "c")
+PathKind = Literal["j", "l", "p", "c"]
+PATH_KINDS: tuple[PathKind, ...] = ("j", "l", "p", "c")
 
 
 @dataclass(frozen=True)
@@ -313,7 +320,7 @@ class PathMove:
     """
 
     target: Floats
-    kind: str = "j"  #: "j": joint space, "l": line, "p": line at constant speed, "c": arc through `via`
+    kind: PathKind = "j"  #: "j": joint space, "l": line, "p": line at constant speed, "c": arc through `via`
     pose: bool | None = None  #: target and via are poses; None: depends on their class or on the kind
     via: Floats | None = None  #: "c": a point on the arc (orientation ignored)
     speed: float | None = None  #: "j" [rad/s], others [m/s]; None: 1.05 and 0.25, or the speed cap if lower

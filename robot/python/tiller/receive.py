@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""Data of the robot: samples with named fields, arrays, and recordings."""
+"""Data of the robot: samples with named fields, arrays, conditions, and recordings."""
 from __future__ import annotations
 
+import asyncio
 import os
-from collections.abc import Callable, Iterator
+import time
+from collections.abc import AsyncIterator, Callable, Generator, Iterator
 from contextlib import AbstractContextManager
 from types import TracebackType
 from typing import TYPE_CHECKING, Any, Literal
@@ -13,17 +15,11 @@ import numpy as np
 from . import _native
 from ._arguments import checked
 from ._values import Array, Joints, Pose, one_of
-from .errors import NotConnected
+from .errors import NotConnected, Timeout
+from .modes import ROBOT_MODES, RUNTIME_STATES, SAFETY_MODES, RobotMode, RuntimeState, SafetyMode
 
 if TYPE_CHECKING:
     import pandas
-
-ROBOT_MODES = {-1: "NO_CONTROLLER", 0: "DISCONNECTED", 1: "CONFIRM_SAFETY", 2: "BOOTING", 3: "POWER_OFF", 4: "POWER_ON",
-               5: "IDLE", 6: "BACKDRIVE", 7: "RUNNING", 8: "UPDATING_FIRMWARE"}
-SAFETY_MODES = {1: "NORMAL", 2: "REDUCED", 3: "PROTECTIVE_STOP", 4: "RECOVERY", 5: "SAFEGUARD_STOP",
-                6: "SYSTEM_EMERGENCY_STOP", 7: "ROBOT_EMERGENCY_STOP", 8: "VIOLATION", 9: "FAULT",
-                10: "VALIDATE_JOINT_ID", 11: "UNDEFINED_SAFETY_MODE"}
-RUNTIME_STATES = {0: "STOPPING", 1: "STOPPED", 2: "PLAYING", 3: "PAUSING", 4: "PAUSED", 5: "RESUMING"}
 
 Layout = dict[str, tuple[int, int]]
 _TYPES: dict[str, Any] = {"actual_q": Joints, "target_q": Joints, "actual_TCP_pose": Pose, "target_TCP_pose": Pose}
@@ -78,9 +74,10 @@ class Sample:
         place = self._layout.get(field)
         return float("nan") if place is None else float(self.values[place[0]])
 
-    def _name(self, field: str, names: dict[int, str], unknown: str) -> str:
+    def _code(self, field: str) -> int | None:
+        """The number of a mode; None if unknown."""
         value = self._number(field)
-        return unknown if np.isnan(value) or not self._connected else names.get(int(value), f"UNKNOWN_{int(value)}")
+        return None if np.isnan(value) or not self._connected else int(value)
 
     @property
     def time(self) -> float:
@@ -128,19 +125,23 @@ class Sample:
         return self._number("target_speed_fraction")
 
     @property
-    def robot_mode(self) -> str:
-        """Robot mode in the controller's spelling, e.g. "RUNNING"; "DISCONNECTED" if unknown."""
-        return self._name("robot_mode", ROBOT_MODES, "DISCONNECTED")
+    def robot_mode(self) -> RobotMode:
+        """Robot mode, e.g. RUNNING; DISCONNECTED if unknown."""
+        code = self._code("robot_mode")
+        return RobotMode.DISCONNECTED if code is None else ROBOT_MODES.get(code) or RobotMode(f"UNKNOWN_{code}")
 
     @property
-    def safety_mode(self) -> str:
-        """Safety mode in the controller's spelling, e.g. "NORMAL"; "UNDEFINED_SAFETY_MODE" if unknown."""
-        return self._name("safety_mode", SAFETY_MODES, "UNDEFINED_SAFETY_MODE")
+    def safety_mode(self) -> SafetyMode:
+        """Safety mode, e.g. NORMAL; UNDEFINED_SAFETY_MODE if unknown."""
+        code = self._code("safety_mode")
+        return SafetyMode.UNDEFINED_SAFETY_MODE if code is None else (SAFETY_MODES.get(code) or
+                                                                     SafetyMode(f"UNKNOWN_{code}"))
 
     @property
-    def runtime_state(self) -> str:
-        """Runtime state in the controller's spelling, e.g. "PLAYING"; "STOPPED" if unknown."""
-        return self._name("runtime_state", RUNTIME_STATES, "STOPPED")
+    def runtime_state(self) -> RuntimeState:
+        """Runtime state, e.g. PLAYING; STOPPED if unknown."""
+        code = self._code("runtime_state")
+        return RuntimeState.STOPPED if code is None else RUNTIME_STATES.get(code) or RuntimeState(f"UNKNOWN_{code}")
 
     def digital_input(self, number: int) -> bool | None:
         """One digital input: 0-7 standard, 8-15 configurable, 16-17 tool; None if unknown. Raises InvalidArgument for
@@ -161,9 +162,15 @@ class Sample:
         return f"<tiller.Sample {self.sequence}, t = {self.time:.3f} s, q = {np.round(self.q, 4).tolist()}>"
 
 
+#: A stream is considered interrupted if no packet arrives for this time [s].
+SILENT = 2.5
+#: Time between two checks for data in a coroutine [s]. A Subscription cannot wake up an event loop.
+_POLL = 0.001
+
+
 @checked
-class Samples(Iterator[Sample]):
-    """Iterates over all packets from now on: `for sample in robot.samples():`.
+class Samples(Iterator[Sample], AsyncIterator[Sample]):
+    """Iterates over all packets from now on: `for sample in robot.samples():`, in a coroutine `async for`.
 
     A slow reader loses the oldest packets, which are counted in `lost`; the buffer holds 8 s at 500 Hz. Ends when the
     robot is closed.
@@ -180,14 +187,51 @@ class Samples(Iterator[Sample]):
         return self
 
     def __next__(self) -> Sample:
+        try:
+            return self._next(self._timeout)
+        except NotConnected:
+            raise StopIteration from None
+
+    def __aiter__(self) -> Samples:
+        return self
+
+    async def __anext__(self) -> Sample:
+        try:
+            return await self._next_async()
+        except NotConnected:
+            raise StopAsyncIteration from None
+
+    def _next(self, timeout: float | None) -> Sample:
+        """Waits for the next packet, timeout [s]. Raises Timeout, NotConnected (the robot was closed)."""
         parts = self._native.try_next()
         if parts is None:
-            try:
-                with self._waiting():
-                    parts = self._native.next(self._timeout)
-            except NotConnected:
-                raise StopIteration from None
+            with self._waiting():
+                parts = self._native.next(timeout)
         return Sample(parts, self._layout)
+
+    async def _next_async(self) -> Sample:
+        """Like _next(), without blocking the event loop. Also runs the other tasks if a packet is already available."""
+        await asyncio.sleep(0)
+        parts = self._native.try_next()
+        if parts is None:
+            with self._waiting():
+                parts = await self._arrival()
+        return Sample(parts, self._layout)
+
+    async def _arrival(self) -> _native.SampleParts:
+        end = float("inf") if self._timeout is None else time.monotonic() + self._timeout
+        while True:
+            # The last attempt raises Timeout. Attempts in between notice that the robot was closed.
+            for _ in range(50):
+                await asyncio.sleep(_POLL)
+                parts = self._native.try_next()
+                if parts is not None:
+                    return parts
+            try:
+                return self._native.next(0.0)
+            except Timeout:
+                if time.monotonic() > end:
+                    raise
 
     @property
     def lost(self) -> int:
@@ -198,6 +242,42 @@ class Samples(Iterator[Sample]):
     def pending(self) -> int:
         """Packets not yet read."""
         return self._native.pending()
+
+
+class Condition:
+    """A condition on the robot's data, see Robot.until(). `condition.wait()` or `await condition` returns the first
+    sample that meets it. Every packet since Robot.until() is checked, so short events are not missed."""
+
+    def __init__(self, samples: Samples, newest: Sample, test: Callable[[Sample], Any]) -> None:
+        self._samples = samples
+        self._given: Sample | None = newest
+        self._test = test
+
+    def _met(self, sample: Sample) -> bool:
+        """Checks a sample. One that meets the condition is kept for the next call."""
+        met = bool(self._test(sample))
+        self._given = sample if met else None
+        return met
+
+    def wait(self, timeout: float | None = None) -> Sample:
+        """Waits, timeout [s]; None: no limit. Raises Timeout, also if no packet arrives for 2.5 s; NotConnected; errors
+        of the condition."""
+        end = float("inf") if timeout is None else time.monotonic() + timeout
+        while True:
+            left = end - time.monotonic()
+            sample = self._given or self._samples._next(min(SILENT, max(left, 0.0)))
+            if self._met(sample):
+                return sample
+            if left < 0:
+                raise Timeout("wait for a condition", f"not met within {timeout} s")
+
+    def __await__(self) -> Generator[Any, None, Sample]:
+        return self._wait_async().__await__()
+
+    async def _wait_async(self) -> Sample:
+        while not self._met(sample := self._given or await self._samples._next_async()):
+            pass
+        return sample
 
 
 class Recording:

@@ -11,25 +11,28 @@ import sys
 import threading
 import time
 import weakref
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from types import TracebackType
-from typing import Any
+from typing import Any, Literal
 
 from . import _native, arm, services, simulator as simulators
 from ._arguments import checked
-from ._values import ZEROS, Floats, Joints, Pose, floats, joint_positions, one_of, pose_numbers
+from ._values import ZEROS, Array, Floats, Joints, Pose, floats, joint_positions, one_of, pose_numbers
 from .errors import Error, NotConnected, RegisterInUse
+from .modes import ControlLoss, LimiterKind, RobotMode, SafetyMode, StopCause
 from .motions import ForceMode, Jog, Move, PathMove, Stream
-from .receive import Layout, Recording, Sample, Samples
+from .receive import SILENT, Condition, Layout, Recording, Sample, Samples
 from .simulator import Simulator
 
 # Reported states of the outputs, received in addition to the requested fields.
 _CONFIRMING = ("actual_digital_output_bits", "target_speed_fraction", "analog_io_types", "standard_analog_output0",
                "standard_analog_output1")
-JOG_FRAMES = ("base", "tool", "custom", "joints")
-_LOOP_TARGETS: dict[str, tuple[Callable[[Floats, str], list[float]], str]] = {
+JogFrame = Literal["base", "tool", "custom", "joints"]
+JOG_FRAMES: tuple[JogFrame, ...] = ("base", "tool", "custom", "joints")
+LoopKind = Literal["servo_j", "servo_l", "speed_j", "speed_l", "torque"]
+_LOOP_TARGETS: dict[LoopKind, tuple[Callable[[Floats, str], list[float]], str]] = {
     "servo_j": (joint_positions, "joint positions"), "servo_l": (pose_numbers, "a pose"), "speed_j": (floats, "joint speeds"),
     "speed_l": (floats, "a tool speed"), "torque": (floats, "joint torques")}
 
@@ -115,6 +118,59 @@ class LoopReport:
     longest_call: float  #: [s]
     longest_wait: float = 0.0  #: for the interpreter lock [s]
     fast_wake_ups: bool = False  #: the system kept its processors out of deep sleep
+
+
+@dataclass
+class Cycle:
+    """Argument of the callback of packet_loop()."""
+
+    cycle: int  #: number of the call, from 0
+    time: float  #: since the start of the loop [s]
+    period: float  #: control period [s]
+    age: float  #: age of the values at the start of the call, from the robot's timestamps [s]
+    fresh: bool  #: False: the packet did not arrive and the values are the previous ones, or age exceeds two periods
+    missed: int  #: periods without a call since the start
+    q: Joints  #: actual joint positions [rad]
+    qd: Array  #: actual joint velocities [rad/s]
+    tcp_pose: Pose  #: actual pose of the TCP in the base frame [m, rad]
+    tcp_speed: Array  #: actual speed of the TCP in the base frame [m/s, rad/s]
+    speed_fraction: float  #: the speed slider, 0 ... 1
+    speed_scaling: float  #: reduction by the controller's own limits, 0 ... 1
+    packet: Sample  #: all values of this packet, such as its tcp_force and the fields=[...] of the Robot
+
+
+@dataclass(frozen=True)
+class ControlStatus:
+    """The state of control."""
+
+    in_control: bool  #: motions can be commanded
+    loss: ControlLoss  #: why not in control
+    fresh: bool  #: False: no data for 100 ms, so the modes are unknown and the other values are outdated
+    robot_mode: RobotMode
+    safety_mode: SafetyMode
+    moving: bool  #: measured from the received data
+    force_mode: bool  #: force mode is permitted, and active if a client has started it
+    executing: bool  #: the robot has confirmed the execution of the active motion
+    limiter: LimiterKind  #: limit that reduces the speed
+    limiter_joint: int  #: limiting joint 0-5; -1: no joint
+    limiter_scale: float  #: factor applied to the requested speed, 0 ... 1
+    last_cause: StopCause  #: cause of the end of the last motion
+    last_stop_ms: float  #: measured duration of the last stop [ms]
+    last_stop_mm: float  #: measured distance of the last stop [mm]
+    round_trip_ms: float  #: from a command to its echo [ms]; 0: not known yet
+    speed_fraction: float  #: the speed slider, 0 ... 1
+    speed_scaling: float  #: reduction by the controller's own limits, 0 ... 1
+
+
+@dataclass(frozen=True)
+class LinkCounters:
+    """Packets received since the start of the connection."""
+
+    packets: int
+    late: int  #: packets more than half a period late
+    lost: int
+    reconnects: int
+    rate: float  #: [packets/s]
 
 
 @checked
@@ -247,13 +303,24 @@ class Robot:
         with self._waiting():
             return Sample(self._receiver.wait_for_data(timeout), self._layout)
 
-    def samples(self, timeout: float | None = 2.5) -> Samples:
-        """Returns every packet once, from now on: `for sample in robot.samples():`. timeout: for each packet [s];
-        raises Timeout.
+    def samples(self, timeout: float | None = SILENT) -> Samples:
+        """Returns every packet once, from now on: `for sample in robot.samples():`, in a coroutine `async for`. timeout:
+        for each packet [s]; raises Timeout.
 
         At 500 Hz this costs a few percent of a CPU core.
         """
         return Samples(self._receiver.subscribe(), self._layout, timeout, self._waiting)
+
+    def until(self, condition: Callable[[Sample], Any]) -> Condition:
+        """Waits for a condition on the data, which is a function of a sample:
+
+            robot.until(lambda sample: sample.digital_input(3)).wait(timeout=10)
+            sample = await robot.until(lambda sample: sample.tcp_force[2] > 20)
+
+        Checks the newest packet and then every packet. Waiting does not affect motions.
+        """
+        samples = self.samples()
+        return Condition(samples, self.state, condition)
 
     def snapshot(self, *fields: str) -> tuple[Any, ...]:
         """Returns several fields of one packet: `q, pose = robot.snapshot("actual_q", "actual_TCP_pose")`."""
@@ -278,9 +345,9 @@ class Robot:
         return self._receiver.version()
 
     @property
-    def link(self) -> Mapping[str, Any]:
-        """A dict with the numbers of packets, late and lost packets and reconnects, and the rate [Hz]."""
-        return self._receiver.counters()
+    def link(self) -> LinkCounters:
+        """Numbers of packets, late and lost packets and reconnects, and the rate."""
+        return LinkCounters(**self._receiver.counters())
 
     # ---- control
 
@@ -322,12 +389,13 @@ class Robot:
         return links is not None and bool(links[1].status()["in_control"])
 
     @property
-    def status(self) -> Mapping[str, Any]:
-        """The state of control as a dict: "in_control", "loss" (why not in control), "fresh" (False: no data for 100 ms,
-        so the modes are unknown and the other values are outdated), "moving", "executing", "limiter" (the limit that
-        reduces the speed), "last_cause" (of the end of the last motion, as Move.cause), "last_stop_ms" and
-        "last_stop_mm", "round_trip_ms", "robot_mode", "safety_mode", "speed_fraction", "speed_scaling" and more."""
-        return self._controller.status()
+    def status(self) -> ControlStatus:
+        """The state of control."""
+        values = self._controller.status()
+        for name, kind in (("loss", ControlLoss), ("robot_mode", RobotMode), ("safety_mode", SafetyMode),
+                           ("limiter", LimiterKind), ("last_cause", StopCause)):
+            values[name] = kind(values[name])
+        return ControlStatus(**values)
 
     @property
     def speed_cap(self) -> float:
@@ -462,7 +530,7 @@ class Robot:
         """Starts a stream of joint torques [Nm], one per cycle, without gravity, which the controller compensates.
 
         viscous_scale, coulomb_scale: friction compensation per joint, 0 ... 1; None: settings of the controller. Until
-        the first torques are sent the arm holds its position. The stream ends with the cause "LimitReached" if TCP or
+        the first torques are sent the arm holds its position. The stream ends with the cause LIMIT_REACHED if TCP or
         elbow exceed the speed cap, because a torque stream cannot be slowed down. At its end, the arm is first
         decelerated by torques for 0.1 s at most. Raises VersionUnsupported before PolyScope 5.25.1 and 10.12.1; send()
         raises LimitExceeded for torques above the limits of the joints.
@@ -471,7 +539,7 @@ class Robot:
         coulomb = None if coulomb_scale is None else floats(coulomb_scale, "coulomb_scale")
         return Stream(self._controller.torque(viscous, coulomb), self._handle_waits, floats)
 
-    def jog(self, velocity: Floats, frame: str = "base", *, custom_frame: Floats = ZEROS,
+    def jog(self, velocity: Floats, frame: JogFrame = "base", *, custom_frame: Floats = ZEROS,
             contact_force: float = 0.0) -> Jog:
         """Jogs with a tool velocity [m/s, rad/s], or with joint velocities [rad/s] in frame "joints".
 
@@ -484,7 +552,8 @@ class Robot:
         native = self._controller.jog(frame, floats(velocity, "velocity"), axes, contact_force)
         return Jog(native, frame, axes, contact_force, self._handle_waits)
 
-    def jog_while(self, callback: Callable[[Sample], Floats | None], frame: str = "base", period: float = 0.02) -> None:
+    def jog_while(self, callback: Callable[[Sample], Floats | None], frame: JogFrame = "base",
+                  period: float = 0.02) -> None:
         """Jogs with the velocity returned by the callback, which is called every `period` [s] until it returns None.
 
         An exception in the callback stops the arm and is raised here. Each call takes about 50 us and needs the
@@ -497,18 +566,14 @@ class Robot:
             while (velocity := callback(self.state)) is not None and jog.refresh(velocity):
                 time.sleep(period)
 
-    def packet_loop(self, kind: str, callback: Callable[[Mapping[str, Any]], Floats | None], *,
+    def packet_loop(self, kind: LoopKind, callback: Callable[[Cycle], Floats | None], *,
                     timeout: float | None = None, at_once: bool = False) -> LoopReport:
         """Calls the callback once per packet, synchronized with the robot; its result is sent in the answer to the same
         packet. None ends the loop: the arm stops, which may take about 0.1 s longer than this call. Use this for
         targets with precise timing; servo_j() and similar functions are for targets at irregular times.
 
         kind: "servo_j" (joint positions [rad]), "servo_l" (TCP poses [m, rad]), "speed_j" [rad/s], "speed_l" [m/s,
-        rad/s] or "torque" [Nm]. The callback receives a dict: cycle (from 0), time since the start of the loop [s],
-        period [s], age (of the values at the start of the call, from the robot's timestamps [s]), fresh (False: the
-        packet did not arrive and the values are those of the previous one, or age exceeds two periods), missed (periods
-        without a call since the start), q, qd, tcp_pose, tcp_speed, speed_fraction, speed_scaling, and packet: a Sample
-        with every value of this packet, such as its tcp_force and the fields=[...] of the Robot. timeout: of the whole
+        rad/s] or "torque" [Nm]. The callback receives a Cycle with the time, the values of the packet and their age. timeout: of the whole
         loop [s]; raises Timeout. at_once: send each target as soon as possible instead of at regular intervals.
         Each call takes about 30 us in addition to the callback, and waits for the interpreter: other Python threads
         hold it for up to 5 ms at a time (sys.setswitchinterval). After a call longer than a period, the next call gets
@@ -520,11 +585,11 @@ class Robot:
         one_of(kind, "kind", _LOOP_TARGETS)
         check, meaning = _LOOP_TARGETS[kind]
 
-        def checked(cycle: dict[str, Any], layout: Layout) -> list[float] | None:
-            cycle["packet"] = Sample(cycle["packet"], layout)
-            cycle["q"] = cycle["q"].view(Joints)
-            cycle["tcp_pose"] = cycle["tcp_pose"].view(Pose)
-            target = callback(cycle)
+        def checked(values: dict[str, Any], layout: Layout) -> list[float] | None:
+            values["packet"] = Sample(values["packet"], layout)
+            values["q"] = values["q"].view(Joints)
+            values["tcp_pose"] = values["tcp_pose"].view(Pose)
+            target = callback(Cycle(**values))
             return None if target is None else check(target, f"the callback's target ({meaning})")
 
         with self._waiting():

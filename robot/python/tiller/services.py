@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal
 
 from . import _native
 from ._arguments import checked
@@ -73,7 +73,7 @@ class Registers:
 class Service:
     """Values that RTDE does not report."""
 
-    kind: str  #: "Dashboard" or "RobotApi"
+    kind: Literal["Dashboard", "RobotApi"]
     remote_control: bool | None  #: None if the software does not report it
     operational_mode: str  #: "MANUAL", "AUTOMATIC"; empty: not set or not reported
     program: str  #: loaded program; empty: none or not reported

@@ -7,12 +7,14 @@ import itertools
 import os
 import weakref
 from collections.abc import Iterator
+from dataclasses import dataclass
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
 from . import _native
 from ._arguments import checked
-from ._values import Floats, floats, joint_positions, one_of
+from ._values import Array, Floats, Joints, Pose, floats, joint_positions, one_of
+from .modes import RobotMode, RuntimeState, SafetyMode
 from .receive import DIGITAL_PINS
 
 if TYPE_CHECKING:
@@ -37,6 +39,22 @@ def _own_address() -> str:
     """A loopback address that is unique on this machine, so that simulators with standard ports can run in parallel."""
     pid = os.getpid()
     return f"127.{10 + pid % 200}.{pid // 200 % 250}.{next(_numbers) % 250 + 2}"
+
+
+@dataclass(frozen=True)
+class SimulatedState:
+    """The actual state of a simulated arm."""
+
+    timestamp: float  #: controller time [s]
+    robot_mode: RobotMode
+    safety_mode: SafetyMode
+    runtime_state: RuntimeState
+    q: Joints  #: joint positions [rad]
+    qd: Array  #: joint velocities [rad/s]
+    tcp_pose: Pose  #: in the base frame [m, rad]
+    tcp_speed: Array  #: in the base frame [m/s, rad/s]
+    speed_slider: float  #: 0 ... 1
+    digital_outputs: int  #: bit 0 is output 0
 
 
 @checked
@@ -121,10 +139,14 @@ class Simulator:
         self._native.press_hand(floats(wrench, "wrench"))
 
     @property
-    def truth(self) -> dict[str, Any]:
-        """The actual state of the simulated arm: timestamp [s], robot_mode, safety_mode, q [rad], qd [rad/s], tcp_pose
-        [m, rad], tcp_speed [m/s, rad/s], speed_slider, digital_outputs."""
-        return self._native.truth()
+    def truth(self) -> SimulatedState:
+        """The actual state of the simulated arm."""
+        values = self._native.truth()
+        for name, kind in (("robot_mode", RobotMode), ("safety_mode", SafetyMode), ("runtime_state", RuntimeState)):
+            values[name] = kind(values[name])
+        values["q"] = values["q"].view(Joints)
+        values["tcp_pose"] = values["tcp_pose"].view(Pose)
+        return SimulatedState(**values)
 
     def __enter__(self) -> Simulator:
         return self.start()
