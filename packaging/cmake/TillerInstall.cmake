@@ -77,6 +77,12 @@ write_basic_package_version_file(${CMAKE_BINARY_DIR}/ur_rtdeConfigVersion.cmake 
 install(FILES ${CMAKE_SOURCE_DIR}/packaging/cmake/ur_rtdeConfig.cmake ${CMAKE_BINARY_DIR}/ur_rtdeConfigVersion.cmake
     DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/ur_rtde COMPONENT development)
 
+# The C interface. Its package does not search for Qt and Eigen, which only programs in C++ need.
+set(tiller_c_package ${CMAKE_INSTALL_LIBDIR}/cmake/tiller_c)
+install(EXPORT tiller_c NAMESPACE tiller:: FILE tiller_cConfig.cmake DESTINATION ${tiller_c_package} COMPONENT development)
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/tiller_cConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_BINARY_DIR}/tiller_cConfigVersion.cmake DESTINATION ${tiller_c_package} COMPONENT development)
+
 # For projects built without CMake: pkg-config --cflags --libs tiller tiller-simulator
 file(RELATIVE_PATH tiller_pc_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 cmake_path(SET tiller_pc_prefix NORMALIZE "${tiller_pc_prefix}")
@@ -107,6 +113,8 @@ function(tiller_pkg_config name)
     install(FILES ${CMAKE_BINARY_DIR}/pkgconfig/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
         COMPONENT development)
 endfunction()
+configure_file(${CMAKE_SOURCE_DIR}/packaging/cmake/tiller-c.pc.in ${CMAKE_BINARY_DIR}/pkgconfig/tiller-c.pc @ONLY)
+install(FILES ${CMAKE_BINARY_DIR}/pkgconfig/tiller-c.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
 set(tiller_link_order ${tiller_rooms})
 list(REVERSE tiller_link_order)
 tiller_pkg_config(tiller DESCRIPTION "Watches and moves Universal Robots arms" ARCHIVES ${tiller_link_order}
