@@ -480,6 +480,33 @@ class TestMotion(VirtualCase):
             self.assertFalse(self.in_force_mode())
         self.assertFalse(self.in_force_mode())
 
+    def test_the_wrench_of_force_mode_can_be_changed(self):
+        def sinks():
+            self.simulator.step(0.5)  # changes direction
+            before = self.simulator.truth.tcp_pose[2]
+            self.simulator.step(0.3)
+            return before - self.simulator.truth.tcp_pose[2]
+
+        down, up = [0, 0, -20, 0, 0, 0], [0, 0, 20, 0, 0, 0]
+        with self.robot.force_mode(**dict(SOFT, wrench=down), timeout=PATIENCE) as mode:
+            self.assertGreater(sinks(), 1e-4)
+            mode.change(up)
+            self.assertLess(sinks(), -1e-4)
+            with self.robot.force_mode(**dict(SOFT, wrench=down), timeout=PATIENCE):
+                mode.change(down)
+                self.assertGreater(sinks(), 1e-4)
+                mode.change(up)
+                self.assertGreater(sinks(), 1e-4)
+            self.assertLess(sinks(), -1e-4)
+            with self.assertRaisesRegex(errors.InvalidArgument, "wrench"):
+                mode.change([0.0] * 5)
+            self.robot.stop()
+            with self.assertRaises(errors.Stopped):
+                mode.change(down)
+            self.assertFalse(self.in_force_mode())
+        with self.assertRaises(errors.Stopped):
+            mode.change(down)
+
     def test_wrong_force_modes_are_refused_by_name(self):
         for name, value in (("compliant", [True] * 5), ("compliant", [2] * 6), ("wrench", [math.nan] * 6), ("kind", 4),
                             ("limits", [0.1] * 3), ("frame", self.robot.state.q)):

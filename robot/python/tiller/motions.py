@@ -13,7 +13,7 @@ from typing import Any, Literal, Union
 from . import _native
 from ._arguments import checked
 from ._values import Floats, Joints, Pose, floats, joint_positions, one_of, pose_numbers
-from .errors import Error, InvalidArgument
+from .errors import Error, InvalidArgument, Stopped
 from .modes import LimiterKind, StopCause
 
 Waiting = Callable[[], AbstractContextManager[Any]]
@@ -264,15 +264,32 @@ class ForceMode:
     of a block.
     """
 
-    def __init__(self, blocks: list[ForceMode], stops: Callable[[], int], begin: Callable[[int], None],
-                 end: Callable[[], None]) -> None:
+    def __init__(self, blocks: list[ForceMode], stops: Callable[[], int], begin: Callable[[list[float], int], None],
+                 end: Callable[[], None], wrench: list[float]) -> None:
         self._blocks = blocks
         self._stops = stops
-        self._begin = begin
+        self._send = begin
         self._end = end
+        self._wrench = wrench
         self._begun_at = stops()
         self._ended = False
-        begin(self._begun_at)
+        self._begin()
+
+    def _begin(self) -> None:
+        self._send(self._wrench, self._begun_at)
+
+    def change(self, wrench: Floats) -> None:
+        """Changes the target wrench [N, Nm] without leaving force mode. Returns when the robot has confirmed it. In an
+        outer `with` block, the change takes effect at the end of the inner block.
+
+        Raises Stopped if force mode has ended, for example by a stop.
+        """
+        numbers = floats(wrench, "wrench")
+        if self._ended or self._stops() != self._begun_at:
+            raise Stopped("change the wrench of force mode", "force mode has ended: start it again")
+        self._wrench = numbers
+        if self not in self._blocks or self._blocks[-1] is self:
+            self._begin()
 
     def stop(self) -> None:
         """Ends force mode, or restores the settings of the enclosing `with` block. No effect if it has ended.
@@ -288,7 +305,7 @@ class ForceMode:
         if inner_goes_on or self._stops() != self._begun_at:
             return
         if outermost_first and outermost_first[-1]._begun_at == self._begun_at:
-            outermost_first[-1]._begin(self._begun_at)
+            outermost_first[-1]._begin()
         else:
             self._end()
 

@@ -573,8 +573,9 @@ class Robot:
         targets with precise timing; servo_j() and similar functions are for targets at irregular times.
 
         kind: "servo_j" (joint positions [rad]), "servo_l" (TCP poses [m, rad]), "speed_j" [rad/s], "speed_l" [m/s,
-        rad/s] or "torque" [Nm]. The callback receives a Cycle with the time, the values of the packet and their age. timeout: of the whole
-        loop [s]; raises Timeout. at_once: send each target as soon as possible instead of at regular intervals.
+        rad/s] or "torque" [Nm]. The callback receives a Cycle with the time, the values of the packet and their age.
+        timeout: of the whole loop [s]; raises Timeout. at_once: send each target as soon as possible instead of at
+        regular intervals.
         Each call takes about 30 us in addition to the callback, and waits for the interpreter: other Python threads
         hold it for up to 5 ms at a time (sys.setswitchinterval). After a call longer than a period, the next call gets
         the newest packet. No heartbeat is sent during a call: a call of 100 ms stops the arm and raises Stopped with
@@ -654,15 +655,15 @@ class Robot:
         one_of(kind, "kind", (1, 2, 3))
         controller, waiting = self._controller, self._handle_waits
 
-        def begin(stops: int) -> None:
+        def begin(target: list[float], stops: int) -> None:
             with waiting():
-                controller.force_mode(task, axes, numbers, kind, largest, stops, timeout)
+                controller.force_mode(task, axes, target, kind, largest, stops, timeout)
 
         def end() -> None:
             with waiting():
                 controller.end_force_mode(timeout)
 
-        return ForceMode(self._force_blocks, controller.stops, begin, end)
+        return ForceMode(self._force_blocks, controller.stops, begin, end, numbers)
 
     def end_force_mode(self, timeout: float | None = 1.0) -> None:
         """Ends force mode, regardless of which call started it. No effect if it is off."""
