@@ -32,8 +32,13 @@ double distance(const std::array<double, 6>& a, const std::array<double, 6>& b, 
 }
 
 /// Error of a waiting caller if the motion did not reach its target.
-Error errorOf(StopCause cause, MotionKind kind) {
+/// delay  the delay that ended the motion; Kind::None: another cause
+Error errorOf(StopCause cause, MotionKind kind, const MotionDelay& delay) {
     const QString context = QStringLiteral("wait for a motion");
+    if (delay.kind != MotionDelay::Kind::None) {
+        return {cause == StopCause::ControlLost ? ErrorCode::NotInControl : ErrorCode::LinkLost, context,
+                delay.text()};
+    }
     switch (cause) {
         case StopCause::UnsafeMode:
             return {ErrorCode::UnsafeState, context, QStringLiteral("the robot or safety mode changed")};
@@ -43,12 +48,7 @@ Error errorOf(StopCause cause, MotionKind kind) {
             return {ErrorCode::LimitExceeded, context,
                     QStringLiteral("a target was farther away than the arm can move in one step")};
         case StopCause::LinkLost:
-            return {ErrorCode::LinkLost, context,
-                    QStringLiteral("the connection ended, or the control program stopped responding")};
-        case StopCause::DataStale:
-            return {ErrorCode::LinkLost, context,
-                    QStringLiteral(
-                        "the robot's data arrived too late; use real-time priority on a busy computer")};
+            return {ErrorCode::LinkLost, context, QStringLiteral("the connection ended")};
         case StopCause::ControlLost:
             return {ErrorCode::NotInControl, context, QStringLiteral("the control program ended")};
         case StopCause::Superseded:
@@ -172,7 +172,12 @@ Result<void> Motion::wait(const Deadline& deadline) const {
             return said;
         }
     }
-    return errorOf(now.cause, kind_);
+    MotionDelay delay;
+    if (controller_ != nullptr) {
+        delay = ControllerAccess::of(*controller_).loop.delay();
+    }
+    const bool delayed = delay.motion == id_ && delay.cause == now.cause;
+    return errorOf(now.cause, kind_, delayed ? delay : MotionDelay());
 }
 
 Result<void> Motion::stop(const Deadline& deadline) const {

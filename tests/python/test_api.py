@@ -2,6 +2,7 @@
 """Common mistakes and faults: wrong arguments, a lost connection, fields that are not received. Each must raise a clear
 error."""
 import pathlib
+import re
 import tempfile
 import time
 import traceback
@@ -104,6 +105,23 @@ class TestLink(unittest.TestCase):
         self.assertEqual((robot.state.safety_mode, robot.status.safety_mode), ("UNDEFINED_SAFETY_MODE",) * 2)
         self.assertEqual(robot.state.runtime_state, "STOPPED")
         self.assertEqual(robot.state["safety_mode"], 1.0)  # the packet is unchanged
+
+    def test_a_move_that_ended_for_late_data_names_the_measured_times(self):
+        with tiller.Simulator(virtual=True) as simulator, simulator.robot(timeout=LIMIT) as robot:
+            robot.take_control(LIMIT)
+            for silence, limit in ((0.1, 100), (0.3, 300)):
+                move = robot.move_j(robot.state.q + [1, 0, 0, 0, 0, 0], silence=silence)
+                simulator.step(0.5)
+                simulator.fault("silence on")
+                with self.assertRaises(errors.LinkLost) as raised:
+                    move.wait(LIMIT)
+                simulator.fault("silence off")
+                text = raised.exception.controller_message
+                measured = re.match(rf"no data from the robot for (\d+) ms, limit {limit} ms: ", text)
+                self.assertTrue(measured, text)
+                self.assertTrue(limit < int(measured[1]) < 450, text)
+                self.assertIn("silence", text)
+                self.assertTrue(robot.until(lambda sample: robot.in_control).wait(LIMIT))
 
     def test_a_refused_connection_fails_immediately(self):
         self.simulator.stop()

@@ -49,6 +49,8 @@ void ControlLoop::begin(std::int32_t session, double period, const ArmLimits& ar
     pace_ = realtime::ArrivalPace(period);
     stream_.begin(period);
     unansweredSinceNs_ = 0;
+    lookedNs_ = nowNs;
+    stalledNs_ = 0;
     paused_ = false;
     yieldedWhenPaused_ = false;
     yieldedNs_.reset();
@@ -125,6 +127,7 @@ void ControlLoop::takeIn(const Feedback& data) {
         (status_.loss == ControlLoss::Taking || status_.loss == ControlLoss::OwnScript)) {
         status_.loss = ControlLoss::ScriptStopped;
     }
+    noteLook(data.hostNs);
     const std::int64_t sinceLast = data.hostNs - data_.hostNs;
     if (hasData_) {
         if (static_cast<double>(sinceLast) > 1.5 * period_ * static_cast<double>(kNsPerSecond)) {
@@ -132,9 +135,10 @@ void ControlLoop::takeIn(const Feedback& data) {
         }
         // Data arrive again, but earlier commands are too old to be continued.
         if (sinceLast > dataTimeoutNs()) {
-            endActive(StopCause::DataStale, data.hostNs);
+            endDelayed(StopCause::DataStale, MotionDelay::Kind::Data, sinceLast, data.hostNs);
         }
     }
+    stalledNs_ = 0;
     data_ = data;
     sentEarly_ = false;
     ageNs_ = std::max<std::int64_t>(stream_.add(data.timestamp, data.hostNs).jitterNs, 0);
@@ -178,9 +182,10 @@ ControllerStatus ControlLoop::status() const {
 }
 
 bool ControlLoop::fallback(std::int64_t nowNs, Command& out) {
+    noteLook(nowNs);
     const std::int64_t age = nowNs - data_.hostNs;
     if (age > dataTimeoutNs()) {
-        endActive(StopCause::DataStale, nowNs);
+        endDelayed(StopCause::DataStale, MotionDelay::Kind::Data, age, nowNs);
     }
     if (dueNs() <= nowNs && cycleWithoutPackage(nowNs, out)) {
         return true;
@@ -263,6 +268,9 @@ bool ControlLoop::early(std::int64_t nowNs, Command& out) {
 }
 
 void ControlLoop::lost(std::int64_t nowNs, ControlLoss loss) {
+    if (const std::int64_t age = nowNs - data_.hostNs; age > dataTimeoutNs()) {
+        endDelayed(StopCause::LinkLost, MotionDelay::Kind::Data, age, nowNs);
+    }
     leave(loss, StopCause::LinkLost, nowNs);
     noteEnded(nowNs);
     meter_.cancel();
@@ -360,11 +368,12 @@ void ControlLoop::watch(const Feedback& data) {
         return;
     }
     if (unanswered > dataTimeoutNs()) {
-        endActive(StopCause::ControlLost, data.hostNs);
+        endDelayed(StopCause::ControlLost, MotionDelay::Kind::Answer, unanswered, data.hostNs);
     }
     // Data arrive, but too late: a stop would be late as well.
-    if (status_.roundTripMs * static_cast<double>(kNsPerMs) > static_cast<double>(dataTimeoutNs())) {
-        endActive(StopCause::LinkLost, data.hostNs);
+    const auto roundTripNs = static_cast<std::int64_t>(status_.roundTripMs * static_cast<double>(kNsPerMs));
+    if (roundTripNs > dataTimeoutNs()) {
+        endDelayed(StopCause::LinkLost, MotionDelay::Kind::RoundTrip, roundTripNs, data.hostNs);
     }
     const MotionId motion = mailbox_.epoch().activeMotion();
     const bool answersThis = motion != kNoMotion && data.echo.epoch == static_cast<std::int32_t>(motion);
@@ -379,7 +388,8 @@ void ControlLoop::watch(const Feedback& data) {
                 endActive(StopCause::Completed, data.hostNs);
                 break;
             case ScriptState::Expired:
-                endActive(StopCause::LinkLost, data.hostNs);
+                endDelayed(StopCause::LinkLost, MotionDelay::Kind::Heartbeat, longestSendGapNs(),
+                           data.hostNs);
                 break;
             case ScriptState::OutOfReach:
                 endActive(StopCause::Unreachable, data.hostNs);
@@ -443,6 +453,36 @@ void ControlLoop::endActive(StopCause cause, std::int64_t nowNs) {
     if (motion != kNoMotion) {
         mailbox_.end(motion, cause, nowNs);
     }
+}
+
+void ControlLoop::endDelayed(StopCause cause, MotionDelay::Kind kind, std::int64_t measuredNs,
+                             std::int64_t nowNs) {
+    const MotionId motion = mailbox_.epoch().activeMotion();
+    if (motion == kNoMotion) {
+        return;
+    }
+    // The timeout of the robot does not depend on the options of this controller.
+    const std::int64_t limitNs =
+        kind == MotionDelay::Kind::Heartbeat ? std::max(kHoldTimeNs, followedTimeoutNs_) : dataTimeoutNs();
+    // Store the delay before ending the motion, so that a waiting caller finds it.
+    delay_.store({motion, cause, kind, measuredNs, limitNs, stalledNs_});
+    mailbox_.end(motion, cause, nowNs);
+}
+
+void ControlLoop::noteLook(std::int64_t nowNs) {
+    stalledNs_ = std::max(stalledNs_, nowNs - lookedNs_);
+    lookedNs_ = nowNs;
+}
+
+// Longest time between two of the last packages.
+std::int64_t ControlLoop::longestSendGapNs() const {
+    const auto sent = static_cast<std::size_t>(sequence_ - kBeforeFirstSequence);
+    std::int64_t longest = 0;
+    for (std::size_t back = 0; back + 1 < std::min(sent, kSentMemory); ++back) {
+        const auto newer = static_cast<std::size_t>(sequence_) - back;
+        longest = std::max(longest, sentNs_[newer % kSentMemory] - sentNs_[(newer - 1) % kSentMemory]);
+    }
+    return longest;
 }
 
 void ControlLoop::compose(const Feedback& data, Command& command) {

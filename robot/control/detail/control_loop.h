@@ -14,6 +14,7 @@
 
 #include "robot/control/control_status.h"
 #include "robot/control/detail/mailbox.h"
+#include "robot/control/detail/motion_delay.h"
 #include "robot/control/detail/registers.h"
 #include "robot/control/detail/velocity_limiter.h"
 #include "robot/control/stop_meter.h"
@@ -148,6 +149,8 @@ public:
     bool confirmControl();
     bool isInControl() const { return inControl_.load(std::memory_order_acquire); }
     ControllerStatus status() const;
+    /// The last delay that ended a motion. Available as soon as the motion has ended.
+    MotionDelay delay() const { return delay_.load(); }
     /// Returns true once after the program was paused. A paused program must not be used again, because its
     /// effects, such as force mode, might continue.
     /// Threads  the control thread
@@ -167,6 +170,9 @@ private:
     void watch(const Feedback& data);
     void leave(ControlLoss loss, StopCause cause, std::int64_t nowNs);
     void endActive(StopCause cause, std::int64_t nowNs);
+    void endDelayed(StopCause cause, MotionDelay::Kind kind, std::int64_t measuredNs, std::int64_t nowNs);
+    void noteLook(std::int64_t nowNs);
+    std::int64_t longestSendGapNs() const;
     void compose(const Feedback& data, Command& command);
     void composeProgram(const MotionCommand& motion, const Feedback& data, const Occasion& occasion,
                         Command& command);
@@ -220,6 +226,8 @@ private:
     std::int64_t arrivedNs_ = 0;   ///< estimated arrival time
     std::int64_t evenNs_ = 0;      ///< start of the newest package's cycle for even spacing
     std::int64_t composedNs_ = 0;  ///< creation time of the command to be sent
+    std::int64_t lookedNs_ = 0;    ///< last time the control thread ran
+    std::int64_t stalledNs_ = 0;   ///< MotionDelay::stalledNs since the newest package
     std::int32_t sequence_ = kBeforeFirstSequence;
     static constexpr std::size_t kSentMemory = 512;
     std::array<std::int64_t, kSentMemory> sentNs_{};
@@ -238,6 +246,7 @@ private:
 
     ControllerStatus status_;
     realtime::Seqlock<ControllerStatus> published_;
+    realtime::Seqlock<MotionDelay> delay_;
     std::atomic<double> answeredTime_{0};  ///< ControllerStatus::answeredTime
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Bounded motions, and control of the robot, in virtual time.
+#include <QRegularExpression>
 #include <cmath>
 #include <initializer_list>
 #include <optional>
@@ -480,6 +481,11 @@ private Q_SLOTS:
             QVERIFY(++ticks * 2 <= 250);
         }
         QTRY_COMPARE_WITH_TIMEOUT(move->state().cause, StopCause::DataStale, 60'000);
+        const Error error = move->wait(Deadline::after(std::chrono::seconds(60))).error();
+        QCOMPARE(error.code, ErrorCode::LinkLost);
+        const QRegularExpression measured(
+            QStringLiteral("^no data from the robot for 1\\d\\d ms, limit 100 ms: .*silence"));
+        QVERIFY2(measured.match(error.controllerMessage).hasMatch(), qPrintable(error.controllerMessage));
     }
 
     void releasingEndsTheProgramAndControlCanBeTakenAgain() {

@@ -205,6 +205,86 @@ private Q_SLOTS:
         QCOMPARE(bench.command.kind, ScriptCommand::Idle);
     }
 
+    void aDelayedMotionReportsTheMeasuredTimes_data() {
+        QTest::addColumn<QString>("delay");
+        QTest::addColumn<QString>("text");
+        QTest::newRow("late data") << QStringLiteral("data")
+                                   << QStringLiteral(
+                                          "no data from the robot for 104 ms, limit 100 ms: the "
+                                          "control thread was waiting for them.");
+        QTest::newRow("suspended thread")
+            << QStringLiteral("thread")
+            << QStringLiteral(
+                   "no data from the robot for 142 ms, limit 100 ms: this computer was busy, its "
+                   "control thread did not run for 142 ms.");
+        QTest::newRow("longer timeout")
+            << QStringLiteral("silence") << QStringLiteral("no data from the robot for 304 ms, limit 300 ms");
+        QTest::newRow("no response") << QStringLiteral("answer")
+                                     << QStringLiteral(
+                                            "the control program on the robot did not respond for "
+                                            "102 ms, limit 100 ms");
+        QTest::newRow("heartbeat lost on this computer")
+            << QStringLiteral("late heartbeat")
+            << QStringLiteral(
+                   "the robot received no heartbeat for more than 100 ms. This computer sent at "
+                   "least one every 92 ms. Use real-time priority");
+        QTest::newRow("heartbeat lost in the network")
+            << QStringLiteral("lost heartbeat")
+            << QStringLiteral(
+                   "the robot received no heartbeat for more than 100 ms. This computer sent at "
+                   "least one every 2 ms. Check the network");
+    }
+    void aDelayedMotionReportsTheMeasuredTimes() {
+        QFETCH(QString, delay);
+        QFETCH(QString, text);
+        Bench bench;
+        bench.takeControl();
+        MotionCommand move;
+        move.kind = MotionCommand::Kind::MoveJ;
+        move.held = false;
+        move.speed = 0.5;
+        move.acceleration = 1.4;
+        move.silence = std::chrono::milliseconds(delay == QStringLiteral("silence") ? 300 : 0);
+        const MotionId id = bench.mailbox.start(move, bench.now());
+        bench.tick(2);
+        Command out;
+        if (delay == QStringLiteral("data") || delay == QStringLiteral("silence")) {
+            while (bench.mailbox.epoch().isActive(id)) {  // the thread looks every 4 ms
+                bench.clock.advanceNs(4 * kNsPerMs);
+                bench.loop.fallback(bench.now(), out);
+            }
+        } else if (delay == QStringLiteral("thread")) {
+            bench.clock.advanceNs(140 * kNsPerMs);
+            bench.tick();
+        } else if (delay == QStringLiteral("answer")) {
+            bench.answering = false;
+            while (bench.mailbox.epoch().isActive(id)) {
+                bench.tick();
+            }
+        } else {
+            bench.clock.advanceNs(delay == QStringLiteral("late heartbeat") ? 90 * kNsPerMs : 0);
+            bench.tick();
+            bench.data.echo.state = ScriptState::Expired;
+            bench.tick();
+        }
+        QVERIFY(!bench.mailbox.epoch().isActive(id));
+        QCOMPARE(bench.loop.delay().motion, id);
+        QCOMPARE(bench.loop.delay().cause, bench.causeOf(id));
+        QVERIFY2(bench.loop.delay().text().startsWith(text), qPrintable(bench.loop.delay().text()));
+    }
+
+    // A stop by the caller has no measured delay, even if the data are late afterwards.
+    void aStopIsNotReportedAsADelay() {
+        Bench bench;
+        bench.takeControl();
+        const MotionId move = bench.startMove(false);
+        bench.tick(2);
+        bench.mailbox.stop(StopCause::ApiCall, bench.now());
+        bench.clock.advanceNs(200 * kNsPerMs);
+        bench.tick();
+        QVERIFY(bench.loop.delay().motion != move);
+    }
+
     void aStalledStreamEndsTheMotionWithoutATick() {
         Bench bench;
         bench.takeControl();
