@@ -269,5 +269,6 @@ PYBIND11_MODULE(_native, module) {
     own::defineReceive(module);
     own::defineControl(module);
     own::defineServices(module);
+    own::defineCollision(module);
     own::defineSimulator(module);
 }

@@ -123,5 +123,6 @@ void defineReceive(py::module_& module);
 void defineControl(py::module_& module);
 void defineSimulator(py::module_& module);
 void defineServices(py::module_& module);
+void defineCollision(py::module_& module);
 
 }  // namespace tiller::python

@@ -14,6 +14,7 @@ HEADERS = {"control/controller.h": ("Controller",), "control/motions.h": ("Motio
            "control/arm_queries.h": ("ArmQueries",), "control/programs.h": ("Programs",),
            "control/output_pulses.h": ("OutputPulses",), "control/motion.h": ("Motion",),
            "control/packet_loop.h": ("PacketLoop",), "io/outputs.h": ("Outputs",),
+           "collision/collision_check.h": ("CollisionCheck",),
            "io/input_registers.h": ("InputRegisters",), "recording/recorder.h": ("Recorder",),
            "receive/receiver.h": ("Receiver", "Subscription")}
 
@@ -32,7 +33,7 @@ TABLE = {
         "joinProgram": Missing("continues a program of another client"),
         "leave": Missing("lets the arm move without this process"),
         "stops": Missing("used by the handles"), "localPort": INTERNAL, "isConnected": "Robot.in_control",
-        "setCollisionCheck": Missing("the collision model has no Python API")},
+        "setCollisionCheck": "Robot.set_collision_check"},
     "Motions": {
         "moveJ": "Robot.move_j", "moveJToPose": "Robot.move_j_to_pose", "moveL": "Robot.move_l",
         "moveLToJoints": "Robot.move_l_to_joints", "movePath": "Robot.move_path",
@@ -64,6 +65,13 @@ TABLE = {
         "startFunction": "Robot.run_function", "runScript": "Robot.run_script",
         "endControlProgram": Missing("Robot.release() ends it"), "reupload": Missing("Robot.take_control() sends it"),
         "isProgramRunning": "Sample.runtime_state", "controlProgram": Missing("tiller-cli prints it")},
+    "CollisionCheck": {
+        "at": "CollisionCheck.at", "obstruction": "CollisionCheck.along",
+        "along": Missing("along() of Python keeps the safety distance; 0 gives this result"),
+        "surroundings": Missing("the arguments of the constructor"),
+        "safetyDistance": Missing("an argument of the constructor"), "isInside": Missing("used by the window"),
+        "capsules": Missing("drawn in the view of the window"), "pairs": Missing("used by jogs"),
+        "place": Missing("used by jogs"), "distance": Missing("used by jogs")},
     "OutputPulses": {"begin": "Pulses.begin", "end": "Pulses.end"},
     "Motion": {
         "id": Missing("identifies a motion in the status of C++"), "kind": "Move.__repr__", "isActive": "Move.active",

@@ -12,10 +12,11 @@ SI units throughout: m, rad, s, N, Nm, A, kg; poses are position and rotation ve
 joint positions and poses as Joints and Pose, arrays that are checked when passed as arguments. Without a robot: `with
 tiller.Simulator() as simulator: robot = tiller.Robot(simulator.address)`.
 """
-from . import doctor, errors, kinematics
+from . import collision, doctor, errors, kinematics
 from ._native import __version__
 from ._values import Joints, Pose
 from .arm import JointLimits, Pulses, Queries, Tool
+from .collision import CollisionCheck
 from .doctor import examine
 from .errors import Error
 from .kinematics import Kinematics
@@ -26,8 +27,9 @@ from .robot import ControlStatus, Cycle, LinkCounters, LoopReport, Robot
 from .services import Consent, Dashboard, Outputs, Registers, Service
 from .simulator import SimulatedState, Simulator
 
-__all__ = ["Condition", "Consent", "ControlLoss", "ControlStatus", "Cycle", "Dashboard", "Error", "ForceMode", "Jog",
-           "JointLimits", "Joints", "Kinematics", "LimiterKind", "LinkCounters", "LoopReport", "Move", "Outputs", "PathMove",
-           "Plan", "Pose", "Progress", "Pulses", "Queries", "Recording", "Registers", "Robot", "RobotMode", "RuntimeState",
-           "SafetyMode", "Sample", "Samples", "Service", "SimulatedState", "Simulator", "StopCause", "Stream", "Tool",
-           "__version__", "doctor", "errors", "examine", "kinematics", "read_recording"]
+__all__ = ["CollisionCheck", "Condition", "Consent", "ControlLoss", "ControlStatus", "Cycle", "Dashboard", "Error",
+           "ForceMode", "Jog", "JointLimits", "Joints", "Kinematics", "LimiterKind", "LinkCounters", "LoopReport",
+           "Move", "Outputs", "PathMove", "Plan", "Pose", "Progress", "Pulses", "Queries", "Recording", "Registers",
+           "Robot", "RobotMode", "RuntimeState", "SafetyMode", "Sample", "Samples", "Service", "SimulatedState",
+           "Simulator", "StopCause", "Stream", "Tool", "__version__", "collision", "doctor", "errors", "examine",
+           "kinematics", "read_recording"]

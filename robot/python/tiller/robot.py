@@ -20,6 +20,7 @@ from typing import Any, Literal
 from . import _native, arm, services, simulator as simulators
 from ._arguments import checked
 from ._values import ZEROS, Array, Floats, Joints, Pose, floats, joint_positions, one_of, pose_numbers
+from .collision import CollisionCheck
 from .errors import Error, NotConnected, RegisterInUse
 from .modes import ControlLoss, LimiterKind, RobotMode, SafetyMode, StopCause
 from .motions import ForceMode, Jog, Move, PathMove, Stream
@@ -405,6 +406,11 @@ class Robot:
     @speed_cap.setter
     def speed_cap(self, metres_per_second: float) -> None:
         self._controller.set_speed_cap(metres_per_second)
+
+    def set_collision_check(self, check: CollisionCheck | None) -> None:
+        """Jogs slow down and end at the safety distance of this check; None: no check. Moves, paths and streams are not
+        checked: use CollisionCheck.examine() before a move."""
+        _native.set_collision_check(self._controller, None if check is None else check._native)
 
     def stop(self) -> None:
         """Ends the active motion immediately; no earlier command can move the arm afterwards. Not an emergency stop."""
