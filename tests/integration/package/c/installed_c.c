@@ -6,8 +6,8 @@
 
 int main(void) {
     tiller_robot* robot = NULL;
-    if (tiller_version() != TILLER_C_VERSION || tiller_connect(NULL, 1.0, &robot) != TILLER_INVALID_ARGUMENT ||
-        strlen(tiller_last_error()) == 0) {
+    if (tiller_version() != TILLER_C_VERSION ||
+        tiller_connect(NULL, 1.0, &robot) != TILLER_INVALID_ARGUMENT || strlen(tiller_last_error()) == 0) {
         return 1;
     }
     printf("%s\n", tiller_last_error());
