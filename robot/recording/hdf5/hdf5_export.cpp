@@ -203,7 +203,8 @@ private:
         }
         for (const auto& [key, value] : recording_.facts()) {
             // A recording that was exported before already has these attributes.
-            ok = ok && (H5Aexists(file_.get(), key.c_str()) > 0 || putText(file_.get(), key.c_str(), value));
+            ok = ok && (key.empty() || H5Aexists(file_.get(), key.c_str()) > 0 ||
+                        putText(file_.get(), key.c_str(), value));
         }
         time_ = makeSet(file_.get(), "time", H5T_IEEE_F64LE, rows_.count, 1);
         ok = ok && time_ && putText(time_.get(), "unit", "s") &&
@@ -256,6 +257,7 @@ private:
         }
         return {};
     }
+
 
     bool writeGaps() {
         std::vector<double> table;

@@ -287,15 +287,13 @@ private:
     }
 
     void readAttributes() {
-        if (const auto start = takeNumber(file_.get(), "start_utc_ns"); start && std::abs(*start) < 9e18) {
-            start_ = static_cast<std::int64_t>(*start);
-        }
+        start_ = takeCount(file_.get(), "start_utc_ns");
         const auto period = takeNumber(file_.get(), "period");
         hasPeriod_ = period.has_value();
         period_ = period.value_or(0);
         period_ = std::isfinite(period_) && period_ > 0 ? period_ : 0;
-        for (const char* key : {"model", "serial_number", "software", "robot", "written_by"}) {
-            if (auto text = takeText(file_.get(), key)) {
+        for (const std::string& key : attributeNames(file_.get())) {
+            if (auto text = takeText(file_.get(), key.c_str())) {
                 facts_[key] = std::move(*text);
             }
         }
@@ -311,6 +309,11 @@ private:
                     return first.error();
                 }
                 timeStart_ = std::isfinite(first.value().front()) ? first.value().front() : 0;
+            }
+            // A part of a recording has the start of the whole recording.
+            constexpr double kMaxSeconds = 1e9;
+            if (start_ && std::abs(timeStart_) < kMaxSeconds) {
+                *start_ += std::llround(timeStart_ * 1e9);
             }
             return {};
         }
@@ -374,6 +377,7 @@ private:
     double timeStart_ = 0;
     bool hasPeriod_ = false;
     bool isOwn_ = false;
+    std::vector<RecordedEvent> events_;        ///< of a file of exportHdf5()
     TimeLine line_;                            ///< times of a file of another program
     std::optional<std::size_t> timeColumn_{};  ///< the same
     std::vector<RecordedColumn> columns_;

@@ -6,6 +6,7 @@
 
 #include <hdf5.h>
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -63,5 +64,7 @@ bool putNumber(hid_t object, const char* name, double number);
 bool putCount(hid_t object, const char* name, std::uint64_t count);
 std::optional<std::string> takeText(hid_t object, const char* name);
 std::optional<double> takeNumber(hid_t object, const char* name);
+std::optional<std::int64_t> takeCount(hid_t object, const char* name);
+std::vector<std::string> attributeNames(hid_t object);
 
 }  // namespace tiller::recording::hdf5

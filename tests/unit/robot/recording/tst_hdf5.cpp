@@ -41,6 +41,7 @@ class TestHdf5 : public QObject {
 
 private Q_SLOTS:
     void exportedDataAreReadBack();
+    void logNotesAndMetadataAreExported();
     void anyColumnNameCanBeWritten();
     void partOfARecordingIsExported();
     void cancelledExportKeepsTheExistingFile();
@@ -103,6 +104,52 @@ void TestHdf5::exportedDataAreReadBack() {
     QCOMPARE(noteIn(*openRecording(path("part.h5")).value(), 0.4, 0.6, "again.h5"),
              QString("0.100 30 operator half way"));
     QCOMPARE(noteIn(*source, 1.1, 1.2, "without.h5"), QString());
+}
+
+void TestHdf5::logNotesAndMetadataAreExported() {
+    const auto format = mcapFormat({.facts = {{"operator", "Änne"}, {"sample", "7"}, {"", "no name"}}});
+    QVERIFY(test::writeFile(path("log.mcap"), test::madeFile(*format, kRows)));
+    const auto source = openRecording(path("log.mcap")).value();
+    QCOMPARE(source->events().size(), std::size_t(1));
+    exportHdf5(*source, {.path = path("log.h5")}).value();
+    auto back = openRecording(path("log.h5")).value();
+    QVERIFY2(back->problems().isEmpty(), qPrintable(back->problems().join('\n')));
+    QCOMPARE(back->columns().size(), source->columns().size());
+    QCOMPARE(back->startUtcNs(), source->startUtcNs());
+    QCOMPARE(back->facts().at("operator"), std::string("Änne"));
+    QCOMPARE(back->facts().at("sample"), std::string("7"));
+    QCOMPARE(back->events().size(), std::size_t(1));
+    const RecordedEvent& event = back->events().front();
+    QCOMPARE(event.seconds, source->events().front().seconds);
+    QCOMPARE(event.level, 30);
+    QCOMPARE(event.source, QStringLiteral("operator"));
+    QCOMPARE(event.text, QStringLiteral("half way"));
+
+    // A part has the events of its rows, on its own time axis.
+    exportHdf5(*source, {.path = path("part.h5"), .from = 0.5}).value();
+    back = openRecording(path("part.h5")).value();
+    QCOMPARE(*back->startUtcNs(), *source->startUtcNs() + 500'000'000);
+    QCOMPARE(back->events().size(), std::size_t(1));
+    QVERIFY(std::abs(back->events().front().seconds - (source->events().front().seconds - 0.5)) < 1e-9);
+    exportHdf5(*source, {.path = path("part.h5"), .until = 0.5}).value();
+    back = openRecording(path("part.h5")).value();
+    QVERIFY(back->problems().isEmpty() && back->events().empty());
+
+    // Damaged notes do not affect the numbers.
+    if (QProcess::execute("/usr/bin/python3", {"-c", "import h5py"}) != 0) {
+        QSKIP("h5py is not installed (python3-h5py)");
+    }
+    const char* script =
+        "import h5py, sys\n"
+        "f = h5py.File(sys.argv[1], 'r+')\n"
+        "e = f['notes']\n"
+        "assert [t.decode() for t in e['text']] == ['half way'] and list(e['level']) == [30]\n"
+        "assert f.attrs['operator'].decode() == 'Änne'\n"
+        "del e['source']\n";
+    QCOMPARE(QProcess::execute("/usr/bin/python3", {"-c", script, path("log.h5")}), 0);
+    back = openRecording(path("log.h5")).value();
+    QCOMPARE(back->rows(), kRows);
+    QVERIFY(back->events().empty());
 }
 
 void TestHdf5::anyColumnNameCanBeWritten() {
