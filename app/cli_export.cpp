@@ -40,6 +40,7 @@ int exportFile(const CommandArguments& arguments) {
     style.decimal =
         arguments.value("decimal").size() == 1 ? arguments.value("decimal").at(0).toLatin1() : '\0';
     style.unitsLine = arguments.isSet("units");
+    style.head = arguments.isSet("head");
 
     const auto format = tableFormatOf(arguments);
     if (!format) {
@@ -107,6 +108,9 @@ const Command& exportCommand() {
              {"separator", "CHAR", "column separator of a .csv file: , ; or tab (default %1)", ","},
              {"decimal", "CHAR", "decimal sign of a .csv file: . or , (default %1)", "."},
              {"units", "", "adds a line of units below the header of a .csv file"},
+             {"head", "",
+              "begins a .csv file with its start time, metadata and units, in lines with # (pandas: "
+              "comment='#')"},
              {"force", "", "replaces an existing file"},
              {"quiet", "", "shows no progress on the terminal"}}),
         .notes =

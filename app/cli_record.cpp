@@ -37,6 +37,7 @@ struct RecordOptions {
     double wait = 10;     ///< [s]
     int portOffset = 0;
     const recording::FileFormat* format = nullptr;
+    bool csvHead = false;
     bool quiet = false;
 };
 
@@ -110,6 +111,13 @@ std::optional<RecordOptions> optionsFrom(const CommandArguments& arguments) {
         options.recorder.trigger->files = static_cast<int>(arguments.number("files"));
     }
     options.extras.ros = !arguments.isSet("no-ros");
+    for (const QString& entry : arguments.values("meta")) {
+        if (const auto added = recording::addMetadata(options.extras.facts, entry); !added) {
+            wrongArguments(QStringLiteral("--meta '%1': %2").arg(entry, added.error().controllerMessage));
+            return std::nullopt;
+        }
+    }
+    options.csvHead = arguments.isSet("head") || arguments.isSet("meta");
     if (arguments.isSet("attach")) {
         constexpr qint64 kMaxValue = 64 << 20;
         const Result<QByteArray> attached = readWholeFile(arguments.value("attach"), kMaxValue);
@@ -160,14 +168,14 @@ int record(const CommandArguments& arguments) {
     const SoftwareVersion version = receiver.version();
     options->extras.facts["robot"] = options->receiver.host.toStdString();
     options->extras.facts["software"] = toString(version);
-    if (options->format->isComplete) {
+    if (options->format->isComplete || options->csvHead) {
         const auto identity = dashboard::askIdentity(options->receiver.host, options->portOffset,
                                                      version.isCb3(), Deadline::after(kIdentityTimeout));
         options->extras.facts["model"] = identity.model.toStdString();
         options->extras.facts["serial_number"] = identity.serialNumber.toStdString();
     }
     options->extras.facts["written_by"] = "tiller-cli " TILLER_VERSION;
-    options->recorder.format = options->format->recorder(options->extras);
+    options->recorder.format = options->format->recorder(options->extras, options->csvHead);
     recording::Recorder recorder;
     if (const auto started = recorder.start(options->recorder, receiver); !started) {
         return complain(started.error().toString(), kFailed);
@@ -247,6 +255,13 @@ const Command& recordCommand() {
               {0, 3600}},
              {"files", "N", "with a trigger: stops after N files", "0", {0, 1e6}},
              {"attach", "FILE", "stores a file, such as the project, inside the .mcap file"},
+             {"meta", "NAME=VALUE",
+              "stores metadata in the file, such as operator=Ann or sample=7. The option can be repeated. "
+              "'tiller-cli info' shows the metadata, and exports contain them"},
+             {"head", "",
+              "begins a .csv file with the start time, the robot, the metadata and the units, in lines with "
+              "# "
+              "(pandas: comment='#'). --meta implies --head"},
              {"no-ros", "", "omits joint state, wrench and transform for ROS tools from the .mcap file"},
              {"keep-free",
               "MB",

@@ -97,7 +97,10 @@ Result<CsvTable> readCsv(const Text& path) {
             line.remove_suffix(1);
         }
         rest.remove_prefix(end + 1);
-        if (number == 1) {
+        if (table.columns.empty() && line.starts_with('#')) {
+            continue;  // metadata
+        }
+        if (table.columns.empty()) {
             forEachCell(line, [&](std::string_view cell) { table.columns.emplace_back(cell); });
             table.values.resize(table.columns.size());
             continue;

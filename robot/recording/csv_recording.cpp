@@ -9,6 +9,7 @@
 
 #include "robot/core/file_reading.h"
 #include "robot/recording/detail/column_knowledge.h"
+#include "robot/recording/detail/csv_head.h"
 #include "robot/recording/detail/csv_notes.h"
 #include "robot/recording/detail/time_axis.h"
 #include "robot/recording/table_recording.h"
@@ -414,6 +415,9 @@ private:
             return;
         }
         const bool isSeparatorLine = line.size() == 5 && line.starts_with("sep=") && table_.columns.empty();
+        if (isComment(line) && rows_ == 0) {
+            takeCsvHeadLine(line, head_);
+        }
         if (isComment(line) || withoutBlanks(line).empty() || isSeparatorLine) {
             return;
         }
@@ -501,7 +505,19 @@ private:
         }
     }
 
+    void takeHead() {
+        const auto units = cellsOf(head_.units, layout_.separator);
+        for (std::size_t i = 0; units.size() == table_.columns.size() && i < units.size(); ++i) {
+            if (table_.columns[i].unit.empty() && units[i] != "-") {
+                table_.columns[i].unit = units[i];
+            }
+        }
+        table_.facts = std::move(head_.facts);
+        table_.startUtcNs = head_.startUtcNs;
+    }
+
     Result<void> finish() {
+        takeHead();
         const TimeSource source{
             table_.columns, dates_,
             [this](std::size_t column) -> Result<std::vector<double>> { return table_.values[column]; }};
@@ -536,6 +552,7 @@ private:
     RecordedTable table_;
     const TableFormat& format_;
     TextLayout layout_;
+    CsvHead head_;
     std::size_t number_ = 0;        ///< line number
     std::size_t contentLines_ = 0;  ///< without the header and comments
     std::size_t rows_ = 0;

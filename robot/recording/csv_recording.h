@@ -3,7 +3,7 @@
 
 // Opens text files with numbers: CSV files of Tiller, of ur_rtde, and of other tools. Cells are separated by
 // commas, semicolons, tabs, vertical bars or blanks. Numbers have a decimal point or comma. Lines that begin with #
-// are comments; the last one before the numbers may be the header. A line of units may follow the header. The
+// are comments; the last one before the numbers may be the header, and "# name: value" is metadata. A line of units may follow the header. The
 // first row of a file without a header is data. Time stamps are numbers or ISO 8601 dates.
 
 #include <memory>

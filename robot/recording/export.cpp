@@ -8,6 +8,7 @@
 
 #include "robot/core/atomic_file.h"
 #include "robot/recording/detail/column_knowledge.h"
+#include "robot/recording/detail/csv_head.h"
 #include "robot/recording/detail/csv_notes.h"
 #include "robot/recording/detail/exported_events.h"
 #include "robot/recording/detail/ranges.h"
@@ -226,7 +227,23 @@ Result<ExportReport> exportCsv(const Recording& recording, const ExportChoice& c
         report.bytes += static_cast<std::int64_t>(size);
         return file.write(std::string_view(text, size));
     };
-    const std::string above = heading + '\n' + (style.unitsLine ? units + '\n' : std::string());
+    std::string head;
+    if (style.head) {
+        const auto first = recording.times({rows->first, 1});
+        if (!first) {
+            return first.error();
+        }
+        std::optional<std::int64_t> start = recording.startUtcNs();
+        if (start && !first->empty()) {
+            *start += std::llround(first->front() * 1e9);
+        }
+        std::vector<std::string> columnUnits(hasOwnTime ? 1 : 0, "s");
+        for (const std::size_t column : columns.value()) {
+            columnUnits.push_back(recording.columns()[column].unit);
+        }
+        head = csvHeadLines(recording.facts(), start, columnUnits, style.separator);
+    }
+    const std::string above = head + heading + '\n' + (style.unitsLine ? units + '\n' : std::string());
     if (const Result<void> written = write(above.data(), above.size()); !written) {
         return written.error();
     }

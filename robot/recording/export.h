@@ -33,6 +33,8 @@ struct CsvStyle {
     char separator = ',';    ///< comma, semicolon or tab
     char decimal = '.';      ///< point or comma; comma only if it is not the separator
     bool unitsLine = false;  ///< add a line of units after the header
+    /// Add the start time, the metadata and the units above the header, one line "# name: value" each.
+    bool head = false;
 };
 
 struct ExportReport {

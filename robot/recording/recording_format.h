@@ -12,6 +12,7 @@
 
 #include "robot/core/text.h"
 #include "robot/receive/sample.h"
+#include "robot/recording/metadata.h"
 
 namespace tiller::recording {
 
@@ -71,6 +72,8 @@ public:
 };
 
 /// CSV format, as described in recorder.h.
-std::shared_ptr<const RecordingFormat> csvFormat();
+/// head  metadata that is written above the header with the start time and the units, one line "# name: value"
+///       each; empty: the header is the first line
+std::shared_ptr<const RecordingFormat> csvFormat(Metadata head = {});
 
 }  // namespace tiller::recording

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "robot/recording/metadata.h"
 #include "robot/recording/recording.h"
 #include "robot/recording/table_format.h"
 
@@ -20,6 +21,8 @@ struct RecordedTable {
     QStringList problems{};
     /// Each note with the number of rows before it, which determines its time.
     std::vector<std::pair<std::uint64_t, RecordedEvent>> notes{};
+    Metadata facts{};
+    std::optional<std::int64_t> startUtcNs{};  ///< used if the time stamps are not dates
     /// Empty: the column `timestamp`, or the first column named time, seconds or t, in seconds.
     std::optional<TimeAxis> axis{};
 };
@@ -39,7 +42,10 @@ public:
     const std::vector<RecordedEvent>& events() const override { return events_; }
     double period() const override { return period_; }
     std::optional<std::size_t> timeColumn() const override { return table_.axis->column; }
-    std::optional<std::int64_t> startUtcNs() const override { return table_.axis->startUtcNs; }
+    std::optional<std::int64_t> startUtcNs() const override {
+        return table_.axis->startUtcNs ? table_.axis->startUtcNs : table_.startUtcNs;
+    }
+    const Metadata& facts() const override { return table_.facts; }
     const QStringList& problems() const override { return table_.problems; }
     Result<std::vector<double>> times(RowRange rows) const override;
     // As in Recording.

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "robot/recording/detail/column_knowledge.h"
 #include "robot/recording/recorder.h"
 
 namespace tiller::recording {
@@ -38,6 +39,7 @@ CsvWriter::CsvWriter(const receive::SampleLayout& layout, const std::vector<std:
             indices_.push_back(entry->first + i);
             header_ += layout.componentNames()[entry->first + i];
             header_ += ',';
+            units_.push_back(unitOf(field, i));
         }
     }
     asGiven_ = asGiven && !indices_.empty();
@@ -45,6 +47,7 @@ CsvWriter::CsvWriter(const receive::SampleLayout& layout, const std::vector<std:
         header_.back() = '\n';
     } else {
         header_ += kLostColumn;
+        units_.emplace_back();
         header_ += '\n';
     }
 }

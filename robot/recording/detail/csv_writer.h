@@ -23,12 +23,15 @@ public:
     /// Numbers per row, excluding the last column.
     std::size_t columns() const { return indices_.size(); }
     const std::string& header() const { return header_; }
+    /// Units of all columns, including the last one.
+    const std::vector<std::string>& units() const { return units_; }
     /// Appends one row including the line end.
     void append(std::string& out, const receive::Sample& sample, std::uint64_t lost) const;
 
 private:
     std::vector<std::size_t> indices_;
     std::string header_;
+    std::vector<std::string> units_;
     bool asGiven_ = false;
 };
 

@@ -19,7 +19,8 @@ const std::vector<FileFormat>& fileFormats() {
          .magic = {},
          .open = &openCsv,
          .write = &exportCsv,
-         .recorder = [](const McapFormatOptions&) { return csvFormat(); },
+         .recorder = [](const McapFormatOptions& extras,
+                        bool csvHead) { return csvFormat(csvHead ? extras.facts : Metadata()); },
          .isComplete = false},
         {.name = QStringLiteral("HDF5"),
          .suffixes = {QStringLiteral("h5"), QStringLiteral("hdf5")},
@@ -35,7 +36,7 @@ const std::vector<FileFormat>& fileFormats() {
          .open = [](const Text& path, const TableFormat&) { return openMcap(path); },
          .write = [](const Recording& recording, const ExportChoice& choice,
                      const CsvStyle&) { return exportMcap(recording, choice); },
-         .recorder = [](const McapFormatOptions& extras) { return mcapFormat(extras); },
+         .recorder = [](const McapFormatOptions& extras, bool) { return mcapFormat(extras); },
          .isComplete = true},
     };
     return rows;

@@ -30,7 +30,8 @@ struct FileFormat {
                                   const CsvStyle& style);
     /// For RecorderOptions::format; null: a recorder cannot write this format.
     /// extras  facts, attachment and messages; ignored by formats that are not complete
-    std::shared_ptr<const RecordingFormat> (*recorder)(const McapFormatOptions& extras);
+    /// csvHead  CSV files begin with the facts, the start time and the units; see csvFormat()
+    std::shared_ptr<const RecordingFormat> (*recorder)(const McapFormatOptions& extras, bool csvHead);
     /// Keeps every field, the log and an attachment. For other formats, fields must be selected.
     bool isComplete;
 };

@@ -30,7 +30,7 @@ Result<std::unique_ptr<Recording>> openRecording(const Text& path, const TableFo
 Result<std::shared_ptr<const RecordingFormat>> formatForPath(const Text& path) {
     const FileFormat* format = fileFormatOf(path);
     if (format != nullptr && format->recorder != nullptr) {
-        return format->recorder({});
+        return format->recorder({}, false);
     }
     return Error{ErrorCode::InvalidArgument, QString(path),
                  QStringLiteral("path: must end in ") + suffixWords(true)};

@@ -7,7 +7,6 @@
 // which limits the loss of data in a crash.
 
 #include <chrono>
-#include <map>
 #include <memory>
 #include <string>
 
@@ -17,7 +16,7 @@ namespace tiller::recording {
 
 struct McapFormatOptions {
     /// Metadata of the recording: "model", "serial_number", "software" ...
-    std::map<std::string, std::string> facts{};
+    Metadata facts{};
     /// An attached file, e.g. the project. Empty name: no attachment.
     std::string attachmentName{};
     std::string attachment{};

@@ -165,7 +165,7 @@ void SessionRecording::start(const RecordingOrder& order) {
             facts.facts["model"] = identity.model.toStdString();
             facts.facts["serial_number"] = identity.serialNumber.toStdString();
         }
-        chosen.format = format.recorder(facts);
+        chosen.format = format.recorder(facts, false);
         const Result<void> result = d_.recorder.start(chosen, isOwn ? stream : linkStream, layout);
         if (result) {
             d_.recorderReceiver = isOwn ? source : nullptr;

@@ -58,6 +58,7 @@ private Q_SLOTS:
         QVERIFY(simulator_->start().ok());
     }
     void recordsForATimeAndDescribesTheFile();
+    void metadataIsInEveryFormat();
     void namesFilesInAFolder();
     void endsCleanlyOnASignal();
     void aKilledRecorderLosesAtMostHalfASecond();
@@ -101,6 +102,29 @@ void TestCliRecording::recordsForATimeAndDescribesTheFile() {
     QCOMPARE(readCsv(path("a.csv")).value().columns,
              (std::vector<std::string>{"timestamp", "actual_q_0", "actual_q_1", "actual_q_2", "actual_q_3",
                                        "actual_q_4", "actual_q_5", "packages_lost"}));
+}
+
+void TestCliRecording::metadataIsInEveryFormat() {
+    const QStringList metadata{"--meta", "operator=Änne", "--meta", "sample=a = 7"};
+    for (const char* name : {"meta.mcap", "meta.csv"}) {
+        const Answer recorded =
+            run(QStringList{"record", address_, "--out", path(name), "--duration", "0.3"} + metadata);
+        QCOMPARE(recorded.err, QString());
+        QCOMPARE(recorded.code, 0);
+    }
+    QCOMPARE(run({"export", path("meta.mcap"), "--out", path("meta.h5")}).code, 0);
+    QCOMPARE(run({"export", path("meta.h5"), "--out", path("meta2.csv"), "--head"}).code, 0);
+    QCOMPARE(run({"export", path("meta.csv"), "--out", path("meta2.mcap")}).code, 0);
+    for (const char* name : {"meta.mcap", "meta.csv", "meta.h5", "meta2.csv", "meta2.mcap"}) {
+        const Answer described = run({"info", path(name), "--json"});
+        QCOMPARE(described.code, 0);
+        const QJsonObject info = QJsonDocument::fromJson(described.out.toUtf8()).object();
+        QCOMPARE(info["facts"]["operator"].toString(), QStringLiteral("Änne"));
+        QCOMPARE(info["facts"]["sample"].toString(), QStringLiteral("a = 7"));
+        QCOMPARE(info["facts"]["serial_number"].toString(), QString(simulator_->options().serialNumber));
+        QVERIFY2(info["start"].toString().startsWith("20"), name);
+    }
+    QVERIFY(run({"info", path("meta.csv")}).out.contains("operator: Änne"));
 }
 
 void TestCliRecording::namesFilesInAFolder() {
@@ -269,6 +293,10 @@ void TestCliRecording::wrongArgumentsAreReported_data() {
     QTest::newRow("no number") << QStringList{"record",      address_,     "--out",
                                               path("b.csv"), "--duration", "long"}
                                << "--duration";
+    QTest::newRow("metadata without a value")
+        << QStringList{"record", address_, "--out", path("b.csv"), "--meta", "operator"} << "operator=Ann";
+    QTest::newRow("metadata with a name of the recorder")
+        << QStringList{"record", address_, "--out", path("b.csv"), "--meta", "robot=x"} << "robot";
     QTest::newRow("no option") << QStringList{"record", address_, "--inp", "b.csv"} << "inp";
     QTest::newRow("info of nothing") << QStringList{"info"} << "file";
     QTest::newRow("export of nothing") << QStringList{"export", "--out", "a.csv"} << "recording";

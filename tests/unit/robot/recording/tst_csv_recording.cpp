@@ -3,7 +3,9 @@
 #include <QTest>
 #include <random>
 
+#include "robot/recording/csv_reader.h"
 #include "robot/recording/csv_recording.h"
+#include "robot/recording/export.h"
 #include "tests/unit/robot/recording/made_recording.h"
 
 using namespace tiller;
@@ -37,6 +39,10 @@ private Q_SLOTS:
     void unterminatedLastLineIsReported();
     void nonTableFilesAreReported();
     void summariesKeepSpikes();
+    void metadataIsAboveTheHeader();
+    void metadataIsExported();
+    void entriesOfMetadataAreChecked_data();
+    void entriesOfMetadataAreChecked();
     void thousandMutationsDoNoHarm();
 
 private:
@@ -354,8 +360,98 @@ void TestCsvRecording::summariesKeepSpikes() {
     QCOMPARE(summary.mean[7], 1.49);
 }
 
+void TestCsvRecording::metadataIsAboveTheHeader() {
+    const auto format = csvFormat({{"operator", "Änne"}, {"sample no", "a: \"7\", b\nc"}});
+    const std::string text = test::madeFile(*format, 20);
+    const std::string expected =
+        "# start: 2026-01-01T00:00:00.000000000Z\n# operator: Änne\n# sample no: a: \"7\", b c\n# units: "
+        "s,rad,";
+    QCOMPARE(text.substr(0, expected.size()), expected);
+    const auto recording = open(text).value();
+    QVERIFY2(recording->problems().isEmpty(), qPrintable(recording->problems().join(' ')));
+    QCOMPARE(recording->rows(), std::uint64_t(20));
+    QCOMPARE(recording->startUtcNs(), std::optional(test::kMadeStartNs));
+    QCOMPARE(recording->facts(), (Metadata{{"operator", "Änne"}, {"sample no", "a: \"7\", b c"}}));
+    const auto plain = open(test::madeFile(*csvFormat(), 20)).value();
+    QVERIFY(plain->facts().empty());
+    QVERIFY(!plain->startUtcNs());
+    QCOMPARE(recording->columns().size(), plain->columns().size());
+    for (std::size_t i = 0; i < plain->columns().size(); ++i) {
+        QCOMPARE(recording->columns()[i].name, plain->columns()[i].name);
+        QCOMPARE(recording->columns()[i].unit, plain->columns()[i].unit);
+    }
+    test::writeFile(path_, text);
+    QCOMPARE(readCsv(path_).value().rows(), std::size_t(20));
+
+    // Rows of a part that was written incompletely, without the lines above them.
+    test::MadeSamples samples;
+    const auto encoder = format->encoder({samples.layout, {"actual_q"}, false});
+    QVERIFY(encoder->take(RecordingEncoder::Close::WhenDue).bytes.empty());
+    encoder->add(samples.at(0), 0, samples.utcNs(0));
+    encoder->add(samples.at(1), 0, samples.utcNs(1));
+    const std::string part = encoder->take(RecordingEncoder::Close::WhenDue).bytes;
+    std::uint64_t rows = 0;
+    QCOMPARE(encoder->keepOf(std::string_view(part).substr(0, part.size() - 3), rows),
+             part.rfind('\n', part.size() - 2) + 1);
+    QCOMPARE(rows, std::uint64_t(1));
+    // A recording without rows is also complete.
+    const auto empty = format->encoder({samples.layout, {"actual_q"}, false});
+    QVERIFY(empty->take(RecordingEncoder::Close::Last).bytes.ends_with("packages_lost\n"));
+}
+
+void TestCsvRecording::metadataIsExported() {
+    const auto source =
+        open(
+            "# start: 2026-11-27T14:00:00.000000250Z\n# sample: 7\n# units: ms;mm;-\n# a remark\n"
+            "stamp;height;count\n0;1,5;1\n10;2,5;2\n20;3,5;3\n")
+            .value();
+    QCOMPARE(source->columns()[1].unit, std::string("mm"));
+    QCOMPARE(source->columns()[2].unit, std::string());
+    QCOMPARE(source->facts(), (Metadata{{"sample", "7"}}));
+    QTemporaryDir folder;
+    const QString path = folder.filePath("part.csv");
+    exportCsv(*source, {.path = path, .from = 0.01}, {.separator = ';', .decimal = ',', .head = true})
+        .value();
+    const auto back = openCsv(path).value();
+    QCOMPARE(back->rows(), std::uint64_t(2));
+    QCOMPARE(*back->startUtcNs(), *source->startUtcNs() + 10'000'000);
+    QCOMPARE(*source->startUtcNs() % 1000, std::int64_t(250));
+    QCOMPARE(back->facts(), source->facts());
+    for (std::size_t i = 0; i < 3; ++i) {
+        QCOMPARE(back->columns()[i].unit, source->columns()[i].unit);
+    }
+    QCOMPARE(column(*back, "height"), (std::vector{2.5, 3.5}));
+}
+
+void TestCsvRecording::entriesOfMetadataAreChecked_data() {
+    QTest::addColumn<QString>("entry");
+    QTest::addColumn<bool>("isValid");
+    for (const char* entry :
+         {"operator=Ann", "sample no: 7", "formula=a=b", "url = http://x", "Prüfer=Änne"}) {
+        QTest::newRow(entry) << QString(entry) << true;
+    }
+    for (const char* entry : {"", "operator", "operator=", "=Ann", "a\"b=c", "robot=other", "units=mm",
+                              "start: now", "incident=x", "a=b\nc", "# x=1"}) {
+        QTest::newRow(entry) << QString(entry) << false;
+    }
+    QTest::newRow("long value") << "a=" + QString(10'001, 'x') << false;
+    QTest::newRow("long name") << QString(61, 'x') + "=1" << false;
+}
+
+void TestCsvRecording::entriesOfMetadataAreChecked() {
+    QFETCH(QString, entry);
+    QFETCH(bool, isValid);
+    Metadata metadata;
+    const auto added = addMetadata(metadata, entry);
+    QCOMPARE(added.ok(), isValid);
+    QCOMPARE(metadata.size(), std::size_t(isValid ? 1 : 0));
+    if (!isValid) {
+        QCOMPARE(added.error().code, ErrorCode::InvalidArgument);
+    }
+}
+
 void TestCsvRecording::thousandMutationsDoNoHarm() {
-    const std::string whole = test::madeFile(*csvFormat(), 20);
+    const std::string whole = test::madeFile(*csvFormat({{"operator", "Ann"}}), 20);
     std::mt19937 random(11);
     for (int i = 0; i < 1000; ++i) {
         std::string text = whole;
