@@ -547,8 +547,32 @@
         <translation>Zu viele Gleichheitszeichen. Verwenden Sie für einen Vergleich ==</translation>
     </message>
     <message>
-        <source>The time window must be between 0.001 and 60 seconds.</source>
-        <translation>Das Zeitfenster muss zwischen 0,001 und 60 Sekunden liegen.</translation>
+        <source>The functions are nested too deeply. Use at most %1 levels.</source>
+        <translation>Die Funktionen sind zu tief verschachtelt. Verwenden Sie höchstens %1 Ebenen.</translation>
+    </message>
+    <message>
+        <source>The closing parenthesis of “%1” is missing.</source>
+        <translation>Die schließende Klammer von „%1“ fehlt.</translation>
+    </message>
+    <message>
+        <source>“%1” needs a signal or an expression, a cut-off frequency in Hz and optionally the order (1 to 8), for example %1(actual_q_0, 10, 2).</source>
+        <translation>„%1“ benötigt ein Signal oder einen Ausdruck, eine Grenzfrequenz in Hz und optional die Ordnung (1 bis 8), zum Beispiel %1(actual_q_0, 10, 2).</translation>
+    </message>
+    <message>
+        <source>“%1” needs a signal or an expression and a time window in seconds, for example %1(actual_q_0, 0.5).</source>
+        <translation>„%1“ benötigt ein Signal oder einen Ausdruck und ein Zeitfenster in Sekunden, zum Beispiel %1(actual_q_0, 0.5).</translation>
+    </message>
+    <message>
+        <source>The cut-off frequency of “%1” must be between %2 and %3 Hz.</source>
+        <translation>Die Grenzfrequenz von „%1“ muss zwischen %2 und %3 Hz liegen.</translation>
+    </message>
+    <message>
+        <source>The time window of “%1” must be between 0.001 and 60 seconds.</source>
+        <translation>Das Zeitfenster von „%1“ muss zwischen 0,001 und 60 Sekunden liegen.</translation>
+    </message>
+    <message>
+        <source>The function “%1” does not exist.</source>
+        <translation>Die Funktion „%1“ existiert nicht.</translation>
     </message>
 </context>
 <context>

@@ -547,7 +547,31 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The time window must be between 0.001 and 60 seconds.</source>
+        <source>The functions are nested too deeply. Use at most %1 levels.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The closing parenthesis of “%1” is missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” needs a signal or an expression, a cut-off frequency in Hz and optionally the order (1 to 8), for example %1(actual_q_0, 10, 2).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” needs a signal or an expression and a time window in seconds, for example %1(actual_q_0, 0.5).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cut-off frequency of “%1” must be between %2 and %3 Hz.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The time window of “%1” must be between 0.001 and 60 seconds.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The function “%1” does not exist.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -547,8 +547,32 @@
         <translation>Demasiados signos igual. Para comparar, use ==</translation>
     </message>
     <message>
-        <source>The time window must be between 0.001 and 60 seconds.</source>
-        <translation>La ventana de tiempo debe estar entre 0,001 y 60 segundos.</translation>
+        <source>The functions are nested too deeply. Use at most %1 levels.</source>
+        <translation>Las funciones están anidadas a demasiada profundidad. Use como máximo %1 niveles.</translation>
+    </message>
+    <message>
+        <source>The closing parenthesis of “%1” is missing.</source>
+        <translation>Falta el paréntesis de cierre de «%1».</translation>
+    </message>
+    <message>
+        <source>“%1” needs a signal or an expression, a cut-off frequency in Hz and optionally the order (1 to 8), for example %1(actual_q_0, 10, 2).</source>
+        <translation>«%1» necesita una señal o una expresión, una frecuencia de corte en Hz y, opcionalmente, el orden (de 1 a 8), por ejemplo %1(actual_q_0, 10, 2).</translation>
+    </message>
+    <message>
+        <source>“%1” needs a signal or an expression and a time window in seconds, for example %1(actual_q_0, 0.5).</source>
+        <translation>«%1» necesita una señal o una expresión y una ventana de tiempo en segundos, por ejemplo %1(actual_q_0, 0.5).</translation>
+    </message>
+    <message>
+        <source>The cut-off frequency of “%1” must be between %2 and %3 Hz.</source>
+        <translation>La frecuencia de corte de «%1» debe estar entre %2 y %3 Hz.</translation>
+    </message>
+    <message>
+        <source>The time window of “%1” must be between 0.001 and 60 seconds.</source>
+        <translation>La ventana de tiempo de «%1» debe estar entre 0,001 y 60 segundos.</translation>
+    </message>
+    <message>
+        <source>The function “%1” does not exist.</source>
+        <translation>La función «%1» no existe.</translation>
     </message>
 </context>
 <context>

@@ -547,8 +547,32 @@
         <translation>Trop de signes égal. Pour une comparaison, utilisez ==</translation>
     </message>
     <message>
-        <source>The time window must be between 0.001 and 60 seconds.</source>
-        <translation>La fenêtre de temps doit être comprise entre 0,001 et 60 secondes.</translation>
+        <source>The functions are nested too deeply. Use at most %1 levels.</source>
+        <translation>Les fonctions sont trop imbriquées. Utilisez au plus %1 niveaux.</translation>
+    </message>
+    <message>
+        <source>The closing parenthesis of “%1” is missing.</source>
+        <translation>La parenthèse fermante de « %1 » manque.</translation>
+    </message>
+    <message>
+        <source>“%1” needs a signal or an expression, a cut-off frequency in Hz and optionally the order (1 to 8), for example %1(actual_q_0, 10, 2).</source>
+        <translation>« %1 » nécessite un signal ou une expression, une fréquence de coupure en Hz et, en option, l’ordre (1 à 8), par exemple %1(actual_q_0, 10, 2).</translation>
+    </message>
+    <message>
+        <source>“%1” needs a signal or an expression and a time window in seconds, for example %1(actual_q_0, 0.5).</source>
+        <translation>« %1 » nécessite un signal ou une expression et une fenêtre de temps en secondes, par exemple %1(actual_q_0, 0.5).</translation>
+    </message>
+    <message>
+        <source>The cut-off frequency of “%1” must be between %2 and %3 Hz.</source>
+        <translation>La fréquence de coupure de « %1 » doit être comprise entre %2 et %3 Hz.</translation>
+    </message>
+    <message>
+        <source>The time window of “%1” must be between 0.001 and 60 seconds.</source>
+        <translation>La fenêtre de temps de « %1 » doit être comprise entre 0,001 et 60 secondes.</translation>
+    </message>
+    <message>
+        <source>The function “%1” does not exist.</source>
+        <translation>La fonction « %1 » n’existe pas.</translation>
     </message>
 </context>
 <context>

@@ -547,8 +547,32 @@
         <translation>等号が多すぎます。比較には == を使ってください</translation>
     </message>
     <message>
-        <source>The time window must be between 0.001 and 60 seconds.</source>
-        <translation>時間の幅は 0.001〜60 秒です。</translation>
+        <source>The functions are nested too deeply. Use at most %1 levels.</source>
+        <translation>関数の入れ子が深すぎます。%1 段までにしてください。</translation>
+    </message>
+    <message>
+        <source>The closing parenthesis of “%1” is missing.</source>
+        <translation>「%1」の閉じ括弧がありません。</translation>
+    </message>
+    <message>
+        <source>“%1” needs a signal or an expression, a cut-off frequency in Hz and optionally the order (1 to 8), for example %1(actual_q_0, 10, 2).</source>
+        <translation>「%1」には信号または式、遮断周波数 (Hz)、必要なら次数 (1〜8) を指定します。例：%1(actual_q_0, 10, 2)</translation>
+    </message>
+    <message>
+        <source>“%1” needs a signal or an expression and a time window in seconds, for example %1(actual_q_0, 0.5).</source>
+        <translation>「%1」には信号または式と、時間の幅 (秒) を指定します。例：%1(actual_q_0, 0.5)</translation>
+    </message>
+    <message>
+        <source>The cut-off frequency of “%1” must be between %2 and %3 Hz.</source>
+        <translation>「%1」の遮断周波数は %2〜%3 Hz です。</translation>
+    </message>
+    <message>
+        <source>The time window of “%1” must be between 0.001 and 60 seconds.</source>
+        <translation>「%1」の時間の幅は 0.001〜60 秒です。</translation>
+    </message>
+    <message>
+        <source>The function “%1” does not exist.</source>
+        <translation>関数「%1」はありません。</translation>
     </message>
 </context>
 <context>

@@ -547,8 +547,32 @@
         <translation>等号过多。比较请使用 ==</translation>
     </message>
     <message>
-        <source>The time window must be between 0.001 and 60 seconds.</source>
-        <translation>时间窗口必须在 0.001 至 60 秒之间。</translation>
+        <source>The functions are nested too deeply. Use at most %1 levels.</source>
+        <translation>函数嵌套过深。最多使用 %1 层。</translation>
+    </message>
+    <message>
+        <source>The closing parenthesis of “%1” is missing.</source>
+        <translation>“%1”缺少右括号。</translation>
+    </message>
+    <message>
+        <source>“%1” needs a signal or an expression, a cut-off frequency in Hz and optionally the order (1 to 8), for example %1(actual_q_0, 10, 2).</source>
+        <translation>“%1”需要一个信号或表达式、以 Hz 为单位的截止频率，以及可选的阶数（1 至 8），例如 %1(actual_q_0, 10, 2)。</translation>
+    </message>
+    <message>
+        <source>“%1” needs a signal or an expression and a time window in seconds, for example %1(actual_q_0, 0.5).</source>
+        <translation>“%1”需要一个信号或表达式，以及以秒为单位的时间窗口，例如 %1(actual_q_0, 0.5)。</translation>
+    </message>
+    <message>
+        <source>The cut-off frequency of “%1” must be between %2 and %3 Hz.</source>
+        <translation>“%1”的截止频率必须在 %2 至 %3 Hz 之间。</translation>
+    </message>
+    <message>
+        <source>The time window of “%1” must be between 0.001 and 60 seconds.</source>
+        <translation>“%1”的时间窗口必须在 0.001 至 60 秒之间。</translation>
+    </message>
+    <message>
+        <source>The function “%1” does not exist.</source>
+        <translation>函数“%1”不存在。</translation>
     </message>
 </context>
 <context>

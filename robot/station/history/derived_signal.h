@@ -5,13 +5,20 @@
 //     |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1, actual_TCP_force_2)
 // Name and unit can be chosen freely, and the unit is optional. The expression can contain the names of
 // signals in recordings, + - * / ^, comparisons, min, max, abs, sqrt, sin, exp and the other functions of
-// muParser, norm(a, b, ...) and the constants pi and e. Alternatively, the whole expression is one of:
-//     deriv(signal, seconds)   rate of change over the time window [per s]
-//     mean(signal, seconds)    mean over the time window
+// muParser, norm(a, b, ...) and the constants pi and e, and these functions of a signal or an expression, which
+// can be nested:
+//     deriv(x, seconds)          rate of change over the time window [per s]
+//     mean(x, seconds)           mean over the time window
+//     median(x, seconds)         median over the time window
+//     integral(x, seconds)       integral over the time window, by the trapezoidal rule
+//     lowpass(x, hertz, order)   Butterworth filter of order 1 to 8; 2 without an order. No value if the cut-off
+//     highpass(x, hertz, order)  frequency is half the sample rate or higher
+// The time window ends with the sample, and filters use only the samples before it. A gap or a missing value
+// restarts both.
 // Names with characters other than letters, digits, _ and . are written in braces, for example signals of a
 // recording:
 //     |F| [N] = norm({run 1.mcap/actual_TCP_force_0}, {run 1.mcap/actual_TCP_force_1})
-// A sample has no value if its window contains a gap or if one of the input signals has no value.
+// A sample has no value if one of the input signals has no value.
 
 #include <QString>
 #include <QStringList>
@@ -36,8 +43,8 @@ public:
     /// Keys of the input signals.
     const QStringList& inputs() const { return inputs_; }
 
-    /// Length of the window before a sample that affects its value [s]. The last sample before the window is
-    /// also used.
+    /// Length of the window before a sample that affects its value [s]. Up to 1 + kMaxNesting samples before the
+    /// window are also used.
     virtual double lookBack() const { return 0; }
     /// columns  history columns of the inputs
     virtual double valueAt(const SeriesBuffer& history, const std::vector<int>& columns,
@@ -50,6 +57,7 @@ public:
     /// The notation of a signal's key in an expression.
     static QString written(const QString& key);
     static constexpr int kMaxInputs = 24;
+    static constexpr int kMaxNesting = 4;
     static constexpr qsizetype kMaxTextLength = 1500;
 
 protected:

@@ -56,7 +56,8 @@ RecordedRows::RecordedRows(const recording::Recording& file, double begin, std::
 Result<RecordedRows::Rows> RecordedRows::read(recording::RowRange range) {
     recording::RowRange whole = range;
     if (lookBack_ >= 0 && file_.period() > 0) {
-        const auto before = std::min(range.first, static_cast<std::uint64_t>(lookBack_ / file_.period()) + 2);
+        const auto before = std::min(range.first, static_cast<std::uint64_t>(lookBack_ / file_.period()) + 1 +
+                                                      DerivedSignal::kMaxNesting + 1);
         whole = {range.first - before, range.count + before};
     }
     auto times = file_.times(whole);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <random>
 
+#include "robot/recording/table_recording.h"
+#include "robot/station/history/recorded_rows.h"
 #include "robot/station/history/signal_store.h"
 
 using namespace tiller;
@@ -70,6 +72,141 @@ private Q_SLOTS:
             QVERIFY(std::abs(s.at(slope, time) - std::cos(time - 0.01)) < 0.01);
             QVERIFY(std::abs(s.at(mean, time) - (time - 0.25)) < 0.005);
         }
+    }
+
+    void medianAndIntegralAreComputed() {
+        Source s;
+        s.add(3000);
+        const int median = *s.store.derive("m = median(actual_q_2, 0.5)");
+        const int integral = *s.store.derive("i = integral(actual_q_0, 0.5)");
+        // 20 of 21 values are 0, so the peak has no effect.
+        const int peak = *s.store.derive("p = median(actual_q_2 == 3, 0.04)");
+        s.add(3000);
+        for (const double time : {1.0, 5.9, 6.5, 11.0}) {
+            QVERIFY(std::abs(s.at(median, time) - (time - 0.25)) < 0.005);
+            QVERIFY(std::abs(s.at(integral, time) - (std::cos(time - 0.5) - std::cos(time))) < 0.003);
+        }
+        for (std::int64_t sample = 1480; sample < 1530; ++sample) {
+            QCOMPARE(s.store.value(peak, sample), 0.0);
+        }
+    }
+
+    // At the cut-off frequency, a Butterworth filter of order n has the gain 1/sqrt(2), and shifts the phase by
+    // n times 45 degrees.
+    void filtersHaveTheirFrequencyResponse_data() {
+        QTest::addColumn<int>("order");
+        for (int order = 1; order <= 8; ++order) {
+            QTest::newRow(qPrintable(QString::number(order))) << order;
+        }
+    }
+    void filtersHaveTheirFrequencyResponse() {
+        QFETCH(int, order);
+        Source s;
+        const double hertz = 1.5;
+        const QString sine = QStringLiteral("sin(2 * pi * %1 * actual_q_2)").arg(hertz);
+        const auto make = [&](const char* name, const QString& of, double cutOff) {
+            return *s.store.derive(
+                QStringLiteral("x = %1(%2, %3, %4)").arg(QLatin1String(name), of).arg(cutOff).arg(order));
+        };
+        const int low = make("lowpass", sine, hertz);
+        const int high = make("highpass", sine, hertz);
+        const int passed = make("lowpass", sine, 200);
+        const int constant = make("lowpass", "actual_q_1", hertz);
+        const int removed = make("highpass", "actual_q_1", hertz);
+        s.add(10'000);
+        const double shift = order * std::acos(-1.0) / 4;
+        for (std::int64_t sample = 9000; sample < 9400; ++sample) {
+            const double phase = 2 * std::acos(-1.0) * hertz * static_cast<double>(sample) * 0.002;
+            const double gain = 1 / std::sqrt(2.0);
+            QVERIFY(std::abs(s.store.value(low, sample) - gain * std::sin(phase - shift)) < 1e-6);
+            QVERIFY(std::abs(s.store.value(high, sample) - gain * std::sin(phase + shift)) <
+                    3e-5);  // times are rounded
+            QVERIFY(std::abs(s.store.value(passed, sample) - std::sin(phase)) < 0.1);
+        }
+        // The first value counts as constant before, so that a filter begins without an oscillation.
+        for (const std::int64_t sample : {0, 1, 50, 9000}) {
+            QVERIFY(std::abs(s.store.value(constant, sample) - 2) < 1e-9);
+            QVERIFY(std::abs(s.store.value(removed, sample)) < 1e-9);
+        }
+    }
+
+    void frequenciesAboveHalfTheSampleRateHaveNoValue() {
+        Source s;
+        const int filtered = *s.store.derive("x = lowpass(actual_q_0, 250)");
+        s.add(10);
+        QVERIFY(std::isnan(s.store.value(filtered, 5)));
+    }
+
+    void functionsCanBeNested() {
+        Source s;
+        const int nested = *s.store.derive(
+            "x = 1 + lowpass(norm(actual_q_0, mean(actual_q_0, 0.2)) - actual_q_1, 20, 4) * 2");
+        const int mean = *s.store.derive("m = mean(2 * actual_q_2, 0.5) - mean(actual_q_2, 0.5)");
+        const int slope = *s.store.derive("d = deriv(integral(actual_q_1 * actual_q_0, 60), 0.02)");
+        s.add(5000);
+        s.next += 1000;
+        s.add(5000, true);
+        for (const double time : {5.0, 9.0, 15.0, 20.0}) {
+            const double expected = std::sqrt(2.0) * std::abs(std::sin(time));
+            QVERIFY(std::abs(s.at(nested, time) - (2 * expected - 3)) < 0.3);
+            QVERIFY(std::abs(s.at(mean, time) - (time - 0.25)) < 0.005);
+            QVERIFY(std::abs(s.at(slope, time) - 2 * std::sin(time - 0.01)) < 0.01);
+        }
+        // The gap restarts the filter with the first value after it.
+        const double first = std::sqrt(2.0) * std::abs(std::sin(12.0)) - 2;
+        QVERIFY(std::abs(s.store.value(nested, 5000) - (1 + 2 * first)) < 1e-6);
+    }
+
+    // A part of a recording begins with the rows that its first values depend on.
+    void valuesDoNotDependOnTheFirstRowRead() {
+        recording::RecordedTable table{.columns = {{"time", "s", false}, {"force", "N", false}},
+                                       .values = {{}, {}}};
+        std::mt19937 random(3);
+        for (int row = 0; row < 40'000; ++row) {
+            table.values[0].push_back(row * 0.002);
+            table.values[1].push_back(std::uniform_real_distribution(-50.0, 50.0)(random));
+        }
+        const recording::TableRecording file(std::move(table));
+        for (const char* text :
+             {"x = deriv(mean(mean(force, 0.1), 0.05), 0.02)", "x = lowpass(highpass(force, 1, 3), 20, 8)",
+              "x = median(force, 1)", "x = deriv(deriv(deriv(deriv(force, 0.001), 0.001), 0.001), 0.001)"}) {
+            RecordedRows rows(file, 0, {{{1}, -1, text}});
+            const std::vector<double> all = rows.read({0, 40'000}).value().values.front();
+            const std::vector<double> part = rows.read({39'000, 100}).value().values.front();
+            QCOMPARE(part.size(), std::size_t(100));
+            for (std::size_t i = 0; i < part.size(); ++i) {
+                const double expected = all[39'000 + i];
+                QVERIFY2(std::abs(part[i] - expected) <= 1e-9 * std::max(1.0, std::abs(expected)), text);
+            }
+        }
+    }
+
+    void errorsNameThePartOfTheExpression_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("part");
+        const auto row = [](const char* text, const char* part) {
+            QTest::newRow(text) << QString(text) << QString(part);
+        };
+        row("x = mean(actual_q_0)", "“mean”");
+        row("x = 2 * median(actual_q_0, a)", "“median”");
+        row("x = integral(actual_q_0, 61)", "“integral”");
+        row("x = lowpass(actual_q_0)", "“lowpass”");
+        row("x = lowpass(actual_q_0, 10, 9)", "“lowpass”");
+        row("x = highpass(actual_q_0, 10, 1.5)", "“highpass”");
+        row("x = lowpass(actual_q_0, 0.001)", "“lowpass”");
+        row("x = lowpass(actual_q_0, nan)", "“lowpass”");
+        row("x = deriv(actual_q_0, 0.1", "“deriv”");
+        row("x = mean(actual_qq, 0.1)", "“actual_qq”");
+        row("x = mean(actual_q_0 + foo(1), 0.1)", "“foo”");
+        row("x = mean(mean(mean(mean(mean(actual_q_0, 1), 1), 1), 1), 1)", "4");
+    }
+    void errorsNameThePartOfTheExpression() {
+        QFETCH(QString, text);
+        QFETCH(QString, part);
+        SignalStore store;
+        const auto made = store.derive(text);
+        QCOMPARE(made.error().code, ErrorCode::InvalidArgument);
+        QVERIFY2(made.error().controllerMessage.contains(part), qPrintable(made.error().controllerMessage));
     }
 
     void nothingIsComputedAcrossAGap() {
@@ -196,9 +333,9 @@ private Q_SLOTS:
         SignalStore store;
         std::mt19937 random(1);
         const QString letters =
-            QStringLiteral("actual_q_0actual_q_1+-*/^(),.=[]<>!&|?:{}0123456789e normsinmean\"'\\\n");
+            QStringLiteral("actual_q_0actual_q_1+-*/^(),.=[]<>!&|?:{}0123456789e normsinmeanlowpass\"'\\\n");
         const QString good =
-            QStringLiteral("x [N] = norm(actual_q_0, 2*{actual_q_1}) + mean(actual_q_0, 0.5)");
+            QStringLiteral("x [N] = norm(actual_q_0, 2*{actual_q_1}) + lowpass(mean(actual_q_0, 0.5), 9)");
         for (int round = 0; round < 2000; ++round) {
             QString text = good;
             for (int change = 0; change < 4; ++change) {
