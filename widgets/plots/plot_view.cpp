@@ -351,6 +351,24 @@ QStringList PlotView::recordingsShown() const {
     return all;
 }
 
+const RecordedClock* PlotView::recordedClock() const {
+    const QSet<int> shown = signalsShown();
+    const bool isLive =
+        std::any_of(shown.begin(), shown.end(), [this](int signal) { return !store_.isRecorded(signal); });
+    const QStringList recordings = recordingsShown();
+    const recording::Recording* file =
+        !isLive && recordings.size() == 1 ? store_.recorded(recordings.front()) : nullptr;
+    if (file != clockOf_) {
+        clockOf_ = file;
+        recordedClock_.reset();
+        if (file != nullptr) {
+            recordedClock_.emplace(*file, store_.timesOf(recordings.front())->firstTime());
+        }
+        tickSpan_ = -1;  // the labels change
+    }
+    return recordedClock_ ? &*recordedClock_ : nullptr;
+}
+
 QString PlotView::recordingInFront() const {
     const QSet<int> shown = signalsShown();
     if (shown.contains(readoutSignal_)) {
@@ -585,14 +603,28 @@ void PlotView::setTimeAxis(TimeAxis axis, std::function<QDateTime(double)> clock
 
 void PlotView::placeTicks() {
     // Reference of the labels. The time of day refers to midnight, so that ticks are round numbers.
-    double reference = timeAxis_ == TimeAxis::Relative ? reference_
-                       : timeAxis_ == TimeAxis::Controller
-                           ? window_.end() - store_.controllerTime(window_.end(), recordingInFront())
-                           : 0;
+    // A recording has its own clocks. If it lacks the selected one, the axis shows the time since its start.
+    const RecordedClock* recorded = recordedClock();
+    const auto controllerTime = [&](double time) {
+        return recorded ? recorded->controllerTime(time).value_or(time - recorded->begin())
+                        : store_.controllerTime(time);
+    };
+    double reference = timeAxis_ == TimeAxis::Controller ? window_.end() - controllerTime(window_.end())
+                       : recorded                        ? recorded->begin()
+                       : timeAxis_ == TimeAxis::Relative ? reference_
+                                                         : 0;
     QDateTime midnight;
     if (timeAxis_ == TimeAxis::Clock) {
-        if (const QDateTime now = clock_ ? clock_(window_.end()) : QDateTime(); now.isValid()) {
-            constexpr double kMsPerSecond = 1e3;
+        constexpr double kMsPerSecond = 1e3;
+        constexpr std::int64_t kNsPerMs = 1'000'000;
+        QDateTime now;
+        if (recorded) {
+            const auto utcNs = recorded->utcNs(window_.end());
+            now = utcNs ? QDateTime::fromMSecsSinceEpoch(*utcNs / kNsPerMs) : QDateTime();
+        } else if (clock_) {
+            now = clock_(window_.end());
+        }
+        if (now.isValid()) {
             midnight = now.date().startOfDay();
             reference = window_.end() - static_cast<double>(midnight.msecsTo(now)) / kMsPerSecond;
         }
@@ -609,14 +641,13 @@ void PlotView::placeTicks() {
     const bool minutes = step >= 60 && timeAxis_ != TimeAxis::Controller;
     const double unit = minutes ? 60 : 1;
     const int digits = std::max(0, static_cast<int>(std::ceil(-std::log10(step / unit) - 1e-9)));
-    const auto label = [&, recording = recordingInFront()](double value) {
+    const auto label = [&](double value) {
         if (midnight.isValid()) {
             const QDateTime then = midnight.addMSecs(std::llround(value * 1e3));
             return then.toString(step < 1 ? QStringLiteral("HH:mm:ss.zzz") : QStringLiteral("HH:mm:ss"));
         }
         // The clock of the controller may have been restarted within the window.
-        const double shown =
-            timeAxis_ == TimeAxis::Controller ? store_.controllerTime(value + reference, recording) : value;
+        const double shown = timeAxis_ == TimeAxis::Controller ? controllerTime(value + reference) : value;
         return format::number(shown / unit, digits) + (minutes ? tr(" min") : tr(" s"));
     };
     std::vector<AxisTick> ticks;
@@ -625,7 +656,7 @@ void PlotView::placeTicks() {
         const double value = static_cast<double>(i) * step;
         // Omit labels that would be cut off at the edge.
         const double room = (value - start) / tickSpan_ * width;
-        const bool isNow = i == 0 && timeAxis_ == TimeAxis::Relative;
+        const bool isNow = i == 0 && timeAxis_ == TimeAxis::Relative && !recorded;
         if (isNow || room < 24 || (end - value) / tickSpan_ * width < 24) {
             continue;
         }
@@ -766,6 +797,8 @@ QString PlotView::readout() const {
         return tr("A–B Δt %1 s · Δ%2 %3").arg(format::number(*b - *a, 3), name, valueText(difference));
     }
     const double time = a ? *a : *b;
+    const RecordedClock* recorded = recordedClock();
+    const double zero = recorded ? recorded->begin() : reference_;
     std::optional<double> value = store_.valueAt(readoutSignal_, time);
     if (value) {
         *value -= offsets_.value(readoutSignal_, 0);
@@ -774,7 +807,7 @@ QString PlotView::readout() const {
         name = tr("%1 (zeroed)").arg(name);
     }
     return tr("%1 %2 s · %3 %4")
-        .arg(a ? QStringLiteral("A") : QStringLiteral("B"), format::number(time - reference_, 3), name,
+        .arg(a ? QStringLiteral("A") : QStringLiteral("B"), format::number(time - zero, 3), name,
              valueText(value));
 }
 

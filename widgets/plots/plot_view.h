@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "robot/station/history/history_file.h"
+#include "robot/station/history/recorded_clock.h"
 #include "robot/station/history/series_buffer.h"
 #include "widgets/plots/plot_layout.h"
 #include "widgets/plots/time_window.h"
@@ -189,6 +190,8 @@ private:
     /// True if enough has changed to require a repaint.
     bool isDue() const;
     void placeTicks();
+    /// The clocks of the recording if the page shows nothing else; otherwise null.
+    const RecordedClock* recordedClock() const;
     void placeCursors();
     void click(const QPointF& point);
     std::optional<Cursor> cursorNear(double x) const;
@@ -234,8 +237,10 @@ private:
     TimeAxis timeAxis_ = TimeAxis::Relative;
     std::function<QDateTime(double)> clock_;
     QStringList timeLabels_;
-    double tickSpan_ = -1;
+    mutable double tickSpan_ = -1;
     double tickEnd_ = 0;
+    mutable const recording::Recording* clockOf_ = nullptr;  ///< recording of recordedClock_
+    mutable std::optional<RecordedClock> recordedClock_;
     QTimer sharpen_;              // active while more details of a recording can be loaded
     QHash<int, double> offsets_;  // offsets by signal; empty if not zeroed
     QString name_;

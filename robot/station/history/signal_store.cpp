@@ -348,20 +348,16 @@ int SignalStore::findOrDerive(const QString& key) {
     return made ? *made : -1;
 }
 
-double SignalStore::controllerTime(double time, const QString& recording) const {
-    // The sum with the offset was rounded. Time stamps have at most nine decimal places.
-    constexpr double kPerSecond = 1e9;
-    const auto rounded = [](double seconds) { return std::round(seconds * kPerSecond) / kPerSecond; };
-    if (const Table* table = recording.isEmpty() ? nullptr : tableOf(recording)) {
-        return rounded(time - table->buffer->firstTime() + table->firstStamp);
-    }
+double SignalStore::controllerTime(double time) const {
     const auto next = std::upper_bound(
         clocks_.begin(), clocks_.end(), time,
         [](double wanted, const std::pair<double, double>& clock) { return wanted < clock.first; });
     if (next == clocks_.begin()) {
         return time;
     }
-    return rounded(time - (next - 1)->second);
+    // The sum with the offset was rounded. Time stamps have at most nine decimal places.
+    constexpr double kPerSecond = 1e9;
+    return std::round((time - (next - 1)->second) * kPerSecond) / kPerSecond;
 }
 
 QStringList SignalStore::shownFields() const {
@@ -643,11 +639,6 @@ void SignalStore::prepareSamples(Table& table) {
         }
     }
     table.layout = std::make_shared<const receive::SampleLayout>(fields);
-    if (const auto stamp = table.file->indexOf("timestamp")) {
-        const auto first = table.file->read(std::array{*stamp}, {0, 1});
-        const bool isKnown = first && !first->front().empty() && std::isfinite(first->front().front());
-        table.firstStamp = isKnown ? first->front().front() : 0;
-    }
     for (std::size_t place = 0; place < table.layout->size(); ++place) {
         if (const auto column = table.file->indexOf(table.layout->componentNames()[place])) {
             table.places.push_back(place);

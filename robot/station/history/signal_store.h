@@ -127,10 +127,8 @@ public:
     /// The clock of the controller was restarted: from this time of the plots' time axis on, the axis differs from
     /// the clock by `offset` [s].
     void beginClock(double from, double offset) { clocks_.emplace_back(from, offset); }
-    /// The time of the controller's clock at a time of the plots' time axis [s]. In a recording, the clock of its
-    /// controller continues from the first row.
-    /// recording  name of the recording; empty: the live data
-    double controllerTime(double time, const QString& recording = {}) const;
+    /// The time of the controller's clock at a time of the plots' time axis [s].
+    double controllerTime(double time) const;
     /// Names of the components in column order, e.g. "actual_q_0".
     const std::vector<std::string>& liveColumns() const { return tables_[kLive].columns; }
     const std::vector<std::string>& furtherColumns() const { return tables_[kFurther].columns; }
@@ -171,7 +169,6 @@ private:
         std::shared_ptr<const receive::SampleLayout> layout{};
         std::vector<std::size_t> places{};  ///< index of the file's columns in a sample
         std::vector<std::size_t> fileColumns{};
-        double firstStamp = 0;  ///< time stamp of the controller in the first row of the file [s]
     };
     struct Signal {
         SignalInfo info;

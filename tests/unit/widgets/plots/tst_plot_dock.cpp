@@ -1162,6 +1162,47 @@ private Q_SLOTS:
         QVERIFY(b.view().timeAxis() == TimeAxis::Clock);
     }
 
+    void theAxisOfARecordingHasTheClocksOfTheRecording() {
+        Bench b;
+        QTemporaryDir folder;
+        const QString path = folder.filePath("run.csv");
+        {
+            // After five seconds, the controller was restarted.
+            QFile file(path);
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write("# start: 2026-11-27T10:00:00.000000000Z\ntimestamp,actual_TCP_force_0\n");
+            for (int i = 0; i < 1000; ++i) {
+                file.write(QByteArray::number((i < 500 ? 700 : -4) + i * 0.01, 'f', 2) + ",1\n");
+            }
+        }
+        b.dock.openRecording(path);
+        QTRY_COMPARE_WITH_TIMEOUT(b.dock.pages().count(), 2, 60'000);
+        const double begin = b.dock.store().timesOf("run.csv")->firstTime();
+        const auto labelsOf = [&](TimeAxis axis) {
+            b.dock.setTimeAxis(axis);
+            b.view().showRange(begin, begin + 10);
+            return b.view().timeLabels();
+        };
+        const auto hasAll = [](const QStringList& labels, const QStringList& expected) {
+            return std::all_of(expected.begin(), expected.end(),
+                               [&labels](const QString& each) { return labels.contains(each); });
+        };
+        const QStringList relative = labelsOf(TimeAxis::Relative);
+        QVERIFY2(hasAll(relative, {"2 s", "4 s", "8 s"}), qPrintable(relative.join('|')));
+        const QStringList controller = labelsOf(TimeAxis::Controller);
+        QVERIFY2(hasAll(controller, {"702 s", "704 s", "2 s", "4 s"}), qPrintable(controller.join('|')));
+        const QStringList clock = labelsOf(TimeAxis::Clock);
+        const QDateTime start(QDate(2026, 11, 27), QTime(10, 0), Qt::UTC);
+        const auto at = [&start](int seconds) {
+            return start.addSecs(seconds).toLocalTime().toString("HH:mm:ss");
+        };
+        QVERIFY2(hasAll(clock, {at(2), at(8)}), qPrintable(clock.join('|')));
+        // The readout of a cursor has the same origin.
+        b.dock.setTimeAxis(TimeAxis::Relative);
+        b.view().setCursor(PlotView::Cursor::A, begin + 2.5);
+        QVERIFY2(b.view().readout().contains("2.500"), qPrintable(b.view().readout()));
+    }
+
     // ---- signals
     void aDoubleClickInTheListPutsTheSignalOntoThePlot() {
         Bench b;

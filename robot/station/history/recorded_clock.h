@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The clocks of an opened recording: time since its first row, controller time and UTC.
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "robot/recording/recording.h"
+
+namespace tiller {
+
+class RecordedClock {
+public:
+    /// begin   time of the first row on the plots' time axis [s]
+    /// Blocks  reads a few rows
+    RecordedClock(const recording::Recording& file, double begin);
+
+    // Times on the plots' time axis [s].
+    double begin() const { return begin_; }
+    /// Empty if the recording does not contain time stamps of a controller.
+    std::optional<double> controllerTime(double time) const;
+    /// [ns since 1970]; empty if the recording does not contain its start.
+    std::optional<std::int64_t> utcNs(double time) const;
+
+private:
+    double begin_;
+    std::optional<std::int64_t> startUtcNs_;
+    /// From a time of the plots' time axis on, the difference between this axis and the time stamps. One entry, and
+    /// another for each restart of the controller.
+    std::vector<std::pair<double, double>> clocks_;
+};
+
+}  // namespace tiller
