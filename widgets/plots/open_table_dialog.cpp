@@ -166,6 +166,20 @@ ChoiceBox* OpenTableDialog::box(const char* name, const QString& text) {
     return box;
 }
 
+QString OpenTableDialog::headerOf(const QString& path) {
+    const QStringList lines = firstLines(path);
+    const auto isName = [](const QString& text) {
+        bool isNumber = false;
+        text.toDouble(&isNumber);
+        return !isNumber;
+    };
+    const auto header = std::find_if(lines.begin(), lines.end(), [](const QString& line) {
+        return !line.isEmpty() && !line.startsWith(QLatin1Char('#'));
+    });
+    const QStringList names = headingsOf(lines);
+    return std::any_of(names.begin(), names.end(), isName) ? *header : QString();
+}
+
 recording::TableFormat OpenTableDialog::format() const {
     recording::TableFormat format;
     if (time_->currentText() == time_->itemText(0)) {

@@ -20,6 +20,8 @@ public:
     OpenTableDialog(const QString& path, const recording::TableFormat& format, QWidget* parent = nullptr);
 
     recording::TableFormat format() const;
+    /// The first line of a text file with column names; empty for other files.
+    static QString headerOf(const QString& path);
 
 private:
     ChoiceBox* box(const char* name, const QString& text);

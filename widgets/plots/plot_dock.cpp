@@ -265,11 +265,13 @@ const SeriesBuffer& PlotDock::history() const {
 QByteArray PlotDock::arrangement() const {
     PlotLayout layout = pages_->arrangement();
     layout.modelLimits = comparison_->limits();
+    layout.tables = tables_;
     return layout.toJson();
 }
 
 void PlotDock::arrange(const QByteArray& json) {
     if (const Result<PlotLayout> layout = PlotLayout::fromJson(json); layout && json != arrangement()) {
+        tables_ = layout->tables;
         comparison_->setLimits(layout->modelLimits);
         pages_->arrange(*layout);
     }
@@ -465,6 +467,7 @@ Result<void> PlotDock::openArrangement(const QString& path) {
     if (!layout) {
         return layout.error();
     }
+    tables_.insert(layout->tables);
     comparison_->setLimits(layout->modelLimits);
     pages_->arrange(*layout);
     return {};
@@ -497,9 +500,16 @@ void PlotDock::openRecording(const QString& path, std::optional<double> at,
 
 void PlotDock::askForFormat(const QString& path, std::optional<double> moment,
                             const recording::TableFormat& format) {
-    auto* dialog = new OpenTableDialog(path, format, this);
-    connect(dialog, &QDialog::accepted, this,
-            [this, dialog, path, moment] { openRecording(path, moment, dialog->format()); });
+    const QString header = OpenTableDialog::headerOf(path);
+    const bool isFirst = format == recording::TableFormat{};
+    auto* dialog = new OpenTableDialog(path, isFirst ? tables_.value(header) : format, this);
+    connect(dialog, &QDialog::accepted, this, [this, dialog, path, moment, header] {
+        if (!header.isEmpty()) {
+            tables_[header] = dialog->format();
+            Q_EMIT arrangementChanged();
+        }
+        openRecording(path, moment, dialog->format());
+    });
     dialog->open();
 }
 

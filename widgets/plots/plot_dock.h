@@ -204,6 +204,7 @@ private:
     QString jogLabel_;
     std::optional<double> backAt_;  ///< time at which data arrived again, not yet added to the lane [s]
     RecordingChoice choice_;
+    QMap<QString, recording::TableFormat> tables_;  ///< as PlotLayout::tables
     bool recording_ = false;
     double recordingSeconds_ = 0;
     int framesToHistoryText_ = 0;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "robot/station/history/derived_signal.h"
 
@@ -18,6 +19,7 @@ namespace {
 constexpr qsizetype kMaxNameLength = 60;
 /// Maximum length of the name of a recording (file name) or of a derived signal.
 constexpr qsizetype kMaxKeyLength = DerivedSignal::kMaxTextLength;
+constexpr qsizetype kMaxHeaderLength = 2000;
 constexpr double kMinShare = 0.05;
 constexpr double kMaxShare = 20;
 
@@ -79,6 +81,53 @@ divergence::Limits toModelLimits(const QJsonObject& object) {
     return limits;
 }
 
+QJsonObject toObject(const QString& header, const recording::TableFormat& format) {
+    QJsonObject object{{"header", header}};
+    if (format.timeColumn) {
+        object["time"] = QString::fromStdString(*format.timeColumn);
+    }
+    if (format.timeUnit) {
+        object["unit"] = static_cast<int>(*format.timeUnit);
+    }
+    if (format.separator) {
+        object["separator"] = QString(QLatin1Char(*format.separator));
+    }
+    if (format.decimal) {
+        object["decimal"] = QString(QLatin1Char(*format.decimal));
+    }
+    if (format.hasHeader) {
+        object["has_header"] = *format.hasHeader;
+    }
+    if (format.rate > 0) {
+        object["rate"] = format.rate;
+    }
+    return object;
+}
+
+recording::TableFormat toTableFormat(const QJsonObject& object) {
+    constexpr double kMaxRate = 1e9;
+    const auto character = [&object](const char* key, const char* allowed) -> std::optional<char> {
+        const QString text = object[QLatin1String(key)].toString();
+        const bool isAllowed = text.size() == 1 && QLatin1String(allowed).contains(text[0]);
+        return isAllowed ? std::optional(text[0].toLatin1()) : std::nullopt;
+    };
+    recording::TableFormat format;
+    if (object["time"].isString()) {
+        format.timeColumn = object["time"].toString().left(kMaxHeaderLength).toStdString();
+    }
+    constexpr int kLastUnit = static_cast<int>(recording::TimeUnit::Nanoseconds);
+    if (const int unit = object["unit"].toInt(-1); unit >= 0 && unit <= kLastUnit) {
+        format.timeUnit = static_cast<recording::TimeUnit>(unit);
+    }
+    format.separator = character("separator", ",;|\t ");
+    format.decimal = character("decimal", ".,");
+    if (object["has_header"].isBool()) {
+        format.hasHeader = object["has_header"].toBool();
+    }
+    format.rate = within(object["rate"], 0, kMaxRate, 0);
+    return format;
+}
+
 PageLayout toPage(const QJsonObject& object) {
     PageLayout page;
     page.name = object["name"].toString().trimmed().left(kMaxNameLength);
@@ -115,13 +164,18 @@ QByteArray PlotLayout::toJson() const {
         limits.append(
             QJsonObject{{"signal", threshold.key}, {"limit", threshold.limit}, {"above", threshold.above}});
     }
+    QJsonArray formats;
+    for (auto table = tables.begin(); table != tables.end() && formats.size() < kMaxTables; ++table) {
+        formats.append(toObject(table.key(), table.value()));
+    }
     const QJsonObject root{{"version", 1},
                            {"pages", all},
                            {"current", current},
                            {"span", span},
                            {"time", QLatin1String(kTimeAxes[static_cast<std::size_t>(time)])},
                            {"thresholds", limits},
-                           {"model_limits", toObject(modelLimits)}};
+                           {"model_limits", toObject(modelLimits)},
+                           {"tables", formats}};
     return QJsonDocument(root).toJson(QJsonDocument::Compact);
 }
 
@@ -159,6 +213,13 @@ Result<PlotLayout> PlotLayout::fromJson(const QByteArray& json) {
     layout.time =
         axis == kTimeAxes.end() ? TimeAxis::Relative : static_cast<TimeAxis>(axis - kTimeAxes.begin());
     layout.modelLimits = toModelLimits(document.object()["model_limits"].toObject());
+    const QJsonArray formats = document.object()["tables"].toArray();
+    for (const QJsonValue& value : formats) {
+        const QString header = value.toObject()["header"].toString();
+        if (!header.isEmpty() && header.size() <= kMaxHeaderLength && layout.tables.size() < kMaxTables) {
+            layout.tables[header] = toTableFormat(value.toObject());
+        }
+    }
     layout.span = within(document.object()["span"], 0.05, 86400, 30);
     return layout;
 }

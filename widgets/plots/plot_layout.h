@@ -5,12 +5,14 @@
 // user. Signal names are those used in recordings.
 
 #include <QByteArray>
+#include <QMap>
 #include <QString>
 #include <QStringList>
 #include <QVector>
 
 #include "robot/core/result.h"
 #include "robot/divergence/divergence.h"
+#include "robot/recording/table_format.h"
 #include "robot/station/history/plot_marks.h"
 
 namespace tiller {
@@ -48,6 +50,8 @@ struct PlotLayout {
     TimeAxis time = TimeAxis::Relative;
     QVector<Threshold> thresholds{};
     divergence::Limits modelLimits{};  ///< limits for the comparison with the arm model
+    /// Choices for tables of other programs, by the header of the table.
+    QMap<QString, recording::TableFormat> tables{};
 
     QByteArray toJson() const;
     /// Clamps values outside their range.
@@ -60,6 +64,7 @@ struct PlotLayout {
     static constexpr int kMaxColumns = 4;
     static constexpr int kMaxSignals = 48;  ///< per plot
     static constexpr int kMaxLanes = 24;
+    static constexpr int kMaxTables = 100;
 };
 
 }  // namespace tiller

@@ -49,6 +49,7 @@
 #include "widgets/plots/curve.h"
 #include "widgets/plots/curve_look.h"
 #include "widgets/plots/curve_raster.h"
+#include "widgets/plots/open_table_dialog.h"
 #include "widgets/plots/plot_analysis.h"
 #include "widgets/plots/plot_dock.h"
 #include "widgets/plots/plot_layout.h"
@@ -1920,6 +1921,27 @@ private Q_SLOTS:
         QVERIFY(near(
             b.dock.store().timesOf("lab.csv")->lastTime() - b.dock.store().timesOf("lab.csv")->firstTime(),
             0.99, 1e-6));
+        // For a table with the same header, also in another window, the dialog contains the same choice.
+        const QByteArray arrangement = b.dock.arrangement();
+        Bench other;
+        other.dock.arrange(arrangement);
+        const QString next = folder.filePath("next.csv");
+        QVERIFY(file.copy(next));
+        other.dock.openRecording(next);
+        const auto again = [&] { return other.dock.findChild<QDialog*>("plots.table.dialog"); };
+        QTRY_VERIFY_WITH_TIMEOUT(again() != nullptr, 60'000);
+        QCOMPARE(again()->findChild<QComboBox*>("plots.table.time")->currentText(), QString("stamp"));
+        QCOMPARE(again()->findChild<QComboBox*>("plots.table.unit")->currentText(), QString("ms"));
+        QPointer<QDialog> second = again();
+        QTest::mouseClick(again()->findChild<QPushButton*>("plots.table.open"), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(second.isNull() && other.dock.store().timesOf("next.csv") != nullptr,
+                                 60'000);
+        // Tables with another header have no choice.
+        QVERIFY(OpenTableDialog::headerOf(next) == "stamp,b");
+        QFile numbers(folder.filePath("numbers.csv"));
+        QVERIFY(numbers.open(QIODevice::WriteOnly) && numbers.write("# a note\n1,2\n3,4\n") > 0);
+        numbers.close();
+        QCOMPARE(OpenTableDialog::headerOf(numbers.fileName()), QString());
     }
 
     void aRecordingIsComparedWithTheModelOfItsArm() {

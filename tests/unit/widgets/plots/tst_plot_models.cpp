@@ -529,6 +529,9 @@ private Q_SLOTS:
         layout.current = 1;
         layout.span = 120;
         layout.modelLimits = {.jointPosition = 0.02, .tcpPosition = 0, .current = 3.5};
+        layout.tables["stamp,b"] = {.timeColumn = "stamp", .timeUnit = recording::TimeUnit::Nanoseconds};
+        layout.tables["a;b"] = {
+            .timeColumn = "", .separator = ';', .decimal = ',', .hasHeader = true, .rate = 12.5};
         const auto read = PlotLayout::fromJson(layout.toJson());
         QVERIFY(read.ok());
         QVERIFY(*read == layout);
