@@ -1990,6 +1990,14 @@
         <source>Show all</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Low-pass filter of %1 at 10 Hz</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Filtered %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Practice</name>
@@ -10013,11 +10021,11 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Enter a name, an optional unit in brackets, and an expression of signals. Drag signals here to insert their names. Functions: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and standard functions. Press Return to create the signal.</source>
+        <source>%1: not sent by this robot.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: not sent by this robot.</source>
+        <source>Enter a name, an optional unit in brackets, and an expression of signals. Drag signals here to insert their names. Functions: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), median(a, 0.1), integral(a, 0.5), lowpass(a, 10), highpass(a, 1), + − * / ^ and standard functions. Press Return to create the signal.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

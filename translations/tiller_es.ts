@@ -1990,6 +1990,14 @@
         <source>Show all</source>
         <translation>Mostrar todo</translation>
     </message>
+    <message>
+        <source>Low-pass filter of %1 at 10 Hz</source>
+        <translation>Filtro de paso bajo de %1 a 10 Hz</translation>
+    </message>
+    <message>
+        <source>Filtered %1</source>
+        <translation>%1 filtrada</translation>
+    </message>
 </context>
 <context>
     <name>Practice</name>
@@ -10026,12 +10034,12 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Señal derivada</translation>
     </message>
     <message>
-        <source>Enter a name, an optional unit in brackets, and an expression of signals. Drag signals here to insert their names. Functions: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and standard functions. Press Return to create the signal.</source>
-        <translation>Introduzca un nombre, una unidad opcional entre corchetes y una expresión de señales. Arrastre señales aquí para insertar sus nombres. Funciones: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ y funciones estándar. Intro crea la señal.</translation>
-    </message>
-    <message>
         <source>%1: not sent by this robot.</source>
         <translation>%1: este robot no lo envía.</translation>
+    </message>
+    <message>
+        <source>Enter a name, an optional unit in brackets, and an expression of signals. Drag signals here to insert their names. Functions: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), median(a, 0.1), integral(a, 0.5), lowpass(a, 10), highpass(a, 1), + − * / ^ and standard functions. Press Return to create the signal.</source>
+        <translation>Introduzca un nombre, una unidad opcional entre corchetes y una expresión de señales. Arrastre señales aquí para insertar sus nombres. Funciones: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), median(a, 0.1), integral(a, 0.5), lowpass(a, 10), highpass(a, 1), + − * / ^ y funciones estándar. Intro crea la señal.</translation>
     </message>
 </context>
 <context>

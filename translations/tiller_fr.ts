@@ -1990,6 +1990,14 @@
         <source>Show all</source>
         <translation>Tout montrer</translation>
     </message>
+    <message>
+        <source>Low-pass filter of %1 at 10 Hz</source>
+        <translation>Filtre passe-bas de %1 à 10 Hz</translation>
+    </message>
+    <message>
+        <source>Filtered %1</source>
+        <translation>%1 filtré</translation>
+    </message>
 </context>
 <context>
     <name>Practice</name>
@@ -10026,12 +10034,12 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Signal dérivé</translation>
     </message>
     <message>
-        <source>Enter a name, an optional unit in brackets, and an expression of signals. Drag signals here to insert their names. Functions: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and standard functions. Press Return to create the signal.</source>
-        <translation>Saisissez un nom, une unité facultative entre crochets et une expression de signaux. Faites glisser des signaux ici pour insérer leurs noms. Fonctions : norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ et fonctions standard. Entrée crée le signal.</translation>
-    </message>
-    <message>
         <source>%1: not sent by this robot.</source>
         <translation>%1 : ce robot ne l’envoie pas.</translation>
+    </message>
+    <message>
+        <source>Enter a name, an optional unit in brackets, and an expression of signals. Drag signals here to insert their names. Functions: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), median(a, 0.1), integral(a, 0.5), lowpass(a, 10), highpass(a, 1), + − * / ^ and standard functions. Press Return to create the signal.</source>
+        <translation>Saisissez un nom, une unité facultative entre crochets et une expression de signaux. Faites glisser des signaux ici pour insérer leurs noms. Fonctions : norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), median(a, 0.1), integral(a, 0.5), lowpass(a, 10), highpass(a, 1), + − * / ^ et fonctions standard. Entrée crée le signal.</translation>
     </message>
 </context>
 <context>

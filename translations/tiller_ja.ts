@@ -1990,6 +1990,14 @@
         <source>Show all</source>
         <translation>すべて表示</translation>
     </message>
+    <message>
+        <source>Low-pass filter of %1 at 10 Hz</source>
+        <translation>%1 の 10 Hz ローパスフィルター</translation>
+    </message>
+    <message>
+        <source>Filtered %1</source>
+        <translation>フィルター後の %1</translation>
+    </message>
 </context>
 <context>
     <name>Practice</name>
@@ -10000,12 +10008,12 @@ Release the button to stop the arm.</source>
         <translation>派生信号</translation>
     </message>
     <message>
-        <source>Enter a name, an optional unit in brackets, and an expression of signals. Drag signals here to insert their names. Functions: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and standard functions. Press Return to create the signal.</source>
-        <translation>名前、必要なら角括弧の単位、信号の式：ここへドラッグすると名前が入ります。norm(a, b, …)、deriv(a, 0.02)、mean(a, 0.5)、+ − * / ^ と通常の関数。Return で作成します。</translation>
-    </message>
-    <message>
         <source>%1: not sent by this robot.</source>
         <translation>%1：このロボットは送りません。</translation>
+    </message>
+    <message>
+        <source>Enter a name, an optional unit in brackets, and an expression of signals. Drag signals here to insert their names. Functions: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), median(a, 0.1), integral(a, 0.5), lowpass(a, 10), highpass(a, 1), + − * / ^ and standard functions. Press Return to create the signal.</source>
+        <translation>名前、必要なら角括弧の単位、信号の式を入力します。信号をここへドラッグすると名前が入ります。関数：norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), median(a, 0.1), integral(a, 0.5), lowpass(a, 10), highpass(a, 1), + − * / ^ と標準関数。Return で作成します。</translation>
     </message>
 </context>
 <context>

@@ -1990,6 +1990,14 @@
         <source>Show all</source>
         <translation>全部显示</translation>
     </message>
+    <message>
+        <source>Low-pass filter of %1 at 10 Hz</source>
+        <translation>%1 的 10 Hz 低通滤波</translation>
+    </message>
+    <message>
+        <source>Filtered %1</source>
+        <translation>滤波后的 %1</translation>
+    </message>
 </context>
 <context>
     <name>Practice</name>
@@ -10000,12 +10008,12 @@ Release the button to stop the arm.</source>
         <translation>派生信号</translation>
     </message>
     <message>
-        <source>Enter a name, an optional unit in brackets, and an expression of signals. Drag signals here to insert their names. Functions: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and standard functions. Press Return to create the signal.</source>
-        <translation>名称、可选的方括号单位，以及关于信号的表达式：把信号拖到此处可得其名称。norm(a, b, …)、deriv(a, 0.02)、mean(a, 0.5)、+ − * / ^ 和常用函数。回车建立。</translation>
-    </message>
-    <message>
         <source>%1: not sent by this robot.</source>
         <translation>%1：此机器人不发送。</translation>
+    </message>
+    <message>
+        <source>Enter a name, an optional unit in brackets, and an expression of signals. Drag signals here to insert their names. Functions: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), median(a, 0.1), integral(a, 0.5), lowpass(a, 10), highpass(a, 1), + − * / ^ and standard functions. Press Return to create the signal.</source>
+        <translation>输入名称、可选的方括号单位和信号表达式。把信号拖到此处可插入其名称。函数：norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), median(a, 0.1), integral(a, 0.5), lowpass(a, 10), highpass(a, 1), + − * / ^ 和标准函数。按回车键创建信号。</translation>
     </message>
 </context>
 <context>

@@ -139,6 +139,10 @@ void PlotMenu::addDerived(QMenu& menu, const PlotPane& pane, int signal) {
             derivationText(tr("Mean %1").arg(info.longLabel), info.unit,
                            QStringLiteral("mean(%1, 0.5)").arg(key)),
             PlotView::Place::Into);
+        add("plots.menu.lowpass", tr("Low-pass filter of %1 at 10 Hz").arg(info.longLabel),
+            derivationText(tr("Filtered %1").arg(info.longLabel), info.unit,
+                           QStringLiteral("lowpass(%1, 10)").arg(key)),
+            PlotView::Place::Into);
     }
     QStringList keys;
     int first = -1;
