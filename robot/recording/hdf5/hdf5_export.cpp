@@ -258,7 +258,6 @@ private:
         return {};
     }
 
-
     bool writeGaps() {
         std::vector<double> table;
         for (const RecordedGap& gap : recording_.gaps()) {

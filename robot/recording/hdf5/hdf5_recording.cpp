@@ -377,7 +377,6 @@ private:
     double timeStart_ = 0;
     bool hasPeriod_ = false;
     bool isOwn_ = false;
-    std::vector<RecordedEvent> events_;        ///< of a file of exportHdf5()
     TimeLine line_;                            ///< times of a file of another program
     std::optional<std::size_t> timeColumn_{};  ///< the same
     std::vector<RecordedColumn> columns_;

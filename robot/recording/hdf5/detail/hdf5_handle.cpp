@@ -17,14 +17,6 @@ bool put(hid_t object, const char* name, hid_t type, const void* value) {
     return attribute && H5Awrite(attribute.get(), type, value) >= 0;
 }
 
-Handle textType(std::size_t length) {
-    Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
-    H5Tset_size(type.get(), std::max<std::size_t>(length, 1));
-    H5Tset_cset(type.get(), H5T_CSET_UTF8);
-    H5Tset_strpad(type.get(), H5T_STR_NULLPAD);
-    return type;
-}
-
 /// Reads an attribute with one number.
 bool take(hid_t object, const char* name, hid_t type, void* value) {
     if (H5Aexists(object, name) <= 0) {
@@ -37,6 +29,14 @@ bool take(hid_t object, const char* name, hid_t type, void* value) {
 }
 
 }  // namespace
+
+Handle textType(std::size_t length) {
+    Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+    H5Tset_size(type.get(), std::max<std::size_t>(length, 1));
+    H5Tset_cset(type.get(), H5T_CSET_UTF8);
+    H5Tset_strpad(type.get(), H5T_STR_NULLPAD);
+    return type;
+}
 
 bool putText(hid_t object, const char* name, const std::string& text) {
     const Handle type = textType(text.size());

@@ -59,6 +59,8 @@ private:
     void* data_ = nullptr;
 };
 
+/// Type of UTF-8 texts of this fixed length, which h5py, MATLAB and Octave can read.
+Handle textType(std::size_t length);
 bool putText(hid_t object, const char* name, const std::string& text);  ///< Writes a UTF-8 attribute.
 bool putNumber(hid_t object, const char* name, double number);
 bool putCount(hid_t object, const char* name, std::uint64_t count);

@@ -21,15 +21,6 @@ constexpr const char* kMeaning = "notes, warnings and errors of the recording";
 constexpr std::size_t kMaxNotes = 1'000'000;
 constexpr std::size_t kMaxTextBytes = 64u << 20;
 
-/// UTF-8 texts of one length, padded with zeros.
-Handle textType(std::size_t length) {
-    Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
-    H5Tset_size(type.get(), length);
-    H5Tset_cset(type.get(), H5T_CSET_UTF8);
-    H5Tset_strpad(type.get(), H5T_STR_NULLPAD);
-    return type;
-}
-
 bool put(hid_t file, const char* name, hid_t stored, hid_t given, std::size_t count, const void* values) {
     const hsize_t extent = count;
     const Handle space(H5Screate_simple(1, &extent, nullptr), H5Sclose);
