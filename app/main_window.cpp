@@ -930,11 +930,11 @@ QStringList MainWindow::runningWork() const {
 QString MainWindow::programText() const {
     const SessionState& state = session_->state();
     const bool paused = state.runtimeState == RuntimeState::Paused;
-    // PolyScope uses this name for a program without a file, e.g. one sent by another client.
+    const bool stopped = state.runtimeState == RuntimeState::Stopped;
+    // PolyScope uses this name for a program without a file.
     const QString loaded =
         state.loadedProgram == QLatin1String("<unnamed>") ? QString() : state.loadedProgram;
-    const QString name = session_->freeProgram().value_or(loaded);
-    const bool stopped = state.runtimeState == RuntimeState::Stopped;
+    const QString name = session_->freeProgram().value_or(stopped ? loaded : state.runningProgram);
     return name.isEmpty() && paused    ? tr("A program is paused on the robot.")
            : name.isEmpty() && stopped ? tr("A program is loaded on the robot.")
            : name.isEmpty()            ? tr("A program is running on the robot.")

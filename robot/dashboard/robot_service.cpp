@@ -73,6 +73,7 @@ public:
         }
         if (const auto program = client_->programState(deadline)) {
             report.program = program->program;
+            report.programIsStopped = program->run == ProgramState::Run::Stopped;
         }
         return report;
     }
@@ -150,6 +151,8 @@ public:
         };
         report.operationalMode = word("/system/v1/operationalmode", "mode");
         report.program = word("/program/v1/loaded", "name");
+        const auto run = client_.programState(deadline);
+        report.programIsStopped = run && *run == ProgramState::Run::Stopped;
         return report;
     }
 

@@ -22,6 +22,7 @@ struct ServiceReport {
     std::optional<bool> remoteControl;  ///< empty if the software does not report it
     QString operationalMode;            ///< "MANUAL", "AUTOMATIC"; empty: not set or not reported
     QString program;                    ///< loaded on the robot; empty: no program, or not reported
+    bool programIsStopped = false;      ///< the loaded program is stopped; another program may be running
 };
 
 /// Threads  one at a time. Every call blocks until the reply or the deadline.

@@ -517,6 +517,25 @@ private Q_SLOTS:
         QVERIFY(question() == nullptr);
         QVERIFY(bench.within([&] { return isOn(3); }));
         QVERIFY(bench.runs());
+        // The confirmation does not apply to a program that replaces this one without a stop.
+        QVERIFY(bench.pendant->send("def second():\nwhile True:\nsync()\nend\nend\n", patience()).ok());
+        QVERIFY(bench.within([&] { return bench.state().runningProgram == QLatin1String("second"); }));
+        set(4);
+        QVERIFY(question() != nullptr);
+        QVERIFY2(question()->text().contains("second"), qPrintable(question()->text()));
+        QVERIFY(!isOn(4));
+    }
+
+    // A program that is loaded and stopped is not the one that runs.
+    void questionsNameTheRunningProgram() {
+        Bench bench;
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.startMoving());
+        QVERIFY(bench.within([&] { return bench.state().runningProgram == QLatin1String("others"); }));
+        bench.window.actions().find("control.take")->trigger();
+        const auto* question = bench.window.findChild<QMessageBox*>("takeControlQuestion");
+        QVERIFY(question != nullptr);
+        QVERIFY2(question->text().contains(QStringLiteral("“others”")), qPrintable(question->text()));
     }
 
     void aRobotInLocalControlIsReported() {

@@ -162,7 +162,7 @@ ModeLook controlLook(const SessionState& state) {
         // A program of another client may be moving the arm.
         const ModeLook program = runtimeLook(state.runtimeState);
         const QString name =
-            state.loadedProgram.isEmpty() ? QString() : QStringLiteral(": ") + state.loadedProgram;
+            state.runningProgram.isEmpty() ? QString() : QStringLiteral(": ") + state.runningProgram;
         return {(told << program.text).join(dot), program.shape, program.emphasis, program.advice + name,
                 program.mark};
     }

@@ -853,6 +853,10 @@ void RobotSession::reportControllerMessages() {
     }
     for (const script::ControllerMessage& m : messages) {
         Q_EMIT controllerMessage(m);
+        if (m.kind == MessageKind::Key && m.title.endsWith(QLatin1String("STARTED"))) {
+            d_->startedProgram = m.text;
+            d_->changesConfirmed = false;  // a new program may have replaced the confirmed one without a stop
+        }
         const Severity severity = m.severity >= script::MessageSeverity::Violation ? Severity::Error
                                   : m.severity == script::MessageSeverity::Warning ? Severity::Warning
                                                                                    : Severity::Info;

@@ -97,6 +97,7 @@ struct SessionState {
     dashboard::ServiceKind service = dashboard::ServiceKind::Unknown;  ///< interface for power and programs
     QString operationalMode;  ///< "MANUAL", "AUTOMATIC"; empty: not set, or unknown
     QString loadedProgram;    ///< loaded on the robot; empty: no program
+    QString runningProgram;   ///< name of the program that is running or paused; empty: none, or unknown
     double speedCap = 0.250;  ///< speed limit of Tiller for TCP and elbow [m/s]
     ControlState control = ControlState::None;
     QString controlReason;  ///< why the arm cannot be moved now, as a sentence; empty if it can

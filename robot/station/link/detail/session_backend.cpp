@@ -165,6 +165,15 @@ void SessionBackend::readSample() {
     state.remoteNeeded = localRefuses && report.remoteControl == false;
     state.operationalMode = report.operationalMode;
     state.loadedProgram = report.program;
+    if (state.runtimeState == RuntimeState::Stopped) {
+        startedProgram.clear();
+    }
+    // PolyScope calls a program without a file "<unnamed>". A script of another client does not change the loaded
+    // program.
+    const bool isLoaded = !report.programIsStopped && report.program != QLatin1String("<unnamed>");
+    state.runningProgram = state.runtimeState == RuntimeState::Stopped ? QString()
+                           : isLoaded && !report.program.isEmpty()     ? report.program
+                                                                       : startedProgram;
 }
 
 void SessionBackend::readControl() {

@@ -98,7 +98,7 @@ private Q_SLOTS:
         state.remoteControl = true;
         state.operationalMode = QStringLiteral("AUTOMATIC");
         state.runtimeState = RuntimeState::Playing;
-        state.loadedProgram = QStringLiteral("pick.urp");
+        state.runningProgram = QStringLiteral("pick.urp");
         QCOMPARE(controlLook(state).text, QStringLiteral("Remote · Automatic · Program running"));
         QVERIFY(controlLook(state).advice.contains(QStringLiteral("pick.urp")));
     }
