@@ -3,9 +3,11 @@
 // tiller: the desktop application.
 
 #include <QFile>
+#include <QPointer>
 #include <QTextStream>
 #include <QTimer>
 #include <algorithm>
+#include <cstdlib>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -115,12 +117,26 @@ void connectAgain(app::MainWindow& window, const SessionState& before) {
     }
 }
 
+/// Stops the arm when Qt ends the process without destroying the window, e.g. because the connection to the display
+/// server is lost. Otherwise, a held motion would continue until its next refresh is overdue.
+void stopAtExit(app::MainWindow& window) {
+    static QPointer<app::MainWindow> open;
+    static const int registered = std::atexit([] {
+        if (open) {
+            open->session().stop(control::StopCause::WindowClosed);
+        }
+    });
+    Q_UNUSED(registered)
+    open = &window;
+}
+
 /// connect  called before the window is shown, so that the robot can respond while the first frame is painted
 std::unique_ptr<app::MainWindow> openWindow(app::Application& application, const app::CommandLine& line,
                                             const app::Settings& settings,
                                             const std::function<void(app::MainWindow&)>& connect) {
     auto window = std::make_unique<app::MainWindow>(settings);
     application.setKeyRepeat(&window->keyRepeat());
+    stopAtExit(*window);
     const QString theme = line.theme.isEmpty() ? settings.theme() : line.theme;
     window->setTheme(theme.isEmpty() ? QStringLiteral("light") : theme);
     window->keepIncidentsIn((line.demoDirectory.isEmpty() ? recordingFolder() : line.demoDirectory) +

@@ -209,8 +209,9 @@ private:
     ReportSources reportSources() const;
 
     Settings settings_;
-    Preferences preferences_;         ///< values currently applied
-    QTimer layoutTimer_;              ///< delays saving until the layout has remained unchanged
+    Preferences preferences_;  ///< values currently applied
+    QTimer layoutTimer_;       ///< delays saving until the layout has remained unchanged
+    std::unique_ptr<FocusReturn> focusReturn_;
     bool closesAnyway_ = false;       ///< closing was confirmed; may still wait for a recorded path
     QDeadlineTimer opens_;            ///< not expired: the window was just shown
     QDeadlineTimer desktopEnds_;      ///< not expired: the desktop is ending its session

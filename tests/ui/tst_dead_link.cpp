@@ -229,6 +229,27 @@ private Q_SLOTS:
         QVERIFY(!bench.state().controlInDoubt);
     }
 
+    // The controller has dropped the dashboard connection without closing it.
+    void theFirstCommandAfterAnOutageIsPerformed() {
+        DeadLinkBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.window.session().releaseControl();
+        QObject here;
+        std::optional<bool> done;
+        connect(&bench.window.session(), &RobotSession::commandDone, &here,
+                [&done](RobotCommand, bool result) { done = result; });
+        const auto perform = [&] {
+            done.reset();
+            bench.window.session().services().perform(RobotCommand::ClosePopups, true);
+            return bench.waitStill([&] { return done.has_value(); }) && *done;
+        };
+        QVERIFY2(perform(), qPrintable(bench.said->join('\n')));
+        bench.inject("half-open");
+        QVERIFY(bench.within([&] { return !bench.state().isFresh(); }));
+        QVERIFY(bench.within([&] { return bench.state().isFresh(); }));
+        QVERIFY2(perform(), qPrintable(bench.said->join('\n')));
+    }
+
     void aShortOutageKeepsControl() {
         DeadLinkBench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));

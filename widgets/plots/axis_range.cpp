@@ -33,7 +33,13 @@ AxisRange::AxisRange(double smallestStep) : smallestStep_(smallestStep) {
 
 AxisRange::Scale AxisRange::best(double low, double high) const {
     const double fewest = std::min(3, mostLines_) - 1;
-    for (double step = niceStep(smallestStep_);; step = niceStep(step * 1.5)) {
+    // With a smaller step or larger values, the numbers of the grid lines would not be exact.
+    constexpr double kMaxLine = 1e9;
+    constexpr double kMaxValue = 1e300;
+    low = std::clamp(low, -kMaxValue, kMaxValue);
+    high = std::clamp(high, -kMaxValue, kMaxValue);
+    const double smallest = std::max(smallestStep_, std::max(std::abs(low), std::abs(high)) / kMaxLine);
+    for (double step = niceStep(smallest);; step = niceStep(step * 1.5)) {
         // The outermost grid lines [steps]. A curve may exceed them slightly.
         double bottom = std::floor(low / step + kReach);
         double top = std::ceil(high / step - kReach);

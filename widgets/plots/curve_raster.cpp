@@ -243,20 +243,39 @@ void CurveRaster::paintColumn(const Curve& curve, std::size_t at, double perUnit
     const auto rowOf = [&](double value) { return zero - value * perUnit; };
     const double slant = std::abs(column.right - column.left) * perUnit;
     const double extent = (column.high - column.low) * perUnit;
+    const auto rows = static_cast<double>(ring_.height());
+    const QRgb full = shades[kOpaque];
+    const auto paintFull = [&](int begin, int end) {
+        if (qAlpha(full) == kOpaque) {
+            fill(pixels + begin, end - begin, full);
+        } else {
+            std::transform(pixels + begin, pixels + end, pixels + begin,
+                           [full](QRgb below) { return over(full, below); });
+        }
+    };
+    // A huge or infinite value would overflow the numbers below. The line is vertical.
+    constexpr double kMaxRows = 1e9;
+    const double top = rowOf(column.high);
+    const double base = rowOf(column.low);
+    if (!(std::abs(top) + std::abs(base) + slant + extent < kMaxRows)) {
+        if (top < rows && base > 0) {
+            paintFull(static_cast<int>(std::max(top, 0.0)), static_cast<int>(std::min(base, rows)));
+        }
+        return;
+    }
     // In noisy columns, slanted ends are not visible. Horizontal ends avoid computing each row, and the
     // extent remains the same.
     const bool isBand = isDense || extent > kBand * slant;
     const double thickness =
         isBand ? half + extent / 2 : half * std::sqrt(1 + slant * slant) + std::max(0.0, extent - slant) / 2;
     // Centre the line on the extent of the curve.
-    const double middle = (rowOf(column.low) + rowOf(column.high)) / 2;
+    const double middle = (base + top) / 2;
     const double ramp = isBand ? 1.0 : std::max(slant, 1.0);
     // A steep line covers many rows of its column. Limit the painted rows to the extent of the curve plus the
     // pen width.
     constexpr double kRounding = 1e-6;
-    const double upper = rowOf(column.high) - curve.pen().widthF() + kRounding;
-    const double lower = rowOf(column.low) + curve.pen().widthF() - kRounding;
-    const auto rows = static_cast<double>(ring_.height());
+    const double upper = top - curve.pen().widthF() + kRounding;
+    const double lower = base + curve.pen().widthF() - kRounding;
     // For non-negative values, truncation equals floor() and avoids a function call.
     const auto floorRow = [rows](double y) { return static_cast<int>(std::min(std::max(y, 0.0), rows)); };
     const auto ceilRow = [rows](double y) {
@@ -287,13 +306,7 @@ void CurveRaster::paintColumn(const Curve& curve, std::size_t at, double perUnit
         }
     };
     paintRows(from, fullFrom);
-    const QRgb full = shades[kOpaque];
-    if (qAlpha(full) == kOpaque) {
-        fill(pixels + fullFrom, fullTo - fullFrom, full);
-    } else {
-        std::transform(pixels + fullFrom, pixels + fullTo, pixels + fullFrom,
-                       [full](QRgb below) { return over(full, below); });
-    }
+    paintFull(fullFrom, fullTo);
     paintRows(fullTo, to);
 }
 

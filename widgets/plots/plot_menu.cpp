@@ -56,13 +56,17 @@ void PlotMenu::fill(QMenu& menu, const QPointF& place) {
     }
     const PlotPane& pane = view_.paneAt(place);
     const std::optional<int> named = view_.legendAt(place);
-    const int signal = named ? *named : pane.shows(view_.readoutSignal()) ? view_.readoutSignal() : -1;
+    const std::optional<int> chosen = named ? named : pane.curveAt(place);
+    const int signal = chosen ? *chosen : pane.shows(view_.readoutSignal()) ? view_.readoutSignal() : -1;
     if (signal >= 0) {
         addCurve(menu, pane, signal);
         menu.addSeparator();
         // Thresholds apply only to new data, which a recorded signal does not receive.
         if (!store_.isRecorded(signal)) {
-            addThresholds(menu, pane, signal, pane.valueAt(place.y()));
+            // In the legend, the height has no meaning.
+            const auto newest = named ? store_.valueAt(signal, view_.window().end()) : std::nullopt;
+            addThresholds(menu, pane, signal,
+                          newest ? *newest - pane.offset(signal) : pane.valueAt(place.y()));
             menu.addSeparator();
         }
         addDerived(menu, pane, signal);

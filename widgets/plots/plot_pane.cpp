@@ -190,6 +190,35 @@ std::optional<int> PlotPane::legendAt(const QPointF& place) const {
     return std::nullopt;
 }
 
+std::optional<int> PlotPane::curveAt(const QPointF& place) const {
+    constexpr double kReach = 6;  // [px]
+    if (!area_.contains(place)) {
+        return std::nullopt;
+    }
+    std::optional<int> nearest;
+    double least = kReach;
+    for (std::size_t i = 0; i < shown_.size(); ++i) {
+        const std::vector<Curve::Column>& columns = curves_[i]->columns();
+        if (!curves_[i]->isVisible() || columns.empty()) {
+            continue;
+        }
+        const double share = (place.x() - area_.left()) / area_.width();
+        const auto at = static_cast<std::size_t>(share * static_cast<double>(columns.size() - 1));
+        const Curve::Column& column = columns[std::min(at, columns.size() - 1)];
+        if (column.isEmpty()) {
+            continue;
+        }
+        const double top = yAt(column.high - curves_[i]->offset());
+        const double bottom = yAt(column.low - curves_[i]->offset());
+        const double distance = std::max({top - place.y(), place.y() - bottom, 0.0});
+        if (distance < least) {
+            least = distance;
+            nearest = shown_[i];
+        }
+    }
+    return nearest;
+}
+
 QRectF PlotPane::legendEntry(int signal) const {
     const std::vector<QGraphicsItem*> entries = legendEntries();
     const std::size_t i = indexOf(signal);

@@ -80,6 +80,8 @@ public:
     bool isHidden(int signal) const;
     /// The signal whose legend entry is at this position in the scene.
     std::optional<int> legendAt(const QPointF& place) const;
+    /// The visible signal whose curve is at this position in the scene, or a few pixels from it.
+    std::optional<int> curveAt(const QPointF& place) const;
     /// Rectangle of a legend entry in the scene; empty before the first layout.
     QRectF legendEntry(int signal) const;
 

@@ -714,6 +714,7 @@ void RobotSession::refresh() {
     if (d_->link) {
         services_.followForeignStop(batch);
         if (isNewConnection) {
+            d_->link->service->reconnect();  // the controller may have dropped this connection as well
             Q_EMIT connected();
         }
         services_.ask();

@@ -133,6 +133,25 @@ private Q_SLOTS:
         }
     }
 
+    // A computed signal such as 1/x becomes huge, or infinite as a float.
+    void hugeAndInfiniteValuesAreDrawnWithinTheImage() {
+        constexpr float kInfinity = std::numeric_limits<float>::infinity();
+        for (const float huge : {1e17F, 3e38F, kInfinity, -kInfinity}) {
+            SeriesBuffer history(1);
+            std::array<float, 1> row{};
+            for (int i = 0; i < 1000; ++i) {
+                row[0] = i % 100 == 50 ? huge : i % 100 == 51 ? -huge : static_cast<float>(i % 7);
+                history.append(i * 0.002, row);
+            }
+            for (const double high : {10.0, 1e17, 1e38}) {
+                for (const double span : {2.0, 0.1}) {
+                    const Drawn drawn(history, 0.05, span, 300, -high, high, QPen(Qt::red, 2));
+                    QVERIFY(drawn.rowsOf(0));
+                }
+            }
+        }
+    }
+
     void everyColumnIsBetweenItsMinimumAndMaximum() {
         std::mt19937 random(35);
         std::uniform_real_distribution<double> share(0, 1);

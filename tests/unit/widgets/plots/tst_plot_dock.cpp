@@ -1544,6 +1544,27 @@ private Q_SLOTS:
                      0.5));
     }
 
+    // The menu belongs to the curve under the pointer, also if another signal is shown at the cursors.
+    void theMenuOfACurveIsForThisCurve() {
+        Bench b;
+        b.view().setReadoutSignal(b.id("actual_TCP_force_0"));
+        const int force = b.id("actual_TCP_force_2");
+        const PlotPane& pane = b.forces();
+        const double time = b.view().timeAt(pane.area().center().x());
+        const double value = b.dock.store().valueAt(force, time).value();
+        QCOMPARE(pane.curveAt(QPointF(pane.area().center().x(), pane.yAt(value) + 3)),
+                 std::optional<int>(force));
+        b.menuAt(QPointF(pane.area().center().x(), pane.yAt(value)), "plots.menu.alarmAbove");
+        QCOMPARE(b.dock.marks().thresholds().size(), 1);
+        QCOMPARE(b.dock.marks().thresholds()[0].key, QStringLiteral("actual_TCP_force_2"));
+        QVERIFY(near(b.dock.marks().thresholds()[0].limit, value, 1));
+        // From the legend, the newest value is proposed.
+        b.menuAt(pane.legendEntry(force).center(), "plots.menu.alarmAbove");
+        QCOMPARE(b.dock.marks().thresholds().size(), 2);
+        QVERIFY(near(b.dock.marks().thresholds()[1].limit,
+                     b.dock.store().valueAt(force, b.view().window().end()).value(), 1));
+    }
+
     // ---- derived signals
     void theMenuDerivesSignals() {
         Bench b;

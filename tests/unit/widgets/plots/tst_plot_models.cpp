@@ -140,6 +140,15 @@ private Q_SLOTS:
                     std::abs(mantissa - 5) < 1e-6);
         }
     }
+    void aScaleOfHugeValuesIsFound() {
+        for (const auto& [low, high] : std::initializer_list<std::pair<double, double>>{
+                 {1e17, 1e17}, {-1, 1e17}, {3e38, 3e38}, {-3e38, 3e38}, {1e300, 1e300}, {-1e307, 1e307}}) {
+            AxisRange range(0.001);
+            range.reset(low, high);
+            QVERIFY2(range.min() < range.max(), qPrintable(QString::number(low)));
+            QVERIFY(std::isfinite(range.step()) && range.step() > 0);
+        }
+    }
     void scaleGrowsImmediatelyAndShrinksWithADelay() {
         AxisRange range(1);
         range.reset(-2, 2);
