@@ -530,6 +530,16 @@ bool PlotDock::isOpen(const QString& path, std::optional<double> moment) {
 double PlotDock::placeOf(const recording::Recording& file, double length,
                          std::optional<double> incident) const {
     const double newest = history().isEmpty() ? 0 : history().lastTime();
+    if (!incident && store_->hasRecordings()) {
+        // Recordings of the same time keep their distance. Other recordings begin together, for comparison.
+        const QString first = store_->recordings().constFirst();
+        const SeriesBuffer& times = *store_->timesOf(first);
+        const auto other = store_->recorded(first)->startUtcNs();
+        const auto start = file.startUtcNs();
+        const double distance = start && other ? static_cast<double>(*start - *other) * 1e-9 : 0;
+        const bool overlap = distance > -length && distance < times.lastTime() - times.firstTime();
+        return times.firstTime() + (overlap ? distance : 0);
+    }
     if (!incident) {
         return pages_->view().cursor(PlotView::Cursor::A).value_or(history().isEmpty() ? 0 : newest - length);
     }

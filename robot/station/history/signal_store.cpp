@@ -626,6 +626,14 @@ const recording::Recording* SignalStore::recorded(const QString& recording) cons
     return table == nullptr ? nullptr : table->file.get();
 }
 
+QStringList SignalStore::recordings() const {
+    QStringList names;
+    for (std::size_t i = kFirstRecording; i < tables_.size(); ++i) {
+        names << tables_[i].name;
+    }
+    return names;
+}
+
 const SeriesBuffer* SignalStore::timesOf(const QString& recording) const {
     const Table* table = tableOf(recording);
     return table == nullptr ? nullptr : table->buffer.get();

@@ -84,6 +84,7 @@ public:
     QString recordingOf(int signal) const;
     /// The opened recording with this name, or null.
     const recording::Recording* recorded(const QString& recording) const;
+    QStringList recordings() const;  ///< names, in the order of opening
     /// The row times of a recording on the plots' time axis, as samples without values. Null if there is no
     /// recording with this name.
     const SeriesBuffer* timesOf(const QString& recording) const;

@@ -1544,6 +1544,19 @@ private Q_SLOTS:
                      0.5));
     }
 
+    // A second recording is not shifted by the time between the two clicks.
+    void recordingsOpenedOneAfterTheOtherBeginTogether() {
+        Bench b;
+        QTemporaryDir folder;
+        b.dock.openRecording(writeDay(folder, QStringLiteral("one.csv")));
+        QTRY_COMPARE_WITH_TIMEOUT(b.dock.store().recordings().size(), 1, 60'000);
+        b.runTo(75);
+        b.dock.openRecording(writeDay(folder, QStringLiteral("two.csv")));
+        QTRY_COMPARE_WITH_TIMEOUT(b.dock.store().recordings().size(), 2, 60'000);
+        QCOMPARE(b.dock.store().timesOf(QStringLiteral("two.csv"))->firstTime(),
+                 b.dock.store().timesOf(QStringLiteral("one.csv"))->firstTime());
+    }
+
     // The menu belongs to the curve under the pointer, also if another signal is shown at the cursors.
     void theMenuOfACurveIsForThisCurve() {
         Bench b;
