@@ -250,6 +250,23 @@ private Q_SLOTS:
         QVERIFY2(perform(), qPrintable(bench.said->join('\n')));
     }
 
+    // Another client has taken over. Its program runs on, so no text may ask to take control again.
+    void anOutageWhileAnotherProgramRunsIsNotALossOfControl() {
+        DeadLinkBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.startForeignProgram());
+        QVERIFY(bench.within([&] { return bench.state().control == ControlState::None; }));
+        bench.goOn(4000);  // no doubt remains about the control program
+        bench.said->clear();
+        bench.inject("half-open");
+        QVERIFY(bench.within([&] { return !bench.state().isFresh(); }));
+        QVERIFY(bench.within([&] { return bench.state().isFresh(); }));
+        bench.goOn(1000);
+        QVERIFY2(!bench.hasSaid("Control was lost"), qPrintable(bench.said->join('\n')));
+        QVERIFY2(!bench.state().controlReason.contains("connection was lost"),
+                 qPrintable(bench.state().controlReason));
+    }
+
     void aShortOutageKeepsControl() {
         DeadLinkBench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));

@@ -518,7 +518,8 @@ private Q_SLOTS:
         QVERIFY(bench.within([&] { return isOn(3); }));
         QVERIFY(bench.runs());
         // The confirmation does not apply to a program that replaces this one without a stop.
-        QVERIFY(bench.pendant->send("def second():\nwhile True:\nsync()\nend\nend\n", patience()).ok());
+        QVERIFY(
+            bench.pendant->send("def second():\nwhile True:\nsync()\nend\nend\n", Deadline::never()).ok());
         QVERIFY(bench.within([&] { return bench.state().runningProgram == QLatin1String("second"); }));
         set(4);
         QVERIFY(question() != nullptr);

@@ -114,7 +114,10 @@ public:
     /// True if the robot has received this permission.
     bool isFinishPermitted() const { return finishReceived_.load(std::memory_order_acquire); }
     /// Accepts only the program with this session, from the next tick on.
-    void expectSession(std::int32_t session) { nextSession_.store(session, std::memory_order_release); }
+    void expectSession(std::int32_t session) {
+        takingAbandoned_.store(false, std::memory_order_release);
+        nextSession_.store(session, std::memory_order_release);
+    }
     /// Call if the control program could not be sent, or not sent again after a script: from the next tick on,
     /// the loss is ScriptStopped.
     void abandonTaking() { takingAbandoned_.store(true, std::memory_order_release); }

@@ -76,7 +76,7 @@ private Q_SLOTS:
         QVERIFY(!ran.ok());
         QCOMPARE(cell.robot.truth().safetyMode, SafetyMode::ProtectiveStop);
         QVERIFY(cell.during([&] {
-            return waitUntil(patience(),
+            return waitUntil(Deadline::after(std::chrono::minutes(1)),
                              [&] { return cell.controller->status().loss == ControlLoss::ScriptStopped; });
         }));
     }
@@ -89,11 +89,11 @@ private Q_SLOTS:
         cell.everyTick = [&] {
             if (++ticks == 300) {
                 script::ScriptClient other(cell.robot.listenAddress(), cell.robot.ports().primary);
-                QVERIFY(other.connect(patience()).ok());
+                QVERIFY(other.connect(Deadline::never()).ok());
                 QVERIFY(other
                             .send("def other():\n  while True:\n    set_digital_out(3, True)\n    sync()\n  "
                                   "end\nend\n",
-                                  patience())
+                                  Deadline::never())
                             .ok());
             }
         };
@@ -103,7 +103,7 @@ private Q_SLOTS:
         QCOMPARE(ran.error().code, ErrorCode::NotInControl);
         QVERIFY2(ran.error().controllerMessage.contains("another client"), why(ran));
         QVERIFY(cell.during([&] {
-            return waitUntil(patience(),
+            return waitUntil(Deadline::after(std::chrono::minutes(1)),
                              [&] { return cell.controller->status().loss == ControlLoss::ScriptStopped; });
         }));
         QCOMPARE(cell.robot.truth().runtimeState, RuntimeState::Playing);

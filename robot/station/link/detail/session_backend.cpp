@@ -198,7 +198,10 @@ void SessionBackend::readControl() {
         state.control = refusal.isEmpty() ? ControlState::None : ControlState::Refused;
     }
     using control::ControlLoss;
-    loss = state.programRuns && !status.fresh ? ControlLoss::DataStale : status.loss;
+    const ControlLoss reported = state.programRuns && !status.fresh ? ControlLoss::DataStale : status.loss;
+    // After another program has taken over, a lost connection is not a further loss of control.
+    const bool isTakenAway = loss == ControlLoss::ScriptStopped || loss == ControlLoss::EchoStalled;
+    loss = isTakenAway && reported == ControlLoss::LinkLost ? loss : reported;
     state.controlLoss = loss;
     state.controlInDoubt = isControlInDoubt();
 }
