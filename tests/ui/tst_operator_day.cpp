@@ -260,6 +260,9 @@ private Q_SLOTS:
         bench.answer("changeQuestion.take");
         QVERIFY(bench.until([&] { return !done.isEmpty(); }));
         QVERIFY(bench.runs());
+        if (control == "gripper") {  // disabled while the command is pending
+            QVERIFY(bench.until([&] { return bench.find<QPushButton>("gripper.open").isEnabled(); }));
+        }
         change("gripper.open");
         QVERIFY(bench.until([&] { return bench.question("changeQuestion") != nullptr; }));
     }
