@@ -196,6 +196,7 @@ void ProgramTab::showRun() {
     model_->setRun(&runner.script(), &runner.log());
     if (runner.state() != program::ProgramRunner::State::Running) {
         wasWaiting_ = false;
+        wasPausedOnRobot_ = false;
     }
     switch (runner.state()) {
         case program::ProgramRunner::State::Idle:
@@ -210,10 +211,14 @@ void ProgramTab::showRun() {
         case program::ProgramRunner::State::Stopping:
             showStatus(tr("Stopping…"));
             break;
-        case program::ProgramRunner::State::Ended:
+        case program::ProgramRunner::State::Ended: {
             showEnd(runner);
-            Q_EMIT session_->message(Severity::Info, runner.endText(document_.project()));
+            using End = program::ProgramRunner::End;
+            const bool isExpected = runner.end() == End::Completed || runner.end() == End::Stopped;
+            Q_EMIT session_->message(isExpected ? Severity::Info : Severity::Warning,
+                                     runner.endText(document_.project()));
             break;
+        }
     }
 }
 
@@ -228,12 +233,15 @@ void ProgramTab::showRunningStep(const program::ProgramRunner& runner) {
     const int step = runner.log().step();
     const QString name = program::stepName(document_.project(), runner.script(), step);
     const bool isWaiting = runner.isWaiting();
-    showStatus(isWaiting           ? tr("Paused before step %1 (%2)").arg(step).arg(name)
+    const bool isPausedOnRobot = runner.isPausedOnRobot();
+    showStatus(isPausedOnRobot     ? tr("Paused on the robot in step %1 (%2)").arg(step).arg(name)
+               : isWaiting         ? tr("Paused before step %1 (%2)").arg(step).arg(name)
                : step == 0         ? tr("Running")
                : runner.isPaused() ? tr("Pausing after step %1 (%2)").arg(step).arg(name)
                                    : tr("Running step %1 (%2)").arg(step).arg(name));
-    if (std::exchange(wasWaiting_, isWaiting) != isWaiting) {
-        Q_EMIT session_->message(Severity::Info, status_->fullText());
+    const bool isOther = std::exchange(wasWaiting_, isWaiting) != isWaiting;
+    if (std::exchange(wasPausedOnRobot_, isPausedOnRobot) != isPausedOnRobot || isOther) {
+        Q_EMIT session_->message(isPausedOnRobot ? Severity::Warning : Severity::Info, status_->fullText());
     }
 }
 

@@ -151,6 +151,7 @@ private:
     std::size_t nextMark_ = 0;
     QTimer checkTimer_;
     bool wasWaiting_ = false;  ///< true if the program waited before a step
+    bool wasPausedOnRobot_ = false;
     QSet<QUuid> breakpoints_;  ///< step IDs, not saved with the project
     program::PreviewRunner runner_;
     QAction* recoverAction_ = nullptr;

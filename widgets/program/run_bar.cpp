@@ -379,17 +379,21 @@ void RunBar::updateGateKeys() {
     using State = program::ProgramRunner::State;
     const bool runs = runner_.state() == State::Sending || runner_.state() == State::Running;
     const bool isPaused = runs && runner_.isPaused();
-    const QString idle = runs ? QString() : tr("No program is running.");
+    const QString idle = !runs ? tr("No program is running.")
+                         : runner_.isPausedOnRobot()
+                             ? tr("The program is paused on the robot. Resume it on the teach pendant.")
+                             : QString();
     pause_->setText(isPaused ? tr("Resume") : tr("Pause"));
     setReason(*pause_, idle,
               isPaused ? tr("Continues the program") : tr("Pauses the program before its next step"));
     setReason(*step_,
-              runner_.isActive()  ? runner_.isWaiting() ? QString() : tr("Pause the program first.")
-               : run_->isEnabled() ? QString()
-                                  : run_->toolTip(),
+              runner_.isPausedOnRobot() ? idle
+              : runner_.isActive()      ? runner_.isWaiting() ? QString() : tr("Pause the program first.")
+                   : run_->isEnabled() ? QString()
+                                        : run_->toolTip(),
               tr("Runs one step and then pauses the program"));
     setReason(*finish_,
-              !runs                             ? idle
+              !idle.isEmpty()                   ? idle
               : runner_.script().cycles.empty() ? tr("The program has no endless loop.")
                                                 : QString(),
               tr("Ends the program before the next cycle of its endless loop"));

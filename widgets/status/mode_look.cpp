@@ -143,6 +143,13 @@ ModeLook controlLook(const SessionState& state) {
         case ControlState::Taking:
             return {ModeLookText::tr("Taking control…"), Shape::Bars, Emphasis::Normal, {}};
         case ControlState::InControl: {
+            const ModeLook program = runtimeLook(state.runtimeState);
+            if (state.programRuns && state.hasData() &&
+                (state.runtimeState == RuntimeState::Pausing || state.runtimeState == RuntimeState::Paused)) {
+                // The pendant or another client has paused the program of this window.
+                return {(state.remoteControl ? place : ModeLookText::tr("In control")) + dot + program.text,
+                        program.shape, program.emphasis, state.controlReason, program.mark};
+            }
             const QString what = state.freedriveActive ? ModeLookText::tr("Freedrive")
                                  : state.jogActive     ? ModeLookText::tr("Jog")
                                  : state.moving        ? ModeLookText::tr("Move")

@@ -191,6 +191,8 @@ Result<RobotSession::MotionId> ProgramRunner::start(const RunPlan& plan, control
     log_ = StepLog(static_cast<int>(script_.steps.size()));
     expected_ = plan.expected;
     limits_ = plan.limits;
+    holding_ = holding;
+    endsByPause_ = false;
     gate_ = {permitted, false};
     const QSet<QUuid> breakpoints = holding == control::Holding::Free ? breakpoints_ : QSet<QUuid>();
     const auto begun =
@@ -283,17 +285,21 @@ void ProgramRunner::take(const SampleBatch& batch) {
     if (!isActive()) {
         return;
     }
-    const std::tuple before(log_.step(), log_.isWaiting(), log_.begun());
+    const auto shown = [this] {
+        return std::tuple(log_.step(), log_.isWaiting(), log_.begun(), log_.isPausedOnRobot());
+    };
+    const auto before = shown();
     for (const receive::Sample& sample : batch.samples) {
         const receive::RobotState robot(sample);
         log_.add(robot.timestamp(), robot.runtimeState(), robot.outputIntRegister(kStepRegister).value_or(0),
                  robot.outputIntRegister(script::kGateRegister).value_or(0));
+        endsByPause_ = endsByPause_ || (holding_ == control::Holding::Held && log_.isPausedOnRobot());
     }
     const bool begins = state_ == State::Sending && log_.hasBegun();
     if (begins) {
         state_ = State::Running;
     }
-    if (begins || std::tuple(log_.step(), log_.isWaiting(), log_.begun()) != before) {
+    if (begins || shown() != before) {
         passRemovedBreakpoint();
         Q_EMIT changed();
     }
@@ -320,13 +326,20 @@ void ProgramRunner::finish(const Result<control::MotionProgress>& progress) {
         end_ = End::Stopped;
         cause_ = control::StopCause::UnsafeMode;
     } else if (!progress) {
-        end_ = End::Failed;
+        const SessionState& now = session_.state();
+        const bool isTaken = progress.error().code == ErrorCode::NotInControl && log_.lastStep() > 0;
+        end_ = isTaken && endsByPause_ ? End::PausedOnRobot
+               : isTaken && now.controlLoss == control::ControlLoss::ScriptStopped && now.hasForeignProgram()
+                   ? End::Replaced
+                   : End::Failed;
         error_ = progress.error();
     } else if (progress->cause != control::StopCause::Completed) {
         end_ = End::Stopped;
         cause_ = progress->cause;
     } else {
-        end_ = log_.failedStep() > 0 ? End::StepFailed : End::Completed;
+        end_ = log_.failedStep() > 0 ? End::StepFailed
+               : log_.isCutShort()   ? End::StoppedOnRobot
+                                     : End::Completed;
     }
     state_ = State::Ended;
     Q_EMIT changed();
@@ -336,14 +349,16 @@ bool ProgramRunner::isStoppedInLastStep() const {
     using control::StopCause;
     constexpr std::array kWithoutData{StopCause::DataStale, StopCause::LinkLost, StopCause::ControlLost,
                                       StopCause::EventLoopStalled, StopCause::Sleep};
-    return state_ == State::Ended && end_ == End::Stopped && log_.lastStep() > 0 &&
-           std::find(kWithoutData.begin(), kWithoutData.end(), cause_) == kWithoutData.end();
+    const bool isKnown = end_ == End::StoppedOnRobot || end_ == End::PausedOnRobot ||
+                         (end_ == End::Stopped &&
+                          std::find(kWithoutData.begin(), kWithoutData.end(), cause_) == kWithoutData.end());
+    return state_ == State::Ended && isKnown && log_.lastStep() > 0;
 }
 
 QString ProgramRunner::endText(const project::Project& project) const {
     const int step = end_ == End::StepFailed ? log_.failedStep() : log_.lastStep();
     const QString name = stepName(project, script_, step);
-    const QString reason = end_ == End::Failed ? texts::errorText(error_) : texts::stopCauseText(cause_);
+    QString reason;
     switch (end_) {
         case End::Completed:
             return ProgramText::tr("The program ended after %1 s.")
@@ -351,7 +366,19 @@ QString ProgramRunner::endText(const project::Project& project) const {
         case End::StepFailed:
             return ProgramText::tr("Step %1 (%2) failed and ended the program.").arg(step).arg(name);
         case End::Stopped:
+            reason = texts::stopCauseText(cause_);
+            break;
+        case End::StoppedOnRobot:
+            reason = ProgramText::tr("ended on the robot (pendant, another client or halt)");
+            break;
+        case End::PausedOnRobot:
+            reason = ProgramText::tr("paused on the robot");
+            break;
+        case End::Replaced:
+            reason = ProgramText::tr("a program of another client has taken over");
+            break;
         case End::Failed:
+            reason = texts::errorText(error_);
             break;
     }
     return step > 0 ? ProgramText::tr("Stopped in step %1 (%2): %3").arg(step).arg(name, reason)

@@ -73,7 +73,15 @@ public:
         Stopping,  ///< the program is ending, and control is being taken again
         Ended,
     };
-    enum class End { Completed, StepFailed, Stopped, Failed };
+    enum class End {
+        Completed,
+        StepFailed,
+        Stopped,
+        StoppedOnRobot,  ///< ended by the pendant or another client
+        PausedOnRobot,   ///< held, and ended because the pendant or another client paused it
+        Replaced,        ///< by a program of another client
+        Failed,
+    };
 
     /// session  must outlive the runner
     explicit ProgramRunner(RobotSession& session, QObject* parent = nullptr);
@@ -106,6 +114,8 @@ public:
     bool isPaused() const { return gate_.permitted < script::StepGate::kUnlimited || isAtBreakpoint(); }
     /// True if the program is paused and has reached the next step.
     bool isWaiting() const { return state_ == State::Running && isPaused() && log_.isWaiting(); }
+    /// True while the program is paused by the pendant or another client. Only these can resume it.
+    bool isPausedOnRobot() const { return state_ == State::Running && log_.isPausedOnRobot(); }
     State state() const { return state_; }
     bool isActive() const { return state_ != State::Idle && state_ != State::Ended; }
     End end() const { return end_; }  ///< Valid in State::Ended.
@@ -140,6 +150,8 @@ private:
     QSet<QUuid> breakpoints_;
     double expected_ = 0;
     SpeedLimits limits_;
+    control::Holding holding_ = control::Holding::Free;
+    bool endsByPause_ = false;  ///< a held program was paused on the robot, which ends it
 };
 
 }  // namespace tiller::program

@@ -27,6 +27,7 @@ void StepLog::add(double time, RuntimeState runtime, int value, int gate) {
         timings_[static_cast<std::size_t>(step_ - 1)].total += now - time_;
     }
     time_ = now;
+    isPausedOnRobot_ = runtime == RuntimeState::Pausing || runtime == RuntimeState::Paused;
     if (settling_ > 0) {
         --settling_;
         return;
@@ -42,6 +43,7 @@ void StepLog::add(double time, RuntimeState runtime, int value, int gate) {
 
 void StepLog::follow(int value) {
     const int steps = static_cast<int>(timings_.size());
+    value_ = value;
     failed_ = value < 0 && -value <= steps ? -value : 0;
     const int next = value > 0 && value <= steps ? value : 0;
     if (next == step_) {

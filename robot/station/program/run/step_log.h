@@ -31,6 +31,10 @@ public:
     double seconds() const { return time_; }       ///< Duration of the run so far [s].
     bool hasBegun() const { return phase_ != Phase::Before && phase_ != Phase::Stopped; }
     bool hasEnded() const { return phase_ == Phase::Ended; }
+    /// True if the program was ended from outside. At its own end, a program resets the step register.
+    bool isCutShort() const { return hasEnded() && value_ > 0; }
+    /// True while the program is paused by the pendant or another client.
+    bool isPausedOnRobot() const { return isPausedOnRobot_; }
     /// One per step; step number 1 is at index 0. Times are relative to the start of the program. They
     /// exclude the time for which the program waits before a step.
     const std::vector<StepTiming>& timings() const { return timings_; }
@@ -48,6 +52,8 @@ private:
     int begun_ = 0;
     int last_ = 0;
     int failed_ = 0;
+    int value_ = 0;  ///< newest value of the step register
+    bool isPausedOnRobot_ = false;
     std::vector<StepTiming> timings_;
 };
 

@@ -8,7 +8,9 @@
 #include <QTest>
 
 #include "program_samples.h"
+#include "robot/script/script_client.h"
 #include "tests/support/virtual_cell.h"
+#include "tests/support/waiting.h"
 #include "widgets/common/elided_label.h"
 #include "widgets/common/segmented_control.h"
 #include "widgets/hold/hold_to_run_button.h"
@@ -112,6 +114,26 @@ struct TabBench {
     bool preview() {
         find<QPushButton>("program.preview").click();
         return QTest::qWaitFor([this] { return status().contains("Simulated: "); }, kLongMs);
+    }
+    /// Runs a program without hold-to-run from its start.
+    bool runFreely(const QStringList& waypoints) {
+        setSteps(waypoints);
+        const bool ready = preview() && moveToStart();
+        cell.advanceMs(20);
+        run().click();
+        return ready && reachMotion();
+    }
+    /// Sends a command as another client.
+    bool sendFromOutside(const char* text) {
+        script::ScriptClient client(cell.robot.listenAddress(), cell.robot.ports().primary);
+        return client.connect(patience()).ok() && client.send(QString::fromLatin1(text), patience()).ok();
+    }
+    bool reachStep(int step) {
+        return cell.advanceUntil([&] { return runner().log().step() == step && speedNow() > 0.03; }, kLongMs);
+    }
+    bool checkRecoverability() {
+        find<QAction>("program.action.recover").trigger();
+        return QTest::qWaitFor([this] { return !status().startsWith("Simulating"); }, kLongMs);
     }
     bool reachWaiting() {
         return cell.advanceUntil([this] { return runner().isWaiting(); }, kLongMs);
@@ -521,6 +543,72 @@ private Q_SLOTS:
             bench.status().contains("cannot continue safely") && bench.status().contains("force section"),
             qPrintable(bench.status()));
         QVERIFY(!bench.from().text().startsWith("Continue"));
+    }
+
+    void aPauseOnTheRobotIsShown() {
+        TabBench bench;
+        QStringList log;
+        QObject::connect(&bench.session, &RobotSession::message, &bench.tab,
+                         [&](Severity, const QString& text) { log << text; });
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.runFreely({"pick", "place", "home", "pick"}));
+        QVERIFY(bench.sendFromOutside("pause program\n"));
+        QVERIFY(bench.cell.advanceUntil(
+            [&] { return bench.session.state().runtimeState == RuntimeState::Paused; }, kLongMs));
+        bench.cell.advanceMs(100);
+        QVERIFY2(bench.status().contains("Paused on the robot in step 2 (MoveL)"),
+                 qPrintable(bench.status()));
+        QVERIFY2(log.contains(bench.status()), qPrintable(log.join('\n')));
+        QVERIFY(!bench.pause().isEnabled());
+        QVERIFY2(bench.pause().toolTip().contains("paused on the robot"),
+                 qPrintable(bench.pause().toolTip()));
+        QVERIFY(!bench.step().isEnabled());
+        QVERIFY(bench.run().isEnabled());
+        QCOMPARE(bench.run().text(), QStringLiteral("Stop"));
+        QVERIFY(bench.sendFromOutside("run program\n"));
+        QVERIFY(bench.reachMotion());
+        QVERIFY2(bench.status().contains("Running step 2"), qPrintable(bench.status()));
+        QVERIFY(bench.pause().isEnabled());
+        QVERIFY(bench.sendFromOutside("pause program\n"));
+        bench.cell.advanceMs(500);
+        bench.run().click();
+        QVERIFY(bench.awaitEnd());
+        QVERIFY2(bench.status().contains("Stopped in step"), qPrintable(bench.status()));
+    }
+
+    void aPauseOnTheRobotEndsAHeldRun() {
+        TabBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.press(bench.hold());
+        QVERIFY(bench.reachMotion());
+        QVERIFY(bench.sendFromOutside("pause program\n"));
+        QVERIFY(bench.standstill() <= kStandstillTime + 0.1);
+        QVERIFY(bench.awaitEnd());
+        QVERIFY2(bench.status().contains("Stopped in step 1 (MoveL)"), qPrintable(bench.status()));
+        QVERIFY2(bench.status().contains("on the robot"), qPrintable(bench.status()));
+        bench.release(bench.hold());
+    }
+
+    void aStopOnTheRobotIsAWarningAndCanContinue() {
+        TabBench bench;
+        std::optional<Severity> severity;
+        QObject::connect(&bench.session, &RobotSession::message, &bench.tab,
+                         [&](Severity how, const QString& text) {
+                             severity = text.contains("Stopped in step 2") ? how : severity;
+                         });
+        bench.setSteps({"pick", "place", "home"});
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.checkRecoverability());
+        QVERIFY(bench.preview());
+        QVERIFY(bench.moveToStart());
+        bench.cell.advanceMs(20);
+        bench.run().click();
+        QVERIFY(bench.reachStep(2));
+        QVERIFY(bench.sendFromOutside("stop program\n"));
+        QVERIFY(bench.awaitEnd());
+        QVERIFY2(bench.status().contains("Stopped in step 2 (MoveL)"), qPrintable(bench.status()));
+        QCOMPARE(severity, std::optional(Severity::Warning));
+        QCOMPARE(bench.from().text(), QStringLiteral("Continue at 2"));
     }
 
     void moveToStartEndsWithTheButton() {

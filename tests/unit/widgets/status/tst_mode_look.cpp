@@ -215,6 +215,13 @@ private Q_SLOTS:
         QCOMPARE(controlLook(state).text, QStringLiteral("Remote · Freedrive"));
         QCOMPARE(robotModeLook(RobotMode::Running, true, true).text, QStringLiteral("FREEDRIVE"));
         state.freedriveActive = state.moving = false;
+        state.programRuns = true;
+        state.sequence = 1;
+        state.runtimeState = RuntimeState::Paused;
+        QCOMPARE(controlLook(state).text, QStringLiteral("Remote · Program paused"));
+        state.programRuns = false;
+        state.sequence = 0;
+        state.runtimeState = RuntimeState::Stopped;
         state.control = ControlState::None;
         QCOMPARE(controlLook(state).text, QStringLiteral("Not in control"));
         state.remoteControl = false;

@@ -6,8 +6,10 @@
 #include <QTest>
 
 #include "program_samples.h"
+#include "robot/script/script_client.h"
 #include "robot/station/program/run/program_runner.h"
 #include "tests/support/virtual_cell.h"
+#include "tests/support/waiting.h"
 
 using namespace tiller;
 using namespace tiller::program;
@@ -117,6 +119,11 @@ struct RunBench {
             return cell.robot.inject(stop).ok();
         }
         return true;
+    }
+    /// Sends a command or a program as another client.
+    bool sendFromOutside(const char* text) {
+        script::ScriptClient client(cell.robot.listenAddress(), cell.robot.ports().primary);
+        return client.connect(patience()).ok() && client.send(QString::fromLatin1(text), patience()).ok();
     }
     bool reachMotion() {
         return cell.advanceUntil([this] { return cell.truth().tcpSpeed.linear.norm() > 0.05; }, kLongMs);
@@ -260,6 +267,59 @@ private Q_SLOTS:
         static const QStringList kKeepControl{"stop key", "space",   "escape",        "device",
                                               "runner",   "release", "hanging window"};
         QCOMPARE(bench.session.state().canMove(), kKeepControl.contains(stop));
+    }
+
+    void aStopOnTheRobotIsNotTheEndOfTheProgram_data() {
+        QTest::addColumn<Holding>("holding");
+        QTest::newRow("held") << Holding::Held;
+        QTest::newRow("free") << Holding::Free;
+    }
+    void aStopOnTheRobotIsNotTheEndOfTheProgram() {
+        QFETCH(const Holding, holding);
+        RunBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.setSteps({bench.move("pick"), bench.move("place"), bench.move("pick")});
+        QVERIFY(bench.begin(holding));
+        QVERIFY(bench.reachStep(2));
+        QVERIFY(bench.sendFromOutside("stop program\n"));
+        QVERIFY(bench.awaitEnd());
+        const QString text = bench.runner.endText(bench.project);
+        QVERIFY2(text.contains("Stopped in step 2 (MoveL)"), qPrintable(text));
+        QVERIFY2(text.contains("on the robot"), qPrintable(text));
+        QVERIFY(bench.runner.isStoppedInLastStep());
+        QVERIFY(bench.standstill() == 0);
+        // The next run of the same program completes.
+        QVERIFY(bench.begin(holding));
+        QVERIFY(bench.awaitEnd());
+        QCOMPARE(bench.runner.end(), ProgramRunner::End::Completed);
+    }
+
+    void aProgramThatEndsItselfIsComplete() {
+        RunBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        for (const project::ProgramStep& last : {step("end"), step("wait", {{"time", 0.002}})}) {
+            bench.setSteps({last});
+            QVERIFY(bench.begin(Holding::Free));
+            QVERIFY(bench.awaitEnd());
+            QVERIFY2(bench.runner.end() == ProgramRunner::End::Completed,
+                     qPrintable(bench.runner.endText(bench.project)));
+        }
+    }
+
+    void aProgramThatReplacesTheRunIsNamed() {
+        RunBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.setSteps({bench.endless()});
+        QVERIFY(bench.begin(Holding::Free));
+        QVERIFY(bench.reachMotion());
+        QVERIFY(bench.sendFromOutside("def other():\n  while True:\n    sync()\n  end\nend\n"));
+        QVERIFY(bench.awaitEnd());
+        const QString text = bench.runner.endText(bench.project);
+        QVERIFY2(text.contains("Stopped in step 2 (MoveL)"), qPrintable(text));
+        QVERIFY2(text.contains("another client"), qPrintable(text));
+        QVERIFY(!bench.runner.isStoppedInLastStep());
+        QCOMPARE(bench.cell.truth().runtimeState, RuntimeState::Playing);
+        QVERIFY(bench.session.state().control != ControlState::InControl);
     }
 
     // A program that waits must not move the arm after a stop.

@@ -70,7 +70,7 @@ private Q_SLOTS:
         samples.add(RuntimeState::Playing, 0, kPeriod);
         samples.add(RuntimeState::Stopped, 0, 0.1);
         samples.add(RuntimeState::Playing, 0, 1);  // the control program again
-        QVERIFY(log.hasEnded());
+        QVERIFY(log.hasEnded() && !log.isCutShort());
         QCOMPARE(log.step(), 0);
         QCOMPARE(log.lastStep(), 2);
         QCOMPARE(log.failedStep(), 0);
@@ -114,6 +114,29 @@ private Q_SLOTS:
         samples.add(RuntimeState::Playing, 1, 0.1);
         QCOMPARE(log.timings()[0].count, 1);
         QVERIFY(qAbs(log.timings()[0].total - 0.7) < 6 * kPeriod);
+    }
+
+    void aProgramThatIsStoppedInAStepIsCutShort() {
+        StepLog log(2);
+        Samples samples(log);
+        samples.add(RuntimeState::Stopped, 0, 0.1);
+        samples.add(RuntimeState::Playing, 1, 0.1);
+        QVERIFY(!log.isCutShort());
+        samples.add(RuntimeState::Stopped, 1, 0.1);
+        QVERIFY(log.hasEnded() && log.isCutShort());
+        QCOMPARE(log.lastStep(), 1);
+    }
+
+    void aPauseOnTheRobotIsNoticed() {
+        StepLog log(1);
+        Samples samples(log);
+        samples.add(RuntimeState::Stopped, 0, 0.1);
+        samples.add(RuntimeState::Playing, 1, 0.1);
+        QVERIFY(!log.isPausedOnRobot());
+        samples.add(RuntimeState::Paused, 1, 0.1);
+        QVERIFY(log.isPausedOnRobot());
+        samples.add(RuntimeState::Playing, 1, 0.1);
+        QVERIFY(!log.isPausedOnRobot());
     }
 
     void invalidValuesAreIgnored() {
