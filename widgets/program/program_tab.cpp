@@ -8,6 +8,7 @@
 #include <QHBoxLayout>
 #include <QInputDialog>
 #include <QMenu>
+#include <QPointer>
 #include <QSplitter>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -167,7 +168,7 @@ void ProgramTab::setRobot(RobotSession& session, HoldPolicy& policy, std::functi
     connect(runBar_, &RunBar::refused, this,
             [this](const QString& reason) { showStatus(tr("⚠ %1").arg(reason)); });
     connect(runBar_, &RunBar::runChanged, this, &ProgramTab::showRun);
-    connect(runBar_, &RunBar::powerLost, this, [this] {
+    connect(runBar_, &RunBar::stopChanged, this, [this] {
         if (const QString text = offerContinuation(); !text.isEmpty()) {
             showStatus(text);
         }
@@ -177,6 +178,14 @@ void ProgramTab::setRobot(RobotSession& session, HoldPolicy& policy, std::functi
         if (runBar_->startStep()) {
             preview();
         }
+    });
+    document_.setProgramGuard([tab = QPointer(this)] {
+        return tab && tab->runsFreely() ? tab->runBar_->runner().program() : QUuid();
+    });
+    connect(&document_, &ProjectDocument::removalRefused, this, [this] {
+        const QString text = tr("The program is running, so it cannot be deleted. Stop the program first.");
+        showStatus(tr("⚠ %1").arg(text));
+        Q_EMIT session_->message(Severity::Warning, text);
     });
     // The script depends on the software version of the robot.
     connect(&session, &RobotSession::connected, this, &ProgramTab::check);
@@ -217,6 +226,7 @@ void ProgramTab::showRun() {
             const bool isExpected = runner.end() == End::Completed || runner.end() == End::Stopped;
             Q_EMIT session_->message(isExpected ? Severity::Info : Severity::Warning,
                                      runner.endText(document_.project()));
+            Q_EMIT runEnded();
             break;
         }
     }
@@ -230,8 +240,9 @@ void ProgramTab::showEnd(const program::ProgramRunner& runner) {
 }
 
 void ProgramTab::showRunningStep(const program::ProgramRunner& runner) {
-    const int step = runner.log().step();
-    const QString name = program::stepName(document_.project(), runner.script(), step);
+    const int number = runner.log().step();
+    const int step = program::rowNumber(document_.project(), runner.script(), number);
+    const QString name = program::stepName(runner.project(), runner.script(), number);
     const bool isWaiting = runner.isWaiting();
     const bool isPausedOnRobot = runner.isPausedOnRobot();
     showStatus(isPausedOnRobot     ? tr("Paused on the robot in step %1 (%2)").arg(step).arg(name)
@@ -312,6 +323,7 @@ const project::Program* ProgramTab::current() const {
 
 void ProgramTab::follow() {
     if (runBar_ != nullptr) {
+        mayEndOffer_ = mayEndOffer_ || runBar_->offersContinuation();
         runBar_->clearStartStep();
     }
     const project::ProgramList& programs = document_.project().programs;
@@ -381,8 +393,12 @@ void ProgramTab::check() {
     }
     previewKey_->setEnabled(script_.ok());
     recoverAction_->setEnabled(script_.ok());
+    const bool endsOffer = std::exchange(mayEndOffer_, false) && !runBar_->offersContinuation();
     if (runBar_ != nullptr && runBar_->runner().isActive()) {
-        // Keep showing the state of the run. Changes take effect at the next start.
+        // Keep showing the state of the run, with the new numbers. Changes take effect at the next start.
+        if (runBar_->runner().state() == program::ProgramRunner::State::Running) {
+            showRunningStep(runBar_->runner());
+        }
     } else if (program == nullptr || program->steps.empty()) {
         showStatus(tr("Drag steps into the program, or double-click them."));
     } else if (!script_.problems.empty()) {
@@ -390,7 +406,7 @@ void ProgramTab::check() {
         showStatus(first.number > 0 ? tr("⚠ Step %1: %2").arg(first.number).arg(first.text)
                                     : tr("⚠ %1").arg(first.text));
     } else if (isStale) {
-        showStatus(tr("The program can run. Press “Preview” to simulate it."));
+        showStatus(endsOffer ? changedText() : tr("The program can run. Press “Preview” to simulate it."));
     }
     showKey_->setVisible(!marks_.empty());
     showSelection();
@@ -521,6 +537,10 @@ void ProgramTab::removeProgram() {
         const QString name = programs.at(static_cast<std::size_t>(index)).name;
         programs.remove(static_cast<std::size_t>(index));
         document_.changePrograms(programs, tr("Delete “%1”").arg(name));
+        if (session_ != nullptr && document_.project().programs.size() == programs.size()) {
+            Q_EMIT session_->message(Severity::Info,
+                                     tr("Program “%1” deleted. Ctrl+Z restores it.").arg(name));
+        }
     }
 }
 
@@ -723,16 +743,36 @@ QString ProgramTab::offerContinuation() {
         return {};
     }
     const RunBar::StoppedAt stop = runBar_->stoppedAt();
-    const program::Continuation continuation =
-        recovery_ && stop.step > 0
-            ? program::chooseContinuation(document_.project(), recovered_, *recovery_,
-                                          runBar_->runner().script(), stop.step, stop.kind)
-            : program::Continuation();
+    program::Continuation continuation;
+    // The number of a step of a called program is not valid in the called program itself.
+    if (recovery_ && stop.step > 0 && runBar_->runner().program() == program_) {
+        continuation.text = continuationObstacle();
+        if (continuation.text.isEmpty()) {
+            continuation = program::chooseContinuation(document_.project(), recovered_, *recovery_,
+                                                       runBar_->runner().script(), stop.step, stop.kind);
+        }
+    }
     runBar_->setContinuation(continuation);
     if (continuation.start) {
         tree_->selectIds({continuation.start->step});
     }
     return continuation.text;
+}
+
+QString ProgramTab::continuationObstacle() const {
+    program::ScriptOptions options = scriptOptions();
+    options.from = {};
+    if (program::writeScript(runBar_->runner().project(), program_, options).text != recovered_.text) {
+        return changedText();
+    }
+    return runBar_->hasOtherOutputs()
+               ? tr("Outputs were changed after the stop, so the program cannot continue. Run it "
+                    "from its beginning.")
+               : QString();
+}
+
+QString ProgramTab::changedText() {
+    return tr("The program was changed after the stop, so it cannot continue. Run it from its beginning.");
 }
 
 void ProgramTab::exportScript() {

@@ -60,6 +60,8 @@ Q_SIGNALS:
     /// A command of this tab was triggered, so the tab should be shown.
     void frontWanted();
     void previewPathChanged();
+    /// A program run has ended.
+    void runEnded();
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -115,6 +117,9 @@ private:
     /// Offers the step at which the stopped program can continue.
     /// Returns  a sentence describing the recoverability of the stop; empty if the check has not been run
     QString offerContinuation();
+    /// Why the stopped program must not continue, as a sentence; empty if it may.
+    QString continuationObstacle() const;
+    static QString changedText();
     void exportScript();
     void showRun();
     void showEnd(const program::ProgramRunner& runner);
@@ -152,7 +157,8 @@ private:
     QTimer checkTimer_;
     bool wasWaiting_ = false;  ///< true if the program waited before a step
     bool wasPausedOnRobot_ = false;
-    QSet<QUuid> breakpoints_;  ///< step IDs, not saved with the project
+    bool mayEndOffer_ = false;  ///< an edit was made while the stopped program could continue
+    QSet<QUuid> breakpoints_;   ///< step IDs, not saved with the project
     program::PreviewRunner runner_;
     QAction* recoverAction_ = nullptr;
     program::ProgramScript recovered_;  ///< script of the displayed or running recoverability check

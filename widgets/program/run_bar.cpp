@@ -328,9 +328,30 @@ void RunBar::follow(const SessionState& state) {
     start_->setConfirmed(start_->isHolding() && state.moving);
     if (!runner_.isActive() && state.robotMode == RobotMode::PowerOff &&
         !std::exchange(hasLostPower_, true)) {
-        Q_EMIT powerLost();
+        Q_EMIT stopChanged();
     }
+    followOutputs(state);
     updateAvailability();
+}
+
+// The recoverability check assumes the outputs that the stop has left.
+void RunBar::followOutputs(const SessionState& state) {
+    if (runner_.isActive() || runner_.state() == program::ProgramRunner::State::Idle || !state.hasData()) {
+        return;
+    }
+    if (!stoppedOutputs_) {
+        stoppedOutputs_ = state.digitalOutputs;
+    }
+    if (state.digitalOutputs == *stoppedOutputs_ || hasLostPower_ || std::exchange(hasOtherOutputs_, true)) {
+        return;
+    }
+    const bool isChosen =
+        startStep_ && continuation_.start && startStep_->step == continuation_.start->step && !continuesStop_;
+    if (isChosen) {
+        clearStartStep();
+        Q_EMIT startStepChanged();
+    }
+    Q_EMIT stopChanged();
 }
 
 QString RunBar::programObstacle() const {
@@ -416,6 +437,10 @@ void RunBar::updateGateKeys() {
 
 void RunBar::showRun() {
     hasLostPower_ = hasLostPower_ && !runner_.isActive();
+    if (runner_.isActive()) {
+        stoppedOutputs_.reset();
+        hasOtherOutputs_ = false;
+    }
     run_->setText(runner_.isActive() && !isHeld_ ? tr("Stop") : tr("Run"));
     updateAvailability();
     Q_EMIT runChanged();

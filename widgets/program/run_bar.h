@@ -47,6 +47,10 @@ public:
         program::StopKind kind = program::StopKind::Operator;
     };
     StoppedAt stoppedAt() const;
+    /// True if digital outputs have changed since the last run was stopped.
+    bool hasOtherOutputs() const { return hasOtherOutputs_; }
+    /// True if the stopped program can continue.
+    bool offersContinuation() const { return continuation_.start || continuesStop_; }
     /// Sets the selected step; null if there is none, or more than one.
     void setSelectedStep(const QUuid& step);
     /// The step at which the program starts; empty for the beginning of the program.
@@ -71,8 +75,8 @@ Q_SIGNALS:
     void startStepChanged();
     /// The state or the running step of the program has changed.
     void runChanged();
-    /// The robot has lost power since the last run, so stoppedAt() has changed.
-    void powerLost();
+    /// The robot has lost power, or its outputs have changed, since the last run.
+    void stopChanged();
 
 protected:
     /// Keeps the focus on a button that is disabled. Otherwise, Qt would move the focus to a field of the
@@ -92,6 +96,7 @@ private:
     void toggleStartStep();
     bool continues() const;
     void follow(const SessionState& state);
+    void followOutputs(const SessionState& state);
     QString programObstacle() const;
     QString runObstacle() const;
     void updateAvailability();
@@ -109,7 +114,9 @@ private:
     std::optional<program::Preview> preview_;
     QUuid selected_;
     program::Continuation continuation_;
-    bool hasLostPower_ = false;  ///< true if power was lost since the end of the last run
+    bool hasLostPower_ = false;                    ///< true if power was lost since the end of the last run
+    std::optional<std::uint64_t> stoppedOutputs_;  ///< digital outputs at the end of the last run
+    bool hasOtherOutputs_ = false;
     std::optional<program::StartStep> startStep_;
     bool continuesStop_ = false;  ///< true if startStep_ is the step in which a held run was stopped
     MoveRequest startMove_;       ///< current motion to the start position

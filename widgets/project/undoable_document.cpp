@@ -2,6 +2,7 @@
 #include "widgets/project/undoable_document.h"
 
 #include <QUndoCommand>
+#include <functional>
 
 #include "robot/station/document/project_edits.h"
 
@@ -14,11 +15,22 @@ public:
         : QUndoCommand(edit->text()), document_(document), edit_(std::move(edit)) {}
     void redo() override { edit_->apply(document_); }
     void undo() override { edit_->revert(document_); }
+    const ProjectEdit& edit() const { return *edit_; }
 
 private:
     ProjectDocument& document_;
     std::unique_ptr<ProjectEdit> edit_;
 };
+
+/// Calls `visit` for each edit of the undo step until it returns true.
+bool anyEdit(const QUndoCommand& command, const std::function<bool(const ProjectEdit&)>& visit) {
+    const auto* own = dynamic_cast<const EditCommand*>(&command);
+    bool found = own != nullptr && visit(own->edit());
+    for (int i = 0; i < command.childCount() && !found; ++i) {
+        found = anyEdit(*command.child(i), visit);
+    }
+    return found;
+}
 
 }  // namespace
 
@@ -28,6 +40,15 @@ void UndoableDocument::push(std::unique_ptr<ProjectEdit> edit) {
 
 void UndoableDocument::step(bool undone) {
     if (!(undone ? undo_.canUndo() : undo_.canRedo())) {
+        return;
+    }
+    const QUndoCommand* command = undo_.command(undone ? undo_.index() - 1 : undo_.index());
+    const bool loses = anyEdit(*command, [&](const ProjectEdit& edit) {
+        const project::ProgramList* programs = edit.programs(undone);
+        return programs != nullptr && losesProgram(*programs);
+    });
+    if (loses) {
+        Q_EMIT removalRefused();
         return;
     }
     const QString text = undone ? undo_.undoText() : undo_.redoText();

@@ -351,7 +351,16 @@ void ProjectDocument::changeCell(const project::CellGeometry& after, const QStri
 }
 
 void ProjectDocument::changePrograms(const project::ProgramList& after, const QString& text) {
+    if (losesProgram(after)) {
+        Q_EMIT removalRefused();
+        return;
+    }
     pushPart(&project::Project::programs, after, text);
+}
+
+bool ProjectDocument::losesProgram(const project::ProgramList& after) const {
+    const QUuid guarded = programGuard_();
+    return project_.programs.find(guarded) != nullptr && after.find(guarded) == nullptr;
 }
 
 void ProjectDocument::changePaths(const project::PathList& after, const QString& text) {

@@ -7,6 +7,7 @@
 
 #include <QObject>
 #include <QUuid>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -14,19 +15,9 @@
 #include "robot/project/model_change.h"
 #include "robot/project/project_file.h"
 #include "robot/project/reachability.h"
+#include "robot/station/document/project_step.h"
 
 namespace tiller {
-
-/// The part of the project that an edit changes. Determines where the window shows the change.
-enum class ProjectPart { Waypoints, Frames, Tcps, Payloads, Positions, Cell, Programs };
-
-/// An edit that was undone or redone.
-struct ProjectStep {
-    bool undone = true;
-    QString text;  ///< description of the edit, e.g. "Change the TCP “gripper”"
-    ProjectPart part = ProjectPart::Waypoints;
-    QUuid id;  ///< first changed waypoint, frame, tool, payload or position; null if removed
-};
 
 class ProjectEdit;
 
@@ -91,6 +82,9 @@ public:
     void changeCell(const project::CellGeometry& after, const QString& text);
     void changePaths(const project::PathList& after, const QString& text);
     void changePrograms(const project::ProgramList& after, const QString& text);
+    /// guard  returns the program that is running, or null. An edit, undo or redo that would remove this program
+    ///        has no effect except removalRefused().
+    void setProgramGuard(std::function<QUuid()> guard) { programGuard_ = std::move(guard); }
 
     /// Adds the pattern and inserts its waypoints before `row`.
     void insertPattern(int row, const project::Pattern& pattern, const QString& text);
@@ -131,6 +125,7 @@ Q_SIGNALS:
     void patternsChanged();
     void cellChanged();
     void pathsChanged();
+    void removalRefused();
     /// Waypoints were added or restored. Views should select them.
     void waypointsAppeared(int first, int last);
 
@@ -150,6 +145,8 @@ protected:
     /// Applies the edit. A subclass with an undo history also stores it.
     virtual void push(std::unique_ptr<ProjectEdit> edit);
     virtual void clearHistory() {}
+    /// True if the guarded program exists and is missing in `after`.
+    bool losesProgram(const project::ProgramList& after) const;
     /// Number of applied edits.
     virtual int historyIndex() const { return 0; }
     /// Restores the robot model and emits stepTaken(). A subclass must call this after an undo or redo.
@@ -194,6 +191,7 @@ private:
     std::vector<Adoption> adoptions_;
     std::optional<RobotModelId> connectedModel_;  ///< set by adoptRobot(); empty without a robot
     QString author_;
+    std::function<QUuid()> programGuard_ = [] { return QUuid(); };
 };
 
 }  // namespace tiller

@@ -6,6 +6,7 @@
 
 #include <QString>
 #include <QVector>
+#include <type_traits>
 #include <vector>
 
 #include "robot/station/document/project_document.h"
@@ -22,6 +23,8 @@ public:
     const QString& text() const { return text_; }
     virtual void apply(ProjectDocument& document) = 0;
     virtual void revert(ProjectDocument& document) = 0;
+    /// The programs after apply() or, if `reverted`, after revert(); null if the edit does not change programs.
+    virtual const project::ProgramList* programs(bool /*reverted*/) const { return nullptr; }
 
 private:
     QString text_;
@@ -83,6 +86,13 @@ public:
         : ProjectEdit(text), part_(part), before_(std::move(before)), after_(std::move(after)) {}
     void apply(ProjectDocument& document) override { document.setPartRaw(part_, after_); }
     void revert(ProjectDocument& document) override { document.setPartRaw(part_, before_); }
+    const project::ProgramList* programs(bool reverted) const override {
+        if constexpr (std::is_same_v<Part, project::ProgramList>) {
+            return reverted ? &before_ : &after_;
+        } else {
+            return ProjectEdit::programs(reverted);
+        }
+    }
 
 private:
     Part project::Project::*part_;

@@ -323,6 +323,25 @@ QString stepName(const project::Project& project, const ProgramScript& script, i
     return step != nullptr ? kindName(*step) : QString();
 }
 
+int rowNumber(const project::Project& project, const ProgramScript& script, int number) {
+    if (number < 1 || number > static_cast<int>(script.steps.size())) {
+        return number;
+    }
+    const NumberedStep& numbered = script.steps[static_cast<std::size_t>(number - 1)];
+    const Program* owner = project.programs.find(numbered.program);
+    if (owner == nullptr || numbered.program != script.steps.front().program) {
+        return number;
+    }
+    int row = 0;
+    const std::function<bool(const Steps&)> reaches = [&](const Steps& steps) {
+        return std::any_of(steps.begin(), steps.end(), [&](const ProgramStep& step) {
+            ++row;
+            return step.id == numbered.step || reaches(step.steps);
+        });
+    };
+    return reaches(owner->steps) ? row : number;
+}
+
 std::vector<std::pair<QJsonValue, QString>> choicesOf(const project::Project& project,
                                                       const StepField& field) {
     constexpr int kChannels = 18;

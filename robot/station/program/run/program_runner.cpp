@@ -94,6 +94,8 @@ ScriptOptions optionsFor(const project::Project& project, const SessionState& st
 RunPlan planRun(const project::Project& project, const QUuid& program, const SessionState& state,
                 const SpeedLimits& limits, const std::optional<StartStep>& start) {
     RunPlan plan;
+    plan.project = project;
+    plan.program = program;
     if (const project::Program* found = project.programs.find(program)) {
         plan.name = found->name;
     }
@@ -187,6 +189,8 @@ Result<RobotSession::MotionId> ProgramRunner::start(const RunPlan& plan, control
     // Set before the session emits the new state.
     state_ = State::Sending;
     id_ = control::kNoMotion;
+    project_ = plan.project;
+    program_ = plan.program;
     script_ = plan.script;
     log_ = StepLog(static_cast<int>(script_.steps.size()));
     expected_ = plan.expected;
@@ -355,9 +359,10 @@ bool ProgramRunner::isStoppedInLastStep() const {
     return state_ == State::Ended && isKnown && log_.lastStep() > 0;
 }
 
-QString ProgramRunner::endText(const project::Project& project) const {
-    const int step = end_ == End::StepFailed ? log_.failedStep() : log_.lastStep();
-    const QString name = stepName(project, script_, step);
+QString ProgramRunner::endText(const project::Project& now) const {
+    const int number = end_ == End::StepFailed ? log_.failedStep() : log_.lastStep();
+    const int step = rowNumber(now, script_, number);
+    const QString name = stepName(project_, script_, number);
     QString reason;
     switch (end_) {
         case End::Completed:

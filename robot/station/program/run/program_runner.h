@@ -20,6 +20,8 @@ namespace tiller::program {
 
 /// A script for the connected robot, or why it cannot run.
 struct RunPlan {
+    project::Project project;  ///< that contains the program
+    QUuid program;
     QString name;  ///< of the program
     ProgramScript script;
     QString obstacle;     ///< translated sentence; empty if the program can run
@@ -123,7 +125,11 @@ public:
     /// begun.
     bool isStoppedInLastStep() const;
     /// Describes the end in one sentence, with the step if the program did not complete.
-    QString endText(const project::Project& project) const;
+    /// now  the project with later edits, for the numbers of the rows
+    QString endText(const project::Project& now) const;
+    /// Project and program of the current or last run, without later edits.
+    const project::Project& project() const { return project_; }
+    const QUuid& program() const { return program_; }
     const ProgramScript& script() const { return script_; }  ///< Script of the current or last run.
     const StepLog& log() const { return log_; }              ///< Steps of the current or last run.
 
@@ -144,6 +150,8 @@ private:
     End end_ = End::Completed;
     control::StopCause cause_ = control::StopCause::None;
     Error error_;
+    project::Project project_;
+    QUuid program_;
     ProgramScript script_;
     StepLog log_;
     script::StepGate gate_;

@@ -507,8 +507,7 @@ private Q_SLOTS:
         bench.setProgram(steps);
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         bench.cell.advanceMs(20);
-        bench.find<QAction>("program.action.recover").trigger();
-        QVERIFY(QTest::qWaitFor([&] { return bench.status().startsWith("Simulated: "); }, kLongMs));
+        QVERIFY(bench.checkRecoverability());
         QVERIFY(bench.preview());
         QVERIFY(bench.moveToStart());
         bench.cell.advanceMs(20);
@@ -609,6 +608,98 @@ private Q_SLOTS:
         QVERIFY2(bench.status().contains("Stopped in step 2 (MoveL)"), qPrintable(bench.status()));
         QCOMPARE(severity, std::optional(Severity::Warning));
         QCOMPARE(bench.from().text(), QStringLiteral("Continue at 2"));
+    }
+
+    void anEditAfterAStopEndsTheOfferToContinue() {
+        TabBench bench;
+        bench.setSteps({"pick", "place", "home"});
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.checkRecoverability());
+        QVERIFY(bench.preview());
+        QVERIFY(bench.moveToStart());
+        bench.cell.advanceMs(20);
+        bench.run().click();
+        QVERIFY(bench.reachStep(2));
+        bench.cell.advanceMs(300);
+        bench.run().click();
+        QVERIFY(bench.awaitEnd());
+        QCOMPARE(bench.from().text(), QStringLiteral("Continue at 2"));
+        // The inserted step has never run.
+        project::ProgramList programs = bench.document.project().programs;
+        const project::Program before = programs.at(0);
+        project::Program edited = before;
+        edited.steps.insert(edited.steps.begin() + 1, program::step("setOutput", {{"output", 0}}));
+        programs.replace(0, edited);
+        bench.document.changePrograms(programs, "insert");
+        QCoreApplication::processEvents();
+        QCOMPARE(bench.from().text(), QStringLiteral("Start from here"));
+        QVERIFY2(bench.status().contains("program was changed"), qPrintable(bench.status()));
+        QVERIFY(bench.checkRecoverability());
+        QVERIFY2(bench.status().contains("program was changed"), qPrintable(bench.status()));
+        QCOMPARE(bench.from().text(), QStringLiteral("Start from here"));
+        // Undo restores the program that ran.
+        bench.document.undo();
+        QCoreApplication::processEvents();
+        QVERIFY(bench.checkRecoverability());
+        QVERIFY2(bench.status().contains("can continue from step 2"), qPrintable(bench.status()));
+        QCOMPARE(bench.from().text(), QStringLiteral("Continue at 2"));
+        // An output that was switched after the stop is not the output of the simulated stop.
+        bench.session.outputs().setDigitalOutput(2, true);
+        QVERIFY(bench.cell.advanceUntil([&] { return bench.from().text() == "Start from here"; }, 2000));
+        QVERIFY2(bench.status().contains("Outputs were changed"), qPrintable(bench.status()));
+    }
+
+    void textsOfARunHaveTheNumbersOfTheRows() {
+        TabBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.runFreely({"pick", "place", "home", "pick"}));
+        QVERIFY(bench.reachStep(2));
+        QVERIFY2(bench.status().contains("Running step 2"), qPrintable(bench.status()));
+        project::ProgramList programs = bench.document.project().programs;
+        project::Program edited = programs.at(0);
+        edited.steps.erase(edited.steps.begin());
+        programs.replace(0, edited);
+        bench.document.changePrograms(programs, "remove step 1");
+        QCoreApplication::processEvents();
+        QVERIFY2(bench.row(0).startsWith(QStringLiteral("▶ 1")), qPrintable(bench.row(0)));
+        QVERIFY2(bench.status().contains("Running step 1 (MoveL)"), qPrintable(bench.status()));
+        bench.run().click();
+        QVERIFY(bench.awaitEnd());
+        QVERIFY2(bench.status().contains("Stopped in step 1 (MoveL)"), qPrintable(bench.status()));
+    }
+
+    void theRunningProgramIsNotDeleted() {
+        TabBench bench;
+        QStringList log;
+        QObject::connect(&bench.session, &RobotSession::message, &bench.tab,
+                         [&](Severity, const QString& text) { log << text; });
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.runFreely({"pick", "place", "home", "pick"}));
+        const auto isKept = [&] {
+            QCoreApplication::processEvents();
+            const bool kept = bench.document.project().programs.size() == 1 &&
+                              bench.status().contains("program is running") && !log.isEmpty() &&
+                              log.last().contains("program is running") && bench.runner().isActive();
+            log.clear();
+            return kept;
+        };
+        bench.find<QAction>("program.action.remove").trigger();
+        QVERIFY2(isKept(), qPrintable(bench.status()));
+        while (bench.document.undoStack().canUndo() && !bench.document.project().programs.isEmpty()) {
+            const int index = bench.document.undoStack().index();
+            bench.document.undo();
+            if (bench.document.undoStack().index() == index) {
+                break;
+            }
+        }
+        QVERIFY2(isKept(), qPrintable(bench.status()));
+        bench.run().click();
+        QVERIFY(bench.awaitEnd());
+        bench.find<QAction>("program.action.remove").trigger();
+        QCoreApplication::processEvents();
+        QVERIFY(bench.document.project().programs.isEmpty());
+        QVERIFY2(log.last().contains("Program “Test” deleted") && log.last().contains("Ctrl+Z"),
+                 qPrintable(log.join('\n')));
     }
 
     void moveToStartEndsWithTheButton() {
