@@ -434,6 +434,12 @@ void MainWindow::connectProject() {
     connect(document_.get(), &ProjectDocument::documentChanged, this, &MainWindow::keepProject);
     keepProject();
     const auto showFile = [this] { status_->setProjectText(files_->store().statusText()); };
+    files_->store().setReplaceGuard([tab = QPointer(program_)] {
+        return tab && tab->runsFreely()
+                   ? tr("A program is running. Stop the program before you open another project.")
+                   : QString();
+    });
+    connect(program_, &ProgramTab::runEnded, files_.get(), &ProjectFiles::endRefusal);
     connect(&files_->store(), &ProjectStore::statusChanged, this, showFile);
     showFile();
     connect(&files_->store(), &ProjectStore::pathChanged, this, [this](const QString& path) {
@@ -751,7 +757,7 @@ void MainWindow::listProjects() {
         action->setObjectName("project.recent." + path);
         connect(action, &QAction::triggered, this, [this, path] {
             stopMotion(control::StopCause::DialogOpened);
-            if (files_->mayLeave(this)) {
+            if (files_->mayReplace(this)) {
                 files_->open(path);
             }
         });
@@ -1262,7 +1268,7 @@ void MainWindow::showSamples() {
     stopMotion(control::StopCause::DialogOpened);
     auto* dialog = new SampleDialog(this);
     connect(dialog, &SampleDialog::chosen, this, [this](const QString& path, const QString& title) {
-        if (files_->mayLeave(this)) {
+        if (files_->mayReplace(this)) {
             files_->openCopy(path, title);
             showTab("waypoints");
         }

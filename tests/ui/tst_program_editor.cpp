@@ -427,6 +427,29 @@ private Q_SLOTS:
         QVERIFY2(ms >= 0 && ms <= 250, qPrintable(QString::number(ms)));
     }
 
+    void noProjectIsOpenedWhileAProgramRuns() {
+        const QString file = bench_->folder.filePath("other.tiller");
+        QVERIFY(project::saveProject(file, {}).ok());
+        startMoves(false);
+        if (QTest::currentTestFailed()) {
+            return;
+        }
+        QStringList log;
+        connect(&window().session(), &RobotSession::message, this,
+                [&](Severity, const QString& text) { log << text; });
+        window().openProject(file);
+        QCOMPARE(document().project().programs.size(), std::size_t(1));
+        QVERIFY2(log.join(' ').contains("A program is running"), qPrintable(log.join('\n')));
+        log.clear();
+        window().actions().find("project.open")->trigger();
+        QVERIFY2(log.join(' ').contains("A program is running"), qPrintable(log.join('\n')));
+        QVERIFY2(cell().advanceUntil([&] { return tcpSpeed(cell()) > 0.04; }, 20'000), "the program ended");
+        window().session().stop(control::StopCause::StopButton);
+        QVERIFY(cell().advanceUntil([&] { return status().startsWith("Stopped in step"); }, 20'000));
+        window().openProject(file);
+        QVERIFY(document().project().programs.isEmpty());
+    }
+
     // Each control of the tab gets the focus once. Space and Esc must stop the arm, like STOP.
     void everyControlStopsTheArm_data() {
         QTest::addColumn<QString>("name");

@@ -20,6 +20,7 @@ constexpr char kDamaged[] = "project.damaged";
 constexpr char kSaving[] = "project.saving";
 constexpr char kElsewhere[] = "project.elsewhere";
 constexpr char kForeign[] = "project.foreign";
+constexpr char kRefused[] = "project.refused";
 constexpr char kKept[] = "project.kept";
 
 QString withSuffix(const QString& path) {
@@ -55,7 +56,7 @@ ProjectFiles::ProjectFiles(ProjectDocument& document, QObject* parent) : QObject
             [this] { Q_EMIT noticeResolved(QLatin1String(kForeign)); });
     connect(&store_, &ProjectStore::pathChanged, this, [this] {
         // Notices with these causes referred to the previous project.
-        for (const char* cause : {kDamaged, kSaving, kElsewhere, kForeign}) {
+        for (const char* cause : {kDamaged, kSaving, kElsewhere, kForeign, kRefused}) {
             Q_EMIT noticeResolved(QLatin1String(cause));
         }
     });
@@ -108,6 +109,9 @@ void ProjectFiles::onChangedByOther() {
 }
 
 void ProjectFiles::takeOver() {
+    if (refusesToReplace()) {
+        return;
+    }
     Q_EMIT noticeResolved(QLatin1String(kElsewhere));
     if (const Result<void> taken = store_.takeOver(); !taken) {
         warn(tr("Taking over the project failed"), taken.error(), QLatin1String(kElsewhere));
@@ -115,6 +119,9 @@ void ProjectFiles::takeOver() {
 }
 
 void ProjectFiles::reload() {
+    if (refusesToReplace()) {
+        return;
+    }
     if (const Result<void> loaded = store_.reload(); !loaded) {
         warn(tr("The project could not be opened"), loaded.error(), QLatin1String(kDamaged));
     } else {
@@ -162,7 +169,7 @@ void ProjectFiles::offerKept() {
                          .accept = tr("Open"),
                          .accepted =
                              [this, newest] {
-                                 if (!mayLeave(QApplication::activeWindow())) {
+                                 if (!mayReplace(QApplication::activeWindow())) {
                                      return;
                                  }
                                  if (const Result<void> opened = store_.openKept(newest); !opened) {
@@ -195,15 +202,21 @@ QString ProjectFiles::startingPlace() const {
 }
 
 void ProjectFiles::askToOpen(QWidget* over) {
+    if (refusesToReplace()) {
+        return;
+    }
     const QString path = QFileDialog::getOpenFileName(over, tr("Open project"), startingPlace(),
                                                       tr("Tiller projects (*.tiller)"));
     // Ask about unsaved work only after a file was selected.
-    if (!path.isEmpty() && mayLeave(over)) {
+    if (!path.isEmpty() && mayReplace(over)) {
         open(path);
     }
 }
 
 void ProjectFiles::askForNew(QWidget* over) {
+    if (refusesToReplace()) {
+        return;
+    }
     QDir().mkpath(projectFolder());
     const QString path = QFileDialog::getSaveFileName(
         over, tr("New project"), store_.path().isEmpty() ? projectFolder() : QFileInfo(store_.path()).path(),
@@ -220,7 +233,7 @@ void ProjectFiles::startNew(const QString& path, QWidget* over) {
                        tr("%1 already exists. Choose another name for the new project.").arg(path));
         return;
     }
-    if (mayLeave(over)) {
+    if (mayReplace(over)) {
         open(path);
     }
 }
@@ -242,7 +255,9 @@ void ProjectFiles::open(const QString& path) {
         return;
     }
     const Error& error = opened.error();
-    if (error.code == ErrorCode::FileCorrupt) {
+    if (error.code == ErrorCode::Cancelled) {
+        refusesToReplace();
+    } else if (error.code == ErrorCode::FileCorrupt) {
         Q_EMIT message(Severity::Error, texts::errorText(error));
         offerRecovery(path, error);
     } else {
@@ -257,6 +272,23 @@ void ProjectFiles::openCopy(const QString& path, const QString& name) {
     }
     Q_EMIT message(Severity::Info,
                    tr("Opened a copy of “%1”. Save the copy to a file to keep changes.").arg(name));
+}
+
+bool ProjectFiles::refusesToReplace() {
+    const Result<void> may = store_.mayReplace();
+    if (!may) {
+        warn(tr("The project could not be opened"), may.error(), QLatin1String(kRefused));
+    }
+    return !may;
+}
+
+void ProjectFiles::endRefusal() {
+    Q_EMIT noticeResolved(QLatin1String(kRefused));
+    store_.checkFile();  // a save of another window may not have been shown
+}
+
+bool ProjectFiles::mayReplace(QWidget* over) {
+    return !refusesToReplace() && mayLeave(over);
 }
 
 bool ProjectFiles::mayLeave(QWidget* over) {
@@ -319,7 +351,7 @@ void ProjectFiles::offerRecovery(const QString& path, const Error& error) {
                              [this, path] {
                                  // The user may have changed the current project since the damage was
                                  // detected.
-                                 if (!mayLeave(QApplication::activeWindow())) {
+                                 if (!mayReplace(QApplication::activeWindow())) {
                                      return;
                                  }
                                  if (const auto recovered = store_.openRecovered(path); !recovered) {

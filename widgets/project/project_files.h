@@ -41,6 +41,11 @@ public:
     void openCopy(const QString& path, const QString& name);
     /// Offers to restore the newest unsaved project of a window that was closed or has crashed.
     void offerKept();
+    /// Like mayLeave(), but also refuses with a message if the project must not be replaced now; see
+    /// ProjectStore::setReplaceGuard(). To be called before every replacement.
+    bool mayReplace(QWidget* over);
+    /// The project may be replaced again, so the message of mayReplace() no longer applies.
+    void endRefusal();
     /// Saves unsaved changes. If saving is not possible, asks whether to discard the changes.
     /// over  parent window of the question
     /// Returns  false if the user cancelled
@@ -56,6 +61,7 @@ Q_SIGNALS:
     void message(tiller::Severity severity, const QString& text);
 
 private:
+    bool refusesToReplace();
     void offerRecovery(const QString& path, const Error& error);
     void warn(const QString& title, const Error& error, const QString& cause);
     void onOpenElsewhere();

@@ -127,7 +127,15 @@ bool ProjectStore::isOpen(const QString& path) const {
            (path == path_ || (QFileInfo::exists(path) && QFileInfo(path) == QFileInfo(path_)));
 }
 
+Result<void> ProjectStore::mayReplace() const {
+    const QString reason = replaceGuard_();
+    return reason.isEmpty() ? Result<void>() : Error{ErrorCode::Cancelled, reason, {}};
+}
+
 Result<void> ProjectStore::open(const QString& path) {
+    if (const Result<void> may = mayReplace(); !may) {
+        return may.error();
+    }
     if (isOpen(path)) {
         // This window already holds the lock of the current project, so read the file again instead of
         // opening it.
@@ -149,6 +157,9 @@ Result<void> ProjectStore::open(const QString& path) {
 }
 
 Result<void> ProjectStore::openCopy(const QString& path, const QString& name) {
+    if (const Result<void> may = mayReplace(); !may) {
+        return may.error();
+    }
     const Result<project::Project> loaded = project::loadProject(path);
     if (!loaded) {
         return loaded.error();
@@ -161,6 +172,9 @@ Result<void> ProjectStore::openCopy(const QString& path, const QString& name) {
 }
 
 Result<void> ProjectStore::openKept(const project::KeptCopy& copy) {
+    if (const Result<void> may = mayReplace(); !may) {
+        return may.error();
+    }
     const Result<project::Project> loaded = project::loadKeptCopy(copy);
     if (!loaded) {
         return loaded.error();
@@ -201,6 +215,9 @@ void ProjectStore::discardChanges() {
 }
 
 Result<project::RecoveredProject> ProjectStore::openRecovered(const QString& path) {
+    if (const Result<void> may = mayReplace(); !may) {
+        return may.error();
+    }
     auto access = std::make_shared<project::ProjectAccess>(path);
     Result<project::RecoveredProject> recovered = access->recover();
     if (recovered) {
@@ -254,6 +271,9 @@ void ProjectStore::continueIn(const QString& path, Access access,
 }
 
 Result<void> ProjectStore::openOrStart(const QString& path) {
+    if (const Result<void> may = mayReplace(); !may) {
+        return may.error();
+    }
     if (QFileInfo::exists(path) || path == path_) {
         return open(path);
     }
@@ -364,8 +384,12 @@ void ProjectStore::settleCheck(const project::ProjectAccess::Check& check) {
     }
 }
 
-/// In a view-only window, loads each save of the lock owner without asking.
+/// In a view-only window, loads each save of the lock owner without asking, but not before the project may be
+/// replaced. The next check then loads it.
 bool ProjectStore::showOwnersSave() {
+    if (!mayReplace()) {
+        return true;
+    }
     const Result<project::Project> loaded = access_->load(revision_);
     if (!loaded) {
         return false;
@@ -381,6 +405,9 @@ bool ProjectStore::showOwnersSave() {
 }
 
 Result<void> ProjectStore::reload() {
+    if (const Result<void> may = mayReplace(); !may) {
+        return may.error();
+    }
     if (access_ == nullptr) {
         return {};
     }
@@ -412,6 +439,9 @@ Result<void> ProjectStore::readAgain() {
 }
 
 Result<void> ProjectStore::takeOver() {
+    if (const Result<void> may = mayReplace(); !may) {
+        return may.error();
+    }
     if (access_ == nullptr) {
         return {};
     }

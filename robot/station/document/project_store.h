@@ -8,6 +8,7 @@
 #include <QFileSystemWatcher>
 #include <QObject>
 #include <QTimer>
+#include <functional>
 #include <memory>
 
 #include "robot/project/kept_copies.h"
@@ -50,6 +51,11 @@ public:
     QString name() const;
     /// Text for the status bar, e.g. "cell-7.tiller — saved", "cell-7.tiller — not saved: disk full".
     QString statusText() const;
+
+    /// guard  returns why no other content may replace the project now, as a sentence; empty if it may. Every
+    ///        function that would replace the content then fails with Cancelled and this sentence.
+    void setReplaceGuard(std::function<QString()> guard) { replaceGuard_ = std::move(guard); }
+    Result<void> mayReplace() const;
 
     /// Opens the project file. Later changes are saved to this file. After an error, the state is unchanged.
     Result<void> open(const QString& path);
@@ -141,6 +147,7 @@ private:
     std::uint64_t revision_ = 0;           ///< document revision; detects saves that complete too late
     Access access_;                        ///< null without a file
     std::shared_ptr<project::CopyKeeper> keeper_;
+    std::function<QString()> replaceGuard_ = [] { return QString(); };
     SerialExecutor worker_;  ///< runs automatic saves
 };
 

@@ -372,6 +372,25 @@ private Q_SLOTS:
         QVERIFY2(document_->waypoints().isEmpty(), "nothing was opened");
     }
 
+    void aRefusedProjectLosesNoUnsavedWork() {
+        files_->store().setReplaceGuard([] { return QStringLiteral("A program is running."); });
+        document_->insertWaypoints(0, {named("home")}, "Teach");
+        const Answer answer("unsavedCopy.drop");
+        QVERIFY(!files_->mayReplace(nullptr));
+        files_->askToOpen(nullptr);
+        files_->askForNew(nullptr);
+        files_->open(path_);
+        files_->startNew(path_, nullptr);
+        QVERIFY2(!answer.wasAsked(), "a question about unsaved work for a project that is not opened");
+        QCOMPARE(document_->waypoints().size(), 1);
+        QVERIFY(notice_);
+        QCOMPARE(notice_->text, QStringLiteral("A program is running."));
+        QSignalSpy resolved(files_.get(), &ProjectFiles::noticeResolved);
+        files_->store().setReplaceGuard([] { return QString(); });
+        files_->endRefusal();
+        QCOMPARE(resolved.value(0).value(0).toString(), notice_->cause);
+    }
+
     void newProjectsAreSavedInTheDocumentsFolder() {
         QVERIFY2(projectFolder().endsWith("/Tiller"), qPrintable(projectFolder()));
         QVERIFY2(!projectFolder().contains("/."), qPrintable(projectFolder()));

@@ -348,6 +348,35 @@ private Q_SLOTS:
         QVERIFY(theirs.ok() && theirs->outcome == project::ProjectAccess::Outcome::Saved);
     }
 
+    void nothingReplacesAGuardedProject() {
+        const QString other = directory_->filePath("other.tiller");
+        project::Project sample;
+        sample.waypoints.append(named("other"));
+        QVERIFY(project::saveProject(other, sample).ok());
+        QVERIFY(store_->openOrStart(path_).ok());
+        document_->insertWaypoints(0, {named("home")}, "Teach");
+        QVERIFY(store_->saveNow().ok());
+        const QString reason = QStringLiteral("A program is running.");
+        store_->setReplaceGuard([&] { return reason; });
+        const auto isRefused = [&](const auto& result) {
+            return !result && result.error().code == ErrorCode::Cancelled &&
+                   result.error().context == reason &&
+                   document_->waypoints().at(0).name == QLatin1String("home") && store_->path() == path_;
+        };
+        QVERIFY(isRefused(store_->open(other)));
+        QVERIFY(isRefused(store_->open(path_)));
+        QVERIFY(isRefused(store_->openOrStart(directory_->filePath("new.tiller"))));
+        QVERIFY(isRefused(store_->openCopy(other, "Sample")));
+        QVERIFY(isRefused(store_->openRecovered(other)));
+        QVERIFY(isRefused(store_->openKept({})));
+        QVERIFY(isRefused(store_->reload()));
+        QVERIFY(isRefused(store_->takeOver()));
+        QVERIFY2(store_->saveNow().ok(), "saving is still possible");
+        store_->setReplaceGuard([] { return QString(); });
+        QVERIFY(store_->open(other).ok());
+        QCOMPARE(document_->waypoints().at(0).name, QString("other"));
+    }
+
     void ownSavesAreNotExternalChanges() {
         QVERIFY(store_->openOrStart(path_).ok());
         QSignalSpy changed(store_.get(), &ProjectStore::changedByOther);
