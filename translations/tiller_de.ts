@@ -3072,6 +3072,18 @@
         <source>A program cannot continue in the middle of this step. The next run starts from the beginning.</source>
         <translation>Ein Programm kann mitten in diesem Schritt nicht fortgesetzt werden. Der nächste Start beginnt am Anfang.</translation>
     </message>
+    <message>
+        <source>ended on the robot (pendant, another client or halt)</source>
+        <translation>auf dem Roboter beendet (Teach-Pendant, anderer Client oder halt)</translation>
+    </message>
+    <message>
+        <source>paused on the robot</source>
+        <translation>auf dem Roboter pausiert</translation>
+    </message>
+    <message>
+        <source>a program of another client has taken over</source>
+        <translation>ein Programm eines anderen Clients hat übernommen</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -8980,6 +8992,26 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <source>New breakpoints take effect at the next start.</source>
         <translation>Neue Haltepunkte gelten ab dem nächsten Start.</translation>
     </message>
+    <message>
+        <source>The program is running, so it cannot be deleted. Stop the program first.</source>
+        <translation>Das Programm läuft und kann nicht gelöscht werden. Halten Sie zuerst das Programm an.</translation>
+    </message>
+    <message>
+        <source>Paused on the robot in step %1 (%2)</source>
+        <translation>Auf dem Roboter pausiert in Schritt %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Program “%1” deleted. Ctrl+Z restores it.</source>
+        <translation>Programm „%1“ gelöscht. Strg+Z stellt es wieder her.</translation>
+    </message>
+    <message>
+        <source>Outputs were changed after the stop, so the program cannot continue. Run it from its beginning.</source>
+        <translation>Ausgänge wurden nach dem Anhalten geändert. Das Programm kann nicht fortgesetzt werden. Starten Sie es am Anfang.</translation>
+    </message>
+    <message>
+        <source>The program was changed after the stop, so it cannot continue. Run it from its beginning.</source>
+        <translation>Das Programm wurde nach dem Anhalten geändert und kann nicht fortgesetzt werden. Starten Sie es am Anfang.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectDocument</name>
@@ -9866,6 +9898,10 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     <message>
         <source>Continue (hold)</source>
         <translation>Fortsetzen (halten)</translation>
+    </message>
+    <message>
+        <source>The program is paused on the robot. Resume it on the teach pendant.</source>
+        <translation>Das Programm ist auf dem Roboter pausiert. Setzen Sie es am Teach-Pendant fort.</translation>
     </message>
 </context>
 <context>
@@ -12327,6 +12363,10 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     <message>
         <source>A program is running. Stop the program first.</source>
         <translation>Ein Programm läuft. Halten Sie zuerst das Programm an.</translation>
+    </message>
+    <message>
+        <source>A program is running. Stop the program before you open another project.</source>
+        <translation>Ein Programm läuft. Halten Sie das Programm an, bevor Sie ein anderes Projekt öffnen.</translation>
     </message>
 </context>
 <context>

@@ -3072,6 +3072,18 @@
         <source>A program cannot continue in the middle of this step. The next run starts from the beginning.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>ended on the robot (pendant, another client or halt)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>paused on the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a program of another client has taken over</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -8967,6 +8979,26 @@ Release the button to stop the arm.</source>
         <source>New breakpoints take effect at the next start.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The program is running, so it cannot be deleted. Stop the program first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paused on the robot in step %1 (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Program “%1” deleted. Ctrl+Z restores it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outputs were changed after the stop, so the program cannot continue. Run it from its beginning.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program was changed after the stop, so it cannot continue. Run it from its beginning.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectDocument</name>
@@ -9852,6 +9884,10 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>Continue (hold)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program is paused on the robot. Resume it on the teach pendant.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -12310,6 +12346,10 @@ Jog the arm to a position and press “Teach here” (T).</source>
     </message>
     <message>
         <source>A program is running. Stop the program first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A program is running. Stop the program before you open another project.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

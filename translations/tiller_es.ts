@@ -3072,6 +3072,18 @@
         <source>A program cannot continue in the middle of this step. The next run starts from the beginning.</source>
         <translation>Un programa no puede continuar en medio de este paso. La próxima ejecución empieza desde el principio.</translation>
     </message>
+    <message>
+        <source>ended on the robot (pendant, another client or halt)</source>
+        <translation>terminado en el robot (consola portátil, otro cliente o halt)</translation>
+    </message>
+    <message>
+        <source>paused on the robot</source>
+        <translation>en pausa en el robot</translation>
+    </message>
+    <message>
+        <source>a program of another client has taken over</source>
+        <translation>un programa de otro cliente se ha hecho con el robot</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -8980,6 +8992,26 @@ Suelte el botón para detener el brazo.</translation>
         <source>New breakpoints take effect at the next start.</source>
         <translation>Los puntos de parada nuevos se aplican en el próximo inicio.</translation>
     </message>
+    <message>
+        <source>The program is running, so it cannot be deleted. Stop the program first.</source>
+        <translation>El programa se está ejecutando y no se puede eliminar. Pare primero el programa.</translation>
+    </message>
+    <message>
+        <source>Paused on the robot in step %1 (%2)</source>
+        <translation>En pausa en el robot en el paso %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Program “%1” deleted. Ctrl+Z restores it.</source>
+        <translation>Programa «%1» eliminado. Ctrl+Z lo restaura.</translation>
+    </message>
+    <message>
+        <source>Outputs were changed after the stop, so the program cannot continue. Run it from its beginning.</source>
+        <translation>Las salidas se cambiaron después de la parada, así que el programa no puede continuar. Ejecútelo desde el principio.</translation>
+    </message>
+    <message>
+        <source>The program was changed after the stop, so it cannot continue. Run it from its beginning.</source>
+        <translation>El programa se cambió después de la parada, así que no puede continuar. Ejecútelo desde el principio.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectDocument</name>
@@ -9866,6 +9898,10 @@ Suelte el botón para detener el brazo.</translation>
     <message>
         <source>Continue (hold)</source>
         <translation>Continuar (mantener)</translation>
+    </message>
+    <message>
+        <source>The program is paused on the robot. Resume it on the teach pendant.</source>
+        <translation>El programa está en pausa en el robot. Reanúdelo en la consola portátil.</translation>
     </message>
 </context>
 <context>
@@ -12327,6 +12363,10 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     <message>
         <source>A program is running. Stop the program first.</source>
         <translation>Se está ejecutando un programa. Pare primero el programa.</translation>
+    </message>
+    <message>
+        <source>A program is running. Stop the program before you open another project.</source>
+        <translation>Se está ejecutando un programa. Pare el programa antes de abrir otro proyecto.</translation>
     </message>
 </context>
 <context>

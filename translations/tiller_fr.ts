@@ -3072,6 +3072,18 @@
         <source>A program cannot continue in the middle of this step. The next run starts from the beginning.</source>
         <translation>Un programme ne peut pas reprendre au milieu de cette étape. La prochaine exécution part du début.</translation>
     </message>
+    <message>
+        <source>ended on the robot (pendant, another client or halt)</source>
+        <translation>terminé sur le robot (pupitre, autre client ou halt)</translation>
+    </message>
+    <message>
+        <source>paused on the robot</source>
+        <translation>mis en pause sur le robot</translation>
+    </message>
+    <message>
+        <source>a program of another client has taken over</source>
+        <translation>un programme d’un autre client a pris le robot</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -8980,6 +8992,26 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <source>New breakpoints take effect at the next start.</source>
         <translation>Les nouveaux points d’arrêt prennent effet au prochain démarrage.</translation>
     </message>
+    <message>
+        <source>The program is running, so it cannot be deleted. Stop the program first.</source>
+        <translation>Le programme est en cours d’exécution et ne peut pas être supprimé. Arrêtez d’abord le programme.</translation>
+    </message>
+    <message>
+        <source>Paused on the robot in step %1 (%2)</source>
+        <translation>En pause sur le robot à l’étape %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Program “%1” deleted. Ctrl+Z restores it.</source>
+        <translation>Programme « %1 » supprimé. Ctrl+Z le restaure.</translation>
+    </message>
+    <message>
+        <source>Outputs were changed after the stop, so the program cannot continue. Run it from its beginning.</source>
+        <translation>Des sorties ont été modifiées après l’arrêt : le programme ne peut pas reprendre. Exécutez-le depuis le début.</translation>
+    </message>
+    <message>
+        <source>The program was changed after the stop, so it cannot continue. Run it from its beginning.</source>
+        <translation>Le programme a été modifié après l’arrêt : il ne peut pas reprendre. Exécutez-le depuis le début.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectDocument</name>
@@ -9866,6 +9898,10 @@ Relâchez le bouton pour arrêter le bras.</translation>
     <message>
         <source>Continue (hold)</source>
         <translation>Reprendre (maintenir)</translation>
+    </message>
+    <message>
+        <source>The program is paused on the robot. Resume it on the teach pendant.</source>
+        <translation>Le programme est en pause sur le robot. Reprenez-le sur le pupitre.</translation>
     </message>
 </context>
 <context>
@@ -12327,6 +12363,10 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     <message>
         <source>A program is running. Stop the program first.</source>
         <translation>Un programme est en cours d’exécution. Arrêtez d’abord le programme.</translation>
+    </message>
+    <message>
+        <source>A program is running. Stop the program before you open another project.</source>
+        <translation>Un programme est en cours d’exécution. Arrêtez-le avant d’ouvrir un autre projet.</translation>
     </message>
 </context>
 <context>

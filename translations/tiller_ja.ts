@@ -3072,6 +3072,18 @@
         <source>A program cannot continue in the middle of this step. The next run starts from the beginning.</source>
         <translation>このステップの途中からは再開できません。次の実行は最初から始まります。</translation>
     </message>
+    <message>
+        <source>ended on the robot (pendant, another client or halt)</source>
+        <translation>ロボット側で終了（ティーチペンダント、別のクライアントまたは halt）</translation>
+    </message>
+    <message>
+        <source>paused on the robot</source>
+        <translation>ロボット側で一時停止</translation>
+    </message>
+    <message>
+        <source>a program of another client has taken over</source>
+        <translation>別のクライアントのプログラムがロボットを制御しています</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -8960,6 +8972,26 @@ Release the button to stop the arm.</source>
         <source>New breakpoints take effect at the next start.</source>
         <translation>新しいブレークポイントは次回の開始から有効です。</translation>
     </message>
+    <message>
+        <source>The program is running, so it cannot be deleted. Stop the program first.</source>
+        <translation>プログラムが実行中のため削除できません。先にプログラムを停止してください。</translation>
+    </message>
+    <message>
+        <source>Paused on the robot in step %1 (%2)</source>
+        <translation>ステップ %1 (%2) でロボット側により一時停止中</translation>
+    </message>
+    <message>
+        <source>Program “%1” deleted. Ctrl+Z restores it.</source>
+        <translation>プログラム「%1」を削除しました。Ctrl+Z で元に戻せます。</translation>
+    </message>
+    <message>
+        <source>Outputs were changed after the stop, so the program cannot continue. Run it from its beginning.</source>
+        <translation>停止後に出力が変更されたため、プログラムを再開できません。最初から実行してください。</translation>
+    </message>
+    <message>
+        <source>The program was changed after the stop, so it cannot continue. Run it from its beginning.</source>
+        <translation>停止後にプログラムが変更されたため、再開できません。最初から実行してください。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectDocument</name>
@@ -9841,6 +9873,10 @@ Release the button to stop the arm.</source>
     <message>
         <source>Continue (hold)</source>
         <translation>再開 (長押し)</translation>
+    </message>
+    <message>
+        <source>The program is paused on the robot. Resume it on the teach pendant.</source>
+        <translation>プログラムはロボット側で一時停止中です。ティーチペンダントで再開してください。</translation>
     </message>
 </context>
 <context>
@@ -12286,6 +12322,10 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>A program is running. Stop the program first.</source>
         <translation>プログラムが実行中です。先にプログラムを停止してください。</translation>
+    </message>
+    <message>
+        <source>A program is running. Stop the program before you open another project.</source>
+        <translation>プログラムが実行中です。別のプロジェクトを開く前にプログラムを停止してください。</translation>
     </message>
 </context>
 <context>

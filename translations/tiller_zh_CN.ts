@@ -3072,6 +3072,18 @@
         <source>A program cannot continue in the middle of this step. The next run starts from the beginning.</source>
         <translation>程序无法在此步骤的中途继续。下次运行从头开始。</translation>
     </message>
+    <message>
+        <source>ended on the robot (pendant, another client or halt)</source>
+        <translation>在机器人上结束（示教器、其他客户端或 halt）</translation>
+    </message>
+    <message>
+        <source>paused on the robot</source>
+        <translation>在机器人上暂停</translation>
+    </message>
+    <message>
+        <source>a program of another client has taken over</source>
+        <translation>其他客户端的程序已接管机器人</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -8960,6 +8972,26 @@ Release the button to stop the arm.</source>
         <source>New breakpoints take effect at the next start.</source>
         <translation>新断点在下次启动时生效。</translation>
     </message>
+    <message>
+        <source>The program is running, so it cannot be deleted. Stop the program first.</source>
+        <translation>程序正在运行，无法删除。请先停止程序。</translation>
+    </message>
+    <message>
+        <source>Paused on the robot in step %1 (%2)</source>
+        <translation>在步骤 %1（%2）由机器人暂停</translation>
+    </message>
+    <message>
+        <source>Program “%1” deleted. Ctrl+Z restores it.</source>
+        <translation>程序“%1”已删除。Ctrl+Z 可恢复。</translation>
+    </message>
+    <message>
+        <source>Outputs were changed after the stop, so the program cannot continue. Run it from its beginning.</source>
+        <translation>停止后输出已更改，程序无法继续。请从头运行。</translation>
+    </message>
+    <message>
+        <source>The program was changed after the stop, so it cannot continue. Run it from its beginning.</source>
+        <translation>停止后程序已更改，无法继续。请从头运行。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectDocument</name>
@@ -9841,6 +9873,10 @@ Release the button to stop the arm.</source>
     <message>
         <source>Continue (hold)</source>
         <translation>继续（按住）</translation>
+    </message>
+    <message>
+        <source>The program is paused on the robot. Resume it on the teach pendant.</source>
+        <translation>程序已在机器人上暂停。请在示教器上恢复。</translation>
     </message>
 </context>
 <context>
@@ -12286,6 +12322,10 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>A program is running. Stop the program first.</source>
         <translation>程序正在运行。请先停止程序。</translation>
+    </message>
+    <message>
+        <source>A program is running. Stop the program before you open another project.</source>
+        <translation>程序正在运行。打开其他项目前请先停止程序。</translation>
     </message>
 </context>
 <context>
