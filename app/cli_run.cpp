@@ -316,8 +316,12 @@ int runOnRobot(LoadedProgram loaded, const QString& address, int portOffset,
     if (!outcome) {
         return complain(problemText(loaded, shown, outcome.error().toString()), kFailed);
     }
+    // At its own end, a program resets the register.
     return last < 0 ? complain(problemText(loaded, -last, QStringLiteral("the step failed")), kFailed)
-                    : kSuccess;
+           : last > 0
+               ? complain(problemText(loaded, last, QStringLiteral("the program was ended on the robot")),
+                          kFailed)
+               : kSuccess;
 }
 
 int runProgram(const CommandArguments& arguments) {

@@ -13,7 +13,9 @@
 #include <csignal>
 
 #include "program_samples.h"
+#include "robot/script/script_client.h"
 #include "robot/simulator/simulator.h"
+#include "tests/support/waiting.h"
 
 using namespace tiller;
 using namespace tiller::program;
@@ -135,6 +137,19 @@ private Q_SLOTS:
         const Pose place = *project::poseInBase(project_.waypoints.at(2), project_.frames);
         QVERIFY((simulator_->truth().tcpPose.position - place.position).norm() < 1e-3);
         QVERIFY((simulator_->truth().digitalOutputs & 4U) != 0);
+    }
+
+    void aStopOnTheRobotIsAFailure() {
+        QProcess process;
+        process.start(QStringLiteral(TILLER_CLI),
+                      {"run", path(), "--robot", address_, "--program", "to and fro"});
+        QTRY_VERIFY_WITH_TIMEOUT(simulator_->truth().tcpSpeed.linear.norm() > 0.1, kProcessTimeoutMs);
+        script::ScriptClient pendant(simulator_->listenAddress(), simulator_->ports().primary);
+        QVERIFY(pendant.connect(test::patience()).ok());
+        QVERIFY(pendant.send("stop program\n", test::patience()).ok());
+        const Answer answer = finished(process);
+        QCOMPARE(answer.code, 1);
+        QVERIFY2(answer.err.contains("ended on the robot"), qPrintable(answer.err));
     }
 
     // A killed process cannot stop the arm. The script ends the motion because of the missing heartbeat.
