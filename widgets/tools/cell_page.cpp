@@ -376,8 +376,10 @@ const project::CellBox* CellPage::box() const {
 
 const project::CellPlane* CellPage::plane() const {
     const int row = currentRow() - static_cast<int>(document_.cell().boxes.size());
-    return currentRow() >= 0 && row >= 0 ? &document_.cell().planes.at(static_cast<std::size_t>(row))
-                                         : nullptr;
+    const int planes = static_cast<int>(document_.cell().planes.size());
+    return currentRow() >= 0 && row >= 0 && row < planes
+               ? &document_.cell().planes.at(static_cast<std::size_t>(row))
+               : nullptr;
 }
 
 QString CellPage::obstacle() const {

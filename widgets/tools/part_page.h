@@ -29,6 +29,15 @@ class PartPage : public QWidget {
 public:
     /// Index of the selected row; -1 if there is none.
     int currentRow() const;
+    /// The entry in the current row, or null. While a project is being opened, the rows may be those of the previous
+    /// project.
+    template <class List>
+    auto currentIn(const List& list) const -> decltype(&list.at(0)) {
+        const int row = currentRow();
+        return row < 0 || static_cast<std::size_t>(row) >= list.size()
+                   ? nullptr
+                   : &list.at(static_cast<std::size_t>(row));
+    }
     void selectRow(int row);
     /// All actions, for the menus, the command list and the help page.
     QList<QAction*> commandActions() const { return actions_; }

@@ -170,8 +170,7 @@ PayloadPage::PayloadPage(RobotSession& session, ProjectDocument& document, Motio
 }
 
 const project::Payload* PayloadPage::current() const {
-    return currentRow() < 0 ? nullptr
-                            : &document_.tooling().payloads.at(static_cast<std::size_t>(currentRow()));
+    return currentIn(document_.tooling().payloads);
 }
 
 void PayloadPage::insert(project::Payload payload) {

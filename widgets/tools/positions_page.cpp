@@ -147,8 +147,7 @@ PositionsPage::PositionsPage(RobotSession& session, ProjectDocument& document, Q
 }
 
 const project::NamedPosition* PositionsPage::current() const {
-    return currentRow() < 0 ? nullptr
-                            : &document_.positions().list.at(static_cast<std::size_t>(currentRow()));
+    return currentIn(document_.positions().list);
 }
 
 QString PositionsPage::obstacle() const {

@@ -137,7 +137,7 @@ TcpPage::TcpPage(RobotSession& session, ProjectDocument& document, QWidget* pare
 }
 
 const project::Tool* TcpPage::current() const {
-    return currentRow() < 0 ? nullptr : &document_.tooling().tools.at(static_cast<std::size_t>(currentRow()));
+    return currentIn(document_.tooling().tools);
 }
 
 void TcpPage::insert(project::Tool tool) {
