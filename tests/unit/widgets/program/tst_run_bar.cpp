@@ -229,7 +229,7 @@ private Q_SLOTS:
         QVERIFY(bench.awaitEnd());
         QVERIFY(!bench.hold().isHolding());
         QVERIFY2(bench.runner().end() == ProgramRunner::End::Stopped, qPrintable(bench.status()));
-        QVERIFY2(bench.status().contains("Stopped in step 1"), qPrintable(bench.status()));
+        QVERIFY2(bench.status().contains("Stopped in step 1 (MoveL)"), qPrintable(bench.status()));
         if (end != "edit") {
             QVERIFY2(!bench.row(0).startsWith(QStringLiteral("▶")), qPrintable(bench.row(0)));
         }
