@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: MIT
 #include "robot/station/history/recorded_clock.h"
 
 #include <algorithm>
