@@ -141,7 +141,9 @@ void StatusLine::applyState(const SessionState& state) {
         const bool ended = !state_.error.isEmpty() && state_.rows > 0;
         recording_->setText(ended ? tr("Recording stopped") : tr("Not recording"));
         details_->setFullText(state_.error);
+        details_->setToolTip(state_.error);
     }
+    limitDetails();
     if (turned) {
         paintWords();
     }
@@ -168,6 +170,18 @@ void StatusLine::showMessage(Severity severity, const QString& text) {
     const QString time = QTime::currentTime().toString(QStringLiteral("HH:mm:ss"));
     message_->setFullText(text.isEmpty() ? QString() : time + QLatin1Char(' ') + text);
     paintWords();
+}
+
+/// The error of a recording remains until the next recording. It leaves space for newer messages.
+void StatusLine::limitDetails() {
+    constexpr int kShareOfError = 3;
+    details_->setMaximumWidth(!state_.active && !state_.error.isEmpty() ? width() / kShareOfError
+                                                                        : QWIDGETSIZE_MAX);
+}
+
+void StatusLine::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    limitDetails();
 }
 
 void StatusLine::paintWords() {

@@ -36,10 +36,12 @@ public Q_SLOTS:
 protected:
     void paintEvent(QPaintEvent* event) override;
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     class Sign;
     void paintWords();
+    void limitDetails();
     void followTrouble(const SessionState& state);
 
     Sign* sign_;

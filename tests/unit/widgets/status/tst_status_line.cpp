@@ -129,6 +129,29 @@ private Q_SLOTS:
         QCOMPARE(line.findChild<ElidedLabel*>(QStringLiteral("projectFile"))->fullText(),
                  QStringLiteral("cell-7.tiller — saved"));
     }
+
+    // The error of a recording stays until the next recording, so it leaves space for newer messages.
+    void theErrorOfARecordingLeavesSpaceForMessages() {
+        StatusLine line;
+        line.resize(1280, StatusLine::kHeight);
+        SessionState state;
+        state.recording.rows = 100;
+        state.recording.path = QStringLiteral("/data/first.csv");
+        state.recording.error = QStringLiteral("Disk full: /data/") + QString(150, QLatin1Char('x')) +
+                                QStringLiteral(".csv. Free some space on the disk, then record again.");
+        line.applyState(state);
+        line.showMessage(Severity::Error, QStringLiteral("The program of another client has ended. Check the "
+                                                         "robot, then take control."));
+        line.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&line));
+        const auto* details = line.findChild<ElidedLabel*>(QStringLiteral("recordingDetails"));
+        const auto* message = line.findChild<ElidedLabel*>(QStringLiteral("lastMessage"));
+        QCOMPARE(details->toolTip(), state.recording.error);
+        QVERIFY2(message->width() >= 1280 / 3, qPrintable(QString::number(message->width())));
+        state.recording.error.clear();
+        line.applyState(state);
+        QVERIFY(details->toolTip().isEmpty());
+    }
 };
 
 QTEST_MAIN(TestStatusLine)
