@@ -2,6 +2,7 @@
 #include "robot/recording/recorder.h"
 
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
 #include <algorithm>
 #include <atomic>
@@ -148,7 +149,16 @@ struct Recorder::Worker {
         bytes = 0;
         firstNs = lastNs = 0;
         ++files;
-        return write(RecordingEncoder::Close::WhenDue);
+        const Result<void> written = write(RecordingEncoder::Close::WhenDue);
+        if (!written && bytes == 0) {
+            static_cast<void>(file->close());
+            file.reset();
+            // Leave no empty file behind. The path may also be a device.
+            if (const QFileInfo left(to); left.isFile() && left.size() == 0) {
+                QFile::remove(to);
+            }
+        }
+        return written;
     }
 
     /// Writes the data available so far. After a failure, truncates the file to its last complete row.

@@ -580,6 +580,16 @@ void TestRecorder::fullDiskKeepsRecordedData() {
     QCOMPARE(table->rows(), std::size_t(recorder.progress().rows));
     QVERIFY(sent >= recorder.progress().rows);
     QCOMPARE(table->values[0].back(), static_cast<double>(table->rows()) * 0.002);
+    // On the full disk, another recording fails with its own name and leaves no empty file behind.
+    QFile filler(folder.filePath(QStringLiteral("filler")));
+    QVERIFY(filler.open(QIODevice::WriteOnly | QIODevice::Unbuffered));
+    while (filler.write(QByteArray(1024, 'x')) == 1024) {
+    }
+    const QString next = folder.filePath(QStringLiteral("next.csv"));
+    const auto refused = recorder.start({next, defaultRecordedFields()}, bench.receiver);
+    QCOMPARE(refused.error().code, ErrorCode::DiskFull);
+    QVERIFY2(refused.error().context.contains(next), qPrintable(refused.error().context));
+    QVERIFY(!QFile::exists(next));
     // The receiver was not affected, and another recording can start.
     QCOMPARE(bench.receiver.state(), receive::ReceiverState::Receiving);
     QVERIFY(recorder.start({bench.path(), {"timestamp"}}, bench.receiver).ok());
