@@ -3126,6 +3126,18 @@
         <source>Not in control. Press “Take control” in the header.</source>
         <translation>Nicht gesteuert. Drücken Sie „Steuerung übernehmen“ in der Kopfzeile.</translation>
     </message>
+    <message>
+        <source>Robot data are out of date. Wait for new data.</source>
+        <translation>Die Daten des Roboters sind veraltet. Warten Sie auf neue Daten.</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect a robot, or try the simulator.</source>
+        <translation>Kein Roboter ist verbunden. Verbinden Sie einen oder probieren Sie den Simulator.</translation>
+    </message>
+    <message>
+        <source>The arm is moving. Stop the arm first, then store the position.</source>
+        <translation>Der Arm bewegt sich. Stoppen Sie zuerst den Arm, und speichern Sie dann die Position.</translation>
+    </message>
 </context>
 <context>
     <name>RecordingChoice</name>
@@ -4852,14 +4864,6 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie „Ecke hi
         <translation>LZ</translation>
     </message>
     <message>
-        <source>Robot data are out of date. Wait for new data.</source>
-        <translation>Die Daten des Roboters sind veraltet. Warten Sie auf neue Daten.</translation>
-    </message>
-    <message>
-        <source>No robot is connected. Connect a robot, or try the simulator.</source>
-        <translation>Kein Roboter ist verbunden. Verbinden Sie einen, oder probieren Sie den Simulator.</translation>
-    </message>
-    <message>
         <source>box</source>
         <translation>Quader</translation>
     </message>
@@ -5623,14 +5627,6 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     <message>
         <source>new frame</source>
         <translation>neues Koordinatensystem</translation>
-    </message>
-    <message>
-        <source>Robot data are out of date. Wait for new data.</source>
-        <translation>Die Daten des Roboters sind veraltet. Warten Sie auf neue Daten.</translation>
-    </message>
-    <message>
-        <source>No robot is connected. Connect a robot, or try the simulator.</source>
-        <translation>Kein Roboter ist verbunden. Verbinden Sie einen oder probieren Sie den Simulator.</translation>
     </message>
     <message>
         <source>Create a frame at the TCP with the axes of the tool (Shift+T)</source>
@@ -7025,6 +7021,10 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
     <message>
         <source>Data</source>
         <translation>Daten</translation>
+    </message>
+    <message>
+        <source>Reason: %1</source>
+        <translation>Grund: %1</translation>
     </message>
 </context>
 <context>
@@ -8491,14 +8491,6 @@ Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Pos
         <translation>Position löschen</translation>
     </message>
     <message>
-        <source>Robot data are out of date. Wait for new data.</source>
-        <translation>Die Daten des Roboters sind veraltet. Warten Sie auf neue Daten.</translation>
-    </message>
-    <message>
-        <source>No robot is connected. Connect a robot, or try the simulator.</source>
-        <translation>Kein Roboter ist verbunden. Verbinden Sie einen oder probieren Sie den Simulator.</translation>
-    </message>
-    <message>
         <source>Set “%1” to the current position of the arm?</source>
         <translation>„%1“ auf die aktuelle Position des Arms setzen?</translation>
     </message>
@@ -9910,6 +9902,10 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <source>View</source>
         <translation>Ansicht</translation>
     </message>
+    <message>
+        <source>No joint positions to replay</source>
+        <translation>Keine Gelenkpositionen zum Wiedergeben</translation>
+    </message>
 </context>
 <context>
     <name>tiller::SceneKeys</name>
@@ -9982,13 +9978,13 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     </message>
     <message>
         <source>1 name hidden: zoom in</source>
-        <translation>1 Name verborgen: Zoomen Sie heran</translation>
+        <translation>1 Name verborgen: heranzoomen</translation>
     </message>
     <message numerus="yes">
         <source>%n names hidden: zoom in</source>
         <translation>
-            <numerusform>%n Name verborgen: Zoomen Sie heran</numerusform>
-            <numerusform>%n Namen verborgen: Zoomen Sie heran</numerusform>
+            <numerusform>%n Name verborgen: heranzoomen</numerusform>
+            <numerusform>%n Namen verborgen: heranzoomen</numerusform>
         </translation>
     </message>
     <message>
@@ -10014,6 +10010,10 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     <message>
         <source>ghost “%1” · taught with another robot model</source>
         <translation>Vorschau „%1“ · mit einem anderen Robotermodell geteacht</translation>
+    </message>
+    <message>
+        <source>LIVE ARM</source>
+        <translation>ROBOTERARM LIVE</translation>
     </message>
 </context>
 <context>
@@ -10200,6 +10200,10 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     <message>
         <source>max %1</source>
         <translation>max. %1</translation>
+    </message>
+    <message>
+        <source>no data before the stop</source>
+        <translation>keine Daten vor dem Stopp</translation>
     </message>
 </context>
 <context>
@@ -11340,14 +11344,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
 Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</translation>
     </message>
     <message>
-        <source>Robot data are out of date. Wait for new data.</source>
-        <translation>Die Daten des Roboters sind veraltet. Warten Sie auf neue Daten.</translation>
-    </message>
-    <message>
-        <source>No robot is connected. Connect a robot, or try the simulator.</source>
-        <translation>Kein Roboter ist verbunden. Verbinden Sie einen oder probieren Sie den Simulator.</translation>
-    </message>
-    <message>
         <source>Select a waypoint to go to.</source>
         <translation>Wählen Sie einen Wegpunkt zum Anfahren.</translation>
     </message>
@@ -11486,10 +11482,6 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     <message>
         <source>Project</source>
         <translation>Projekt</translation>
-    </message>
-    <message>
-        <source>The arm is moving. Stop the arm first, then store the position.</source>
-        <translation>Der Arm bewegt sich. Stoppen Sie zuerst den Arm, und speichern Sie dann die Position.</translation>
     </message>
 </context>
 <context>

@@ -3126,6 +3126,18 @@
         <source>Not in control. Press “Take control” in the header.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Robot data are out of date. Wait for new data.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect a robot, or try the simulator.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm is moving. Stop the arm first, then store the position.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>RecordingChoice</name>
@@ -4850,14 +4862,6 @@ Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Robot data are out of date. Wait for new data.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No robot is connected. Connect a robot, or try the simulator.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>box</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5618,14 +5622,6 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
     </message>
     <message>
         <source>new frame</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Robot data are out of date. Wait for new data.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No robot is connected. Connect a robot, or try the simulator.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7017,6 +7013,10 @@ Right-click or press F2 to rename it.</source>
     </message>
     <message>
         <source>Data</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reason: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8482,14 +8482,6 @@ Jog the arm to a position and press “Set home here” or “Add position”.</
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Robot data are out of date. Wait for new data.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No robot is connected. Connect a robot, or try the simulator.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Set “%1” to the current position of the arm?</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9897,6 +9889,10 @@ Release the button to stop the arm.</source>
         <source>View</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>No joint positions to replay</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::SceneKeys</name>
@@ -10000,6 +9996,10 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>ghost “%1” · taught with another robot model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>LIVE ARM</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10186,6 +10186,10 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>max %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no data before the stop</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -11325,14 +11329,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Robot data are out of date. Wait for new data.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No robot is connected. Connect a robot, or try the simulator.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Select a waypoint to go to.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -11470,10 +11466,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
     </message>
     <message>
         <source>Project</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The arm is moving. Stop the arm first, then store the position.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

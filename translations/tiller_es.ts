@@ -3126,6 +3126,18 @@
         <source>Not in control. Press “Take control” in the header.</source>
         <translation>Sin control. Pulse «Tomar el control» en la cabecera.</translation>
     </message>
+    <message>
+        <source>Robot data are out of date. Wait for new data.</source>
+        <translation>Los datos del robot no están al día. Espere datos nuevos.</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect a robot, or try the simulator.</source>
+        <translation>Ningún robot conectado. Conecte uno o pruebe el simulador.</translation>
+    </message>
+    <message>
+        <source>The arm is moving. Stop the arm first, then store the position.</source>
+        <translation>El brazo se está moviendo. Detenga primero el brazo y guarde después la posición.</translation>
+    </message>
 </context>
 <context>
     <name>RecordingChoice</name>
@@ -4852,14 +4864,6 @@ Mueva el TCP a una esquina de un obstáculo y pulse «Esquina aquí».</translat
         <translation>LZ</translation>
     </message>
     <message>
-        <source>Robot data are out of date. Wait for new data.</source>
-        <translation>Los datos del robot no están al día. Espere datos nuevos.</translation>
-    </message>
-    <message>
-        <source>No robot is connected. Connect a robot, or try the simulator.</source>
-        <translation>No hay ningún robot conectado. Conecte uno o pruebe el simulador.</translation>
-    </message>
-    <message>
         <source>box</source>
         <translation>caja</translation>
     </message>
@@ -5623,14 +5627,6 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
     <message>
         <source>new frame</source>
         <translation>sistema nuevo</translation>
-    </message>
-    <message>
-        <source>Robot data are out of date. Wait for new data.</source>
-        <translation>Los datos del robot no están al día. Espere datos nuevos.</translation>
-    </message>
-    <message>
-        <source>No robot is connected. Connect a robot, or try the simulator.</source>
-        <translation>Ningún robot conectado. Conecte uno o pruebe el simulador.</translation>
     </message>
     <message>
         <source>Create a frame at the TCP with the axes of the tool (Shift+T)</source>
@@ -7025,6 +7021,10 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
     <message>
         <source>Data</source>
         <translation>Datos</translation>
+    </message>
+    <message>
+        <source>Reason: %1</source>
+        <translation>Motivo: %1</translation>
     </message>
 </context>
 <context>
@@ -8491,14 +8491,6 @@ Mueva el brazo a una posición y pulse «Fijar inicio aquí» o «Añadir posici
         <translation>Eliminar posición</translation>
     </message>
     <message>
-        <source>Robot data are out of date. Wait for new data.</source>
-        <translation>Los datos del robot no están al día. Espere datos nuevos.</translation>
-    </message>
-    <message>
-        <source>No robot is connected. Connect a robot, or try the simulator.</source>
-        <translation>Ningún robot conectado. Conecte uno o pruebe el simulador.</translation>
-    </message>
-    <message>
         <source>Set “%1” to the current position of the arm?</source>
         <translation>¿Fijar «%1» en la posición actual del brazo?</translation>
     </message>
@@ -9910,6 +9902,10 @@ Suelte el botón para detener el brazo.</translation>
         <source>View</source>
         <translation>Vista</translation>
     </message>
+    <message>
+        <source>No joint positions to replay</source>
+        <translation>Sin posiciones articulares que reproducir</translation>
+    </message>
 </context>
 <context>
     <name>tiller::SceneKeys</name>
@@ -10014,6 +10010,10 @@ Suelte el botón para detener el brazo.</translation>
     <message>
         <source>ghost “%1” · taught with another robot model</source>
         <translation>fantasma «%1» · enseñado con otro modelo de robot</translation>
+    </message>
+    <message>
+        <source>LIVE ARM</source>
+        <translation>BRAZO EN VIVO</translation>
     </message>
 </context>
 <context>
@@ -10200,6 +10200,10 @@ Suelte el botón para detener el brazo.</translation>
     <message>
         <source>max %1</source>
         <translation>máx. %1</translation>
+    </message>
+    <message>
+        <source>no data before the stop</source>
+        <translation>sin datos antes de la parada</translation>
     </message>
 </context>
 <context>
@@ -11340,14 +11344,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
 Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     </message>
     <message>
-        <source>Robot data are out of date. Wait for new data.</source>
-        <translation>Los datos del robot no están al día. Espere datos nuevos.</translation>
-    </message>
-    <message>
-        <source>No robot is connected. Connect a robot, or try the simulator.</source>
-        <translation>Ningún robot conectado. Conecte uno o pruebe el simulador.</translation>
-    </message>
-    <message>
         <source>Select a waypoint to go to.</source>
         <translation>Seleccione un punto de paso al que ir.</translation>
     </message>
@@ -11486,10 +11482,6 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     <message>
         <source>Project</source>
         <translation>Proyecto</translation>
-    </message>
-    <message>
-        <source>The arm is moving. Stop the arm first, then store the position.</source>
-        <translation>El brazo se está moviendo. Detenga primero el brazo y guarde después la posición.</translation>
     </message>
 </context>
 <context>

@@ -3126,6 +3126,18 @@
         <source>Not in control. Press “Take control” in the header.</source>
         <translation>Non contrôlé. Appuyez sur « Prendre le contrôle » dans l’en-tête.</translation>
     </message>
+    <message>
+        <source>Robot data are out of date. Wait for new data.</source>
+        <translation>Les données du robot ne sont pas à jour. Attendez de nouvelles données.</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect a robot, or try the simulator.</source>
+        <translation>Aucun robot connecté. Connectez-en un, ou essayez le simulateur.</translation>
+    </message>
+    <message>
+        <source>The arm is moving. Stop the arm first, then store the position.</source>
+        <translation>Le bras est en mouvement. Arrêtez d’abord le bras, puis enregistrez la position.</translation>
+    </message>
 </context>
 <context>
     <name>RecordingChoice</name>
@@ -4852,14 +4864,6 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur « Coin ici ».</transla
         <translation>LZ</translation>
     </message>
     <message>
-        <source>Robot data are out of date. Wait for new data.</source>
-        <translation>Les données du robot ne sont pas à jour. Attendez de nouvelles données.</translation>
-    </message>
-    <message>
-        <source>No robot is connected. Connect a robot, or try the simulator.</source>
-        <translation>Aucun robot n’est connecté. Connectez-en un, ou essayez le simulateur.</translation>
-    </message>
-    <message>
         <source>box</source>
         <translation>boîte</translation>
     </message>
@@ -5623,14 +5627,6 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
     <message>
         <source>new frame</source>
         <translation>nouveau repère</translation>
-    </message>
-    <message>
-        <source>Robot data are out of date. Wait for new data.</source>
-        <translation>Les données du robot ne sont pas à jour. Attendez de nouvelles données.</translation>
-    </message>
-    <message>
-        <source>No robot is connected. Connect a robot, or try the simulator.</source>
-        <translation>Aucun robot connecté. Connectez-en un, ou essayez le simulateur.</translation>
     </message>
     <message>
         <source>Create a frame at the TCP with the axes of the tool (Shift+T)</source>
@@ -7025,6 +7021,10 @@ Clic droit ou F2 pour renommer.</translation>
     <message>
         <source>Data</source>
         <translation>Données</translation>
+    </message>
+    <message>
+        <source>Reason: %1</source>
+        <translation>Raison : %1</translation>
     </message>
 </context>
 <context>
@@ -8491,14 +8491,6 @@ Amenez le bras à une position et appuyez sur « Origine ici » ou « Ajouter po
         <translation>Supprimer la position</translation>
     </message>
     <message>
-        <source>Robot data are out of date. Wait for new data.</source>
-        <translation>Les données du robot ne sont pas à jour. Attendez de nouvelles données.</translation>
-    </message>
-    <message>
-        <source>No robot is connected. Connect a robot, or try the simulator.</source>
-        <translation>Aucun robot connecté. Connectez-en un, ou essayez le simulateur.</translation>
-    </message>
-    <message>
         <source>Set “%1” to the current position of the arm?</source>
         <translation>Définir « %1 » à la position actuelle du bras ?</translation>
     </message>
@@ -9910,6 +9902,10 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <source>View</source>
         <translation>Vue</translation>
     </message>
+    <message>
+        <source>No joint positions to replay</source>
+        <translation>Aucune position d’axe à rejouer</translation>
+    </message>
 </context>
 <context>
     <name>tiller::SceneKeys</name>
@@ -10014,6 +10010,10 @@ Relâchez le bouton pour arrêter le bras.</translation>
     <message>
         <source>ghost “%1” · taught with another robot model</source>
         <translation>fantôme « %1 » · appris avec un autre modèle de robot</translation>
+    </message>
+    <message>
+        <source>LIVE ARM</source>
+        <translation>BRAS EN DIRECT</translation>
     </message>
 </context>
 <context>
@@ -10200,6 +10200,10 @@ Relâchez le bouton pour arrêter le bras.</translation>
     <message>
         <source>max %1</source>
         <translation>max %1</translation>
+    </message>
+    <message>
+        <source>no data before the stop</source>
+        <translation>aucune donnée avant l’arrêt</translation>
     </message>
 </context>
 <context>
@@ -11340,14 +11344,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
 Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translation>
     </message>
     <message>
-        <source>Robot data are out of date. Wait for new data.</source>
-        <translation>Les données du robot ne sont pas à jour. Attendez de nouvelles données.</translation>
-    </message>
-    <message>
-        <source>No robot is connected. Connect a robot, or try the simulator.</source>
-        <translation>Aucun robot connecté. Connectez-en un, ou essayez le simulateur.</translation>
-    </message>
-    <message>
         <source>Select a waypoint to go to.</source>
         <translation>Choisissez un point de passage où aller.</translation>
     </message>
@@ -11486,10 +11482,6 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     <message>
         <source>Project</source>
         <translation>Projet</translation>
-    </message>
-    <message>
-        <source>The arm is moving. Stop the arm first, then store the position.</source>
-        <translation>Le bras est en mouvement. Arrêtez d’abord le bras, puis enregistrez la position.</translation>
     </message>
 </context>
 <context>

@@ -3126,6 +3126,18 @@
         <source>Not in control. Press “Take control” in the header.</source>
         <translation>制御なし。ヘッダーの「制御を取得」を押してください。</translation>
     </message>
+    <message>
+        <source>Robot data are out of date. Wait for new data.</source>
+        <translation>ロボットのデータが古いです。届くまで待ってください。</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect a robot, or try the simulator.</source>
+        <translation>ロボット未接続。接続するか、シミュレーターを試してください。</translation>
+    </message>
+    <message>
+        <source>The arm is moving. Stop the arm first, then store the position.</source>
+        <translation>アームが動作中です。先にアームを停止してから、位置を保存してください。</translation>
+    </message>
 </context>
 <context>
     <name>RecordingChoice</name>
@@ -4849,14 +4861,6 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
         <translation>LZ</translation>
     </message>
     <message>
-        <source>Robot data are out of date. Wait for new data.</source>
-        <translation>ロボットのデータが古くなっています。新しいデータを待ってください。</translation>
-    </message>
-    <message>
-        <source>No robot is connected. Connect a robot, or try the simulator.</source>
-        <translation>ロボットが接続されていません。接続するか、シミュレーターを試してください。</translation>
-    </message>
-    <message>
         <source>box</source>
         <translation>箱</translation>
     </message>
@@ -5615,14 +5619,6 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
     <message>
         <source>new frame</source>
         <translation>新しい座標系</translation>
-    </message>
-    <message>
-        <source>Robot data are out of date. Wait for new data.</source>
-        <translation>ロボットのデータが古いです。届くまで待ってください。</translation>
-    </message>
-    <message>
-        <source>No robot is connected. Connect a robot, or try the simulator.</source>
-        <translation>ロボット未接続。接続するか、シミュレーターを試してください。</translation>
     </message>
     <message>
         <source>Create a frame at the TCP with the axes of the tool (Shift+T)</source>
@@ -7016,6 +7012,10 @@ Right-click or press F2 to rename it.</source>
     <message>
         <source>Data</source>
         <translation>データ</translation>
+    </message>
+    <message>
+        <source>Reason: %1</source>
+        <translation>理由: %1</translation>
     </message>
 </context>
 <context>
@@ -8472,14 +8472,6 @@ Jog the arm to a position and press “Set home here” or “Add position”.</
         <translation>位置を削除</translation>
     </message>
     <message>
-        <source>Robot data are out of date. Wait for new data.</source>
-        <translation>ロボットのデータが古いです。届くまで待ってください。</translation>
-    </message>
-    <message>
-        <source>No robot is connected. Connect a robot, or try the simulator.</source>
-        <translation>ロボット未接続。接続するか、シミュレーターを試してください。</translation>
-    </message>
-    <message>
         <source>Set “%1” to the current position of the arm?</source>
         <translation>「%1」をアームの位置に設定しますか？</translation>
     </message>
@@ -9885,6 +9877,10 @@ Release the button to stop the arm.</source>
         <source>View</source>
         <translation>ビュー</translation>
     </message>
+    <message>
+        <source>No joint positions to replay</source>
+        <translation>再生する関節位置がありません</translation>
+    </message>
 </context>
 <context>
     <name>tiller::SceneKeys</name>
@@ -9988,6 +9984,10 @@ Release the button to stop the arm.</source>
     <message>
         <source>ghost “%1” · taught with another robot model</source>
         <translation>ゴースト「%1」· 別の機種で教示</translation>
+    </message>
+    <message>
+        <source>LIVE ARM</source>
+        <translation>現在のアーム</translation>
     </message>
 </context>
 <context>
@@ -10174,6 +10174,10 @@ Release the button to stop the arm.</source>
     <message>
         <source>max %1</source>
         <translation>最大 %1</translation>
+    </message>
+    <message>
+        <source>no data before the stop</source>
+        <translation>停止前のデータなし</translation>
     </message>
 </context>
 <context>
@@ -11300,14 +11304,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
 アームをジョグし、「ここを教示」(T) を押してください。</translation>
     </message>
     <message>
-        <source>Robot data are out of date. Wait for new data.</source>
-        <translation>ロボットのデータが古いです。届くまで待ってください。</translation>
-    </message>
-    <message>
-        <source>No robot is connected. Connect a robot, or try the simulator.</source>
-        <translation>ロボット未接続。接続するか、シミュレーターを試してください。</translation>
-    </message>
-    <message>
         <source>Select a waypoint to go to.</source>
         <translation>移動先のウェイポイントを選んでください。</translation>
     </message>
@@ -11446,10 +11442,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>Project</source>
         <translation>プロジェクト</translation>
-    </message>
-    <message>
-        <source>The arm is moving. Stop the arm first, then store the position.</source>
-        <translation>アームが動作中です。先にアームを停止してから、位置を保存してください。</translation>
     </message>
 </context>
 <context>

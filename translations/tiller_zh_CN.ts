@@ -3126,6 +3126,18 @@
         <source>Not in control. Press “Take control” in the header.</source>
         <translation>未控制。请按页眉中的“获取控制”。</translation>
     </message>
+    <message>
+        <source>Robot data are out of date. Wait for new data.</source>
+        <translation>机器人数据已过时。请等待新数据。</translation>
+    </message>
+    <message>
+        <source>No robot is connected. Connect a robot, or try the simulator.</source>
+        <translation>未连接机器人。请连接，或试用模拟器。</translation>
+    </message>
+    <message>
+        <source>The arm is moving. Stop the arm first, then store the position.</source>
+        <translation>机械臂正在运动。请先停止机械臂，再保存位置。</translation>
+    </message>
 </context>
 <context>
     <name>RecordingChoice</name>
@@ -4849,14 +4861,6 @@ Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation>LZ</translation>
     </message>
     <message>
-        <source>Robot data are out of date. Wait for new data.</source>
-        <translation>机器人数据已过时。请等待新数据。</translation>
-    </message>
-    <message>
-        <source>No robot is connected. Connect a robot, or try the simulator.</source>
-        <translation>未连接机器人。请连接机器人或试用模拟器。</translation>
-    </message>
-    <message>
         <source>box</source>
         <translation>长方体</translation>
     </message>
@@ -5615,14 +5619,6 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
     <message>
         <source>new frame</source>
         <translation>新坐标系</translation>
-    </message>
-    <message>
-        <source>Robot data are out of date. Wait for new data.</source>
-        <translation>机器人数据已过时。请等待新数据。</translation>
-    </message>
-    <message>
-        <source>No robot is connected. Connect a robot, or try the simulator.</source>
-        <translation>未连接机器人。请连接，或试用模拟器。</translation>
     </message>
     <message>
         <source>Create a frame at the TCP with the axes of the tool (Shift+T)</source>
@@ -7016,6 +7012,10 @@ Right-click or press F2 to rename it.</source>
     <message>
         <source>Data</source>
         <translation>数据</translation>
+    </message>
+    <message>
+        <source>Reason: %1</source>
+        <translation>原因：%1</translation>
     </message>
 </context>
 <context>
@@ -8472,14 +8472,6 @@ Jog the arm to a position and press “Set home here” or “Add position”.</
         <translation>删除位置</translation>
     </message>
     <message>
-        <source>Robot data are out of date. Wait for new data.</source>
-        <translation>机器人数据已过时。请等待新数据。</translation>
-    </message>
-    <message>
-        <source>No robot is connected. Connect a robot, or try the simulator.</source>
-        <translation>未连接机器人。请连接，或试用模拟器。</translation>
-    </message>
-    <message>
         <source>Set “%1” to the current position of the arm?</source>
         <translation>将“%1”设为机械臂的当前位置？</translation>
     </message>
@@ -9885,6 +9877,10 @@ Release the button to stop the arm.</source>
         <source>View</source>
         <translation>视图</translation>
     </message>
+    <message>
+        <source>No joint positions to replay</source>
+        <translation>没有可回放的关节位置</translation>
+    </message>
 </context>
 <context>
     <name>tiller::SceneKeys</name>
@@ -9988,6 +9984,10 @@ Release the button to stop the arm.</source>
     <message>
         <source>ghost “%1” · taught with another robot model</source>
         <translation>虚影“%1”· 用其他机器人型号示教</translation>
+    </message>
+    <message>
+        <source>LIVE ARM</source>
+        <translation>实时机械臂</translation>
     </message>
 </context>
 <context>
@@ -10174,6 +10174,10 @@ Release the button to stop the arm.</source>
     <message>
         <source>max %1</source>
         <translation>最大 %1</translation>
+    </message>
+    <message>
+        <source>no data before the stop</source>
+        <translation>停止前无数据</translation>
     </message>
 </context>
 <context>
@@ -11300,14 +11304,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
 把机械臂点动到某处，按“在此示教” (T)。</translation>
     </message>
     <message>
-        <source>Robot data are out of date. Wait for new data.</source>
-        <translation>机器人数据已过时。请等待新数据。</translation>
-    </message>
-    <message>
-        <source>No robot is connected. Connect a robot, or try the simulator.</source>
-        <translation>未连接机器人。请连接，或试用模拟器。</translation>
-    </message>
-    <message>
         <source>Select a waypoint to go to.</source>
         <translation>选择要前往的路点。</translation>
     </message>
@@ -11446,10 +11442,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>Project</source>
         <translation>项目</translation>
-    </message>
-    <message>
-        <source>The arm is moving. Stop the arm first, then store the position.</source>
-        <translation>机械臂正在运动。请先停止机械臂，再保存位置。</translation>
     </message>
 </context>
 <context>

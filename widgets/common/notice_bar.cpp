@@ -83,8 +83,7 @@ void NoticeBar::display(Kind kind, const Notice& notice) {
     kind_ = kind;
     notice_ = notice;
     title_->setText(kind == Kind::Warning ? QStringLiteral("▲ ") + notice.title : notice.title);
-    text_->setText(notice.text);
-    text_->setVisible(!notice.text.isEmpty());
+    setText(notice.liveText ? notice.liveText() : notice.text);
     accept_->setText(notice.accept);
     accept_->setAccessibleName(notice.accept.isEmpty() ? tr("Notice action") : notice.accept);
     accept_->setVisible(!notice.accept.isEmpty());
@@ -95,13 +94,27 @@ void NoticeBar::display(Kind kind, const Notice& notice) {
                       : notice.accept.isEmpty() ? tr("Close")
                                                 : tr("Cancel"));
     dismiss_->setAccessibleName(dismiss_->text());
-    setAccessibleDescription(notice.title + QLatin1Char(' ') + notice.text);
     QPalette colors = palette();
     const Theme& theme = Theme::current();
     colors.setColor(QPalette::WindowText, kind == Kind::Warning ? theme.warning : theme.text);
     title_->setPalette(colors);
     QFrame::show();
     update();
+}
+
+void NoticeBar::setText(const QString& text) {
+    text_->setText(text);
+    text_->setVisible(!text.isEmpty());
+    setAccessibleDescription(notice_.title + QLatin1Char(' ') + text);
+}
+
+void NoticeBar::refresh() {
+    if (isHidden() || !notice_.liveText) {
+        return;
+    }
+    if (const QString text = notice_.liveText(); text != text_->text()) {
+        setText(text);
+    }
 }
 
 void NoticeBar::dismiss() {

@@ -17,7 +17,7 @@ namespace tiller {
 /// A question or a message with up to three buttons.
 struct Notice {
     QString title;
-    QString text;
+    QString text = {};
     QString accept = {};  ///< label of the primary button; empty for a message that can only be closed
     std::function<void()> accepted = {};
     QString other = {};  ///< label of the second button; empty if there is none
@@ -26,6 +26,8 @@ struct Notice {
     /// Identifies the cause for NoticeBar::resolve(). If another notice replaces a notice with a cause, the
     /// replaced notice is shown again afterwards. A notice without a cause is discarded when it is replaced.
     QString cause = {};
+    /// Returns the current text of a question about the position of the arm: NoticeBar::refresh().
+    std::function<QString()> liveText = {};
 };
 
 class NoticeBar : public QFrame {
@@ -50,6 +52,8 @@ public:
     /// Closes a question without a cause, because its data have changed and the answer would have a different
     /// effect than shown. Messages remain open.
     void dismissQuestion();
+    /// Updates the text of a notice with Notice::liveText. Call this regularly with new robot data.
+    void refresh();
     Kind kind() const { return kind_; }
     QString title() const;
     QString text() const;
@@ -64,6 +68,7 @@ private:
         Notice notice;
     };
     void display(Kind kind, const Notice& notice);
+    void setText(const QString& text);
     void answer(std::function<void()> Notice::*callback);
 
     Kind kind_ = Kind::Question;

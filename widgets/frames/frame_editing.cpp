@@ -31,12 +31,12 @@ void FrameEditing::insert(const Pose& T_base_frame) {
     document_.insertFrame(model_.rowCount(), frame, tr("Teach “%1”").arg(frame.name));
 }
 
-void FrameEditing::askToMove(const QUuid& id, const Pose& T_base_frame) {
+QString FrameEditing::moveText(const QUuid& id, const Pose& T_base_frame) const {
     const int row = model_.rowOf(id);
     if (row < 0) {
-        return;
+        return {};
     }
-    const project::Frame frame = model_.frames().at(static_cast<std::size_t>(row));
+    const project::Frame& frame = model_.frames().at(static_cast<std::size_t>(row));
     const project::PoseDifference by = project::poseDifference(frame.T_base_frame, T_base_frame);
     const FrameUse use = model_.use(id, T_base_frame);
     QStringList lines = {tr("The frame moves by %1 (%2, base frame).")
@@ -48,14 +48,31 @@ void FrameEditing::askToMove(const QUuid& id, const Pose& T_base_frame) {
     if (use.outOfReach > 0) {
         lines << outOfReachText(use.outOfReach);
     }
-    notice_.show(NoticeBar::Kind::Question, tr("Touch up “%1”?").arg(frame.name),
-                 lines.join(QLatin1Char(' ')), tr("Touch up"), [this, id, T_base_frame, name = frame.name] {
-                     // Use the pose shown in the question, even if the arm has moved since.
-                     const QString moved = move(id, T_base_frame, tr("Touch up “%1”").arg(name));
-                     const QString done = tr("Touched up “%1”").arg(name);
-                     notice_.show(NoticeBar::Kind::Question, done, moved);
-                     Q_EMIT message(Severity::Info, done + QStringLiteral(". ") + moved);
-                 });
+    return lines.join(QLatin1Char(' '));
+}
+
+void FrameEditing::askToMove(const QUuid& id, const PoseSource& newPose) {
+    const int row = model_.rowOf(id);
+    if (row < 0) {
+        return;
+    }
+    const QString name = model_.frames().at(static_cast<std::size_t>(row)).name;
+    const auto accepted = [this, id, newPose, name] {
+        const NewPose now = newPose();
+        if (!now.obstacle.isEmpty()) {
+            notice_.show(NoticeBar::Kind::Warning, now.obstacle, {});
+            return;
+        }
+        const QString moved = move(id, now.T_base_frame, tr("Touch up “%1”").arg(name));
+        const QString done = tr("Touched up “%1”").arg(name);
+        notice_.show(NoticeBar::Kind::Question, done, moved);
+        Q_EMIT message(Severity::Info, done + QStringLiteral(". ") + moved);
+    };
+    notice_.show(NoticeBar::Kind::Question,
+                 {.title = tr("Touch up “%1”?").arg(name),
+                  .accept = tr("Touch up"),
+                  .accepted = accepted,
+                  .liveText = [this, id, newPose] { return moveText(id, newPose().T_base_frame); }});
 }
 
 QString FrameEditing::move(const QUuid& id, const Pose& T_base_frame, const QString& step) {

@@ -6,6 +6,7 @@
 // confirmation.
 
 #include <QObject>
+#include <functional>
 
 #include "robot/project/waypoint.h"
 #include "robot/station/link/robot_session.h"
@@ -23,10 +24,17 @@ public:
     /// document, model, notice  must outlive the object; `notice` shows the questions
     FrameEditing(ProjectDocument& document, FrameModel& model, NoticeBar& notice, QObject* parent = nullptr);
 
+    /// The new pose of a frame. `obstacle` is the reason why it cannot be stored now; empty if it can.
+    struct NewPose {
+        Pose T_base_frame;
+        QString obstacle = {};
+    };
+    using PoseSource = std::function<NewPose()>;
+
     void insert(const Pose& T_base_frame);
     /// Asks for confirmation before moving the frame. The question shows how the frame and its waypoints
-    /// would move.
-    void askToMove(const QUuid& id, const Pose& T_base_frame);
+    /// would move, and follows the pose. The pose at the confirmation is stored.
+    void askToMove(const QUuid& id, const PoseSource& T_base_frame);
     /// Moves a frame to an entered pose, without confirmation.
     void place(const project::Frame& frame, const Pose& T_base_frame);
     void duplicate(const project::Frame& frame);
@@ -38,6 +46,7 @@ Q_SIGNALS:
     void message(tiller::Severity severity, const QString& text);
 
 private:
+    QString moveText(const QUuid& id, const Pose& T_base_frame) const;
     /// Returns  a text about the moved waypoints
     QString move(const QUuid& id, const Pose& T_base_frame, const QString& step);
 

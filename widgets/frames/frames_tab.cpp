@@ -13,6 +13,7 @@
 #include <algorithm>
 
 #include "robot/station/document/project_document.h"
+#include "robot/station/link/obstacles.h"
 #include "widgets/common/bottom_overlay.h"
 #include "widgets/common/notice_bar.h"
 #include "widgets/frames/frame_details.h"
@@ -133,10 +134,11 @@ void FramesTab::onState(const SessionState& state) {
 }
 
 void FramesTab::showLive() {
-    const QString obstacle = teachObstacle();
+    const QString obstacle = dataObstacle(state_);
     const std::optional<Pose> tcp = state_.hasData() ? std::optional(state_.tcpPose) : std::nullopt;
     model_->setTcp(tcp);
     details_->setTcp(tcp);
+    notice_->refresh();
     teacher_->setTip(obstacle.isEmpty() ? std::optional(state_.tcpPose.position) : std::nullopt, obstacle);
     updateAvailability();
 }
@@ -219,16 +221,8 @@ std::vector<FrameMark> FramesTab::marks() const {
     return result;
 }
 
-QString FramesTab::teachObstacle() const {
-    if (state_.link == LinkState::Live) {
-        return {};
-    }
-    return state_.hasData() ? tr("Robot data are out of date. Wait for new data.")
-                            : tr("No robot is connected. Connect a robot, or try the simulator.");
-}
-
 void FramesTab::updateAvailability() {
-    const QString obstacle = teachObstacle();
+    const QString obstacle = dataObstacle(state_);
     const bool live = obstacle.isEmpty();
     const bool selected = currentRow() >= 0;
     fromTcp_->setEnabled(live);
@@ -334,7 +328,7 @@ void FramesTab::buildActions() {
 // ---- teaching --------------------------------------------------------------------------------------
 
 void FramesTab::teachFromTcp() {
-    if (const QString obstacle = teachObstacle(); !obstacle.isEmpty()) {
+    if (const QString obstacle = dataObstacle(state_); !obstacle.isEmpty()) {
         showProblem(obstacle);
         return;
     }
@@ -348,13 +342,15 @@ void FramesTab::teachThreePoints() {
 
 void FramesTab::touchUp() {
     const std::optional<project::Frame> frame = current();
-    const QString obstacle = frame ? teachObstacle() : tr("Select a frame to touch up.");
+    const QString obstacle = frame ? storeObstacle(state_) : tr("Select a frame to touch up.");
     if (!obstacle.isEmpty()) {
         showProblem(obstacle);
         return;
     }
     endTeaching();
-    editing_->askToMove(frame->id, state_.tcpPose);
+    editing_->askToMove(frame->id, [this] {
+        return FrameEditing::NewPose{state_.tcpPose, storeObstacle(state_)};
+    });
 }
 
 void FramesTab::touchUpThreePoints() {
@@ -391,7 +387,7 @@ void FramesTab::onMade(const Pose& T_base_frame) {
     if (teachingInto_.isNull()) {
         insert(T_base_frame);
     } else {
-        editing_->askToMove(teachingInto_, T_base_frame);
+        editing_->askToMove(teachingInto_, [T_base_frame] { return FrameEditing::NewPose{T_base_frame}; });
     }
 }
 

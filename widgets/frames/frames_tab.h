@@ -49,7 +49,7 @@ public Q_SLOTS:
     void teachFromTcp();
     void teachThreePoints();
     /// Asks for confirmation before moving the selected frame to the TCP. The question shows how the frame
-    /// and its waypoints would move.
+    /// and its waypoints would move, and follows the TCP. The pose at the confirmation is stored.
     void touchUp();
     void touchUpThreePoints();
     void selectRow(int row);
@@ -73,7 +73,6 @@ private:
     void onFrames();
     void showPage();
     void updateAvailability();
-    QString teachObstacle() const;
     std::optional<project::Frame> current() const;
 
     void insert(const Pose& T_base_frame);

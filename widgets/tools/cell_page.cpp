@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include "robot/station/document/project_document.h"
+#include "robot/station/link/obstacles.h"
 #include "robot/station/text/notation.h"
 #include "widgets/common/decimal_spin_box.h"
 #include "widgets/common/no_focus_scroll_area.h"
@@ -382,16 +383,8 @@ const project::CellPlane* CellPage::plane() const {
                : nullptr;
 }
 
-QString CellPage::obstacle() const {
-    if (state_.link == LinkState::Live) {
-        return {};
-    }
-    return state_.hasData() ? CellPage::tr("Robot data are out of date. Wait for new data.")
-                            : CellPage::tr("No robot is connected. Connect a robot, or try the simulator.");
-}
-
 bool CellPage::refusedWithoutData() {
-    const QString why = obstacle();
+    const QString why = dataObstacle(state_);
     if (!why.isEmpty()) {
         showProblem(why);
     }

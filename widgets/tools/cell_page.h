@@ -68,7 +68,6 @@ private:
     // planes.
     const project::CellBox* box() const;
     const project::CellPlane* plane() const;
-    QString obstacle() const;
     bool refusedWithoutData();
     void addBox(const Pose& pose, const Eigen::Vector3d& size);
     void addPlane(const Pose& pose);

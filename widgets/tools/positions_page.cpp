@@ -14,6 +14,7 @@
 #include "robot/core/angles.h"
 #include "robot/core/robot_model.h"
 #include "robot/station/document/project_document.h"
+#include "robot/station/link/obstacles.h"
 #include "robot/station/text/format.h"
 #include "robot/station/text/joint_name.h"
 #include "robot/station/text/notation.h"
@@ -134,9 +135,7 @@ PositionsPage::PositionsPage(RobotSession& session, ProjectDocument& document, Q
     });
     connect(height_, &QAbstractSpinBox::editingFinished, this, &PositionsPage::takeHeight);
     connect(heightHere, &QPushButton::clicked, this, [this] {
-        if (const QString why = obstacle(); !why.isEmpty()) {
-            showProblem(why);
-        } else {
+        if (!isRefused()) {
             setHeight(project::SafeHeight{{}, state_.tcpPose.position.z()});
         }
     });
@@ -148,14 +147,6 @@ PositionsPage::PositionsPage(RobotSession& session, ProjectDocument& document, Q
 
 const project::NamedPosition* PositionsPage::current() const {
     return currentIn(document_.positions().list);
-}
-
-QString PositionsPage::obstacle() const {
-    if (state_.link == LinkState::Live) {
-        return {};
-    }
-    return state_.hasData() ? tr("Robot data are out of date. Wait for new data.")
-                            : tr("No robot is connected. Connect a robot, or try the simulator.");
 }
 
 void PositionsPage::insert(project::NamedPosition position, bool asHome, const QString& text) {
@@ -175,22 +166,49 @@ void PositionsPage::change(const project::NamedPosition& position, const QString
     document_.changePositions(after, text);
 }
 
-void PositionsPage::setHomeHere() {
-    if (const QString why = obstacle(); !why.isEmpty()) {
+bool PositionsPage::isRefused() {
+    const QString why = storeObstacle(state_);
+    if (!why.isEmpty()) {
         showProblem(why);
+    }
+    return !why.isEmpty();
+}
+
+void PositionsPage::storeIn(const QUuid& id, const QString& text) {
+    const project::NamedPosition* now = document_.positions().list.find(id);
+    if (now == nullptr || isRefused()) {
+        return;
+    }
+    project::NamedPosition after = *now;
+    after.joints = state_.q;
+    change(after, text);
+}
+
+QString PositionsPage::changeText(const QUuid& id) const {
+    const project::NamedPosition* position = document_.positions().list.find(id);
+    if (position == nullptr) {
+        return {};
+    }
+    const Vector6 turns = state_.q.values - position->joints.values;
+    int joint = 0;
+    turns.cwiseAbs().maxCoeff(&joint);
+    return tr("Largest joint change: %1 %2.").arg(jointName(joint), format::degrees(turns[joint], 1));
+}
+
+void PositionsPage::setHomeHere() {
+    if (isRefused()) {
         return;
     }
     if (const project::NamedPosition* home = document_.positions().homePosition()) {
         notice().show(NoticeBar::Kind::Question,
-                      tr("Set “%1” to the current position of the arm?").arg(home->name),
-                      tr("The Home button will then move the arm to this position."), tr("Set home"),
-                      [this, q = state_.q] {
-                          if (const project::NamedPosition* now = document_.positions().homePosition()) {
-                              project::NamedPosition after = *now;
-                              after.joints = q;
-                              change(after, tr("Set home"));
-                          }
-                      });
+                      {.title = tr("Set “%1” to the current position of the arm?").arg(home->name),
+                       .accept = tr("Set home"),
+                       .accepted = [this, id = home->id] { storeIn(id, tr("Set home")); },
+                       .liveText =
+                           [this, id = home->id] {
+                               return changeText(id) + QLatin1Char(' ') +
+                                      tr("The Home button will then move the arm to this position.");
+                           }});
         return;
     }
     project::NamedPosition position;
@@ -200,8 +218,7 @@ void PositionsPage::setHomeHere() {
 }
 
 void PositionsPage::addHere() {
-    if (const QString why = obstacle(); !why.isEmpty()) {
-        showProblem(why);
+    if (isRefused()) {
         return;
     }
     project::NamedPosition position;
@@ -212,23 +229,19 @@ void PositionsPage::addHere() {
 
 void PositionsPage::touchUp() {
     const project::NamedPosition* position = current();
-    const QString why = position == nullptr ? tr("Select a position to touch up.") : obstacle();
-    if (!why.isEmpty()) {
-        showProblem(why);
+    if (position == nullptr) {
+        showProblem(tr("Select a position to touch up."));
         return;
     }
-    const Vector6 turns = state_.q.values - position->joints.values;
-    int joint = 0;
-    turns.cwiseAbs().maxCoeff(&joint);
-    notice().show(NoticeBar::Kind::Question, tr("Touch up “%1”?").arg(position->name),
-                  tr("Largest joint change: %1 %2.").arg(jointName(joint), format::degrees(turns[joint], 1)),
-                  tr("Touch up"), [this, id = position->id, q = state_.q] {
-                      if (const project::NamedPosition* now = document_.positions().list.find(id)) {
-                          project::NamedPosition after = *now;
-                          after.joints = q;
-                          change(after, tr("Touch up “%1”").arg(now->name));
-                      }
-                  });
+    if (isRefused()) {
+        return;
+    }
+    const QString step = tr("Touch up “%1”").arg(position->name);
+    notice().show(NoticeBar::Kind::Question,
+                  {.title = tr("Touch up “%1”?").arg(position->name),
+                   .accept = tr("Touch up"),
+                   .accepted = [this, id = position->id, step] { storeIn(id, step); },
+                   .liveText = [this, id = position->id] { return changeText(id); }});
 }
 
 void PositionsPage::useAsHome() {
@@ -281,6 +294,7 @@ void PositionsPage::setHeight(const std::optional<project::SafeHeight>& height) 
 
 void PositionsPage::setState(const SessionState& state) {
     state_ = state;
+    notice().refresh();
     refresh();
 }
 

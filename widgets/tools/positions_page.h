@@ -32,7 +32,11 @@ protected:
 
 private:
     const project::NamedPosition* current() const;
-    QString obstacle() const;
+    /// True if the current position cannot be stored now; the page then shows the reason.
+    bool isRefused();
+    /// Replaces the joint positions of the entry by those of the arm.
+    void storeIn(const QUuid& id, const QString& text);
+    QString changeText(const QUuid& id) const;
     void addHere();
     void touchUp();
     void useAsHome();

@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include "robot/kinematics/arm_kinematics.h"
+#include "robot/station/link/obstacles.h"
 #include "robot/station/route/path_watch.h"
 #include "robot/station/route/waypoint_motion.h"
 #include "robot/station/text/format.h"
@@ -66,6 +67,11 @@ WaypointsTab::WaypointsTab(RobotSession& session, UndoableDocument& document, Mo
         details_->setLive(state_);
         showSpeed();
         goThrough_->showSpeed();
+        notice_->refresh();
+        if (touchUpGhost_ && touchUpGhost_->q != state_.q) {
+            touchUpGhost_->q = state_.q;
+            Q_EMIT ghostChanged();
+        }
     });
 
     connect(&session_, &RobotSession::stateChanged, this, &WaypointsTab::onState);
@@ -409,19 +415,16 @@ std::vector<WaypointMark> WaypointsTab::marks() const {
 // ---- availability ----------------------------------------------------------------------------------
 
 QString WaypointsTab::teachObstacle() const {
-    if (state_.link == LinkState::Live) {
-        // Positions taught with different arm models could not be distinguished in one project.
-        return document_.isOfOtherModel() ? reachAdvice({project::Reach::Obstacle::OtherModel, {}})
-                                          : QString();
-    }
-    return state_.hasData() ? tr("Robot data are out of date. Wait for new data.")
-                            : tr("No robot is connected. Connect a robot, or try the simulator.");
+    const QString obstacle = dataObstacle(state_);
+    // Positions taught with different arm models could not be distinguished in one project.
+    return obstacle.isEmpty() && document_.isOfOtherModel()
+               ? reachAdvice({project::Reach::Obstacle::OtherModel, {}})
+               : obstacle;
 }
+
 QString WaypointsTab::positionObstacle() const {
     const QString obstacle = teachObstacle();
-    return obstacle.isEmpty() && state_.moving
-               ? tr("The arm is moving. Stop the arm first, then store the position.")
-               : obstacle;
+    return obstacle.isEmpty() ? storeObstacle(state_) : obstacle;
 }
 
 QString WaypointsTab::goToObstacle() const {
@@ -655,35 +658,54 @@ void WaypointsTab::touchUp() {
         showProblem(obstacle);
         return;
     }
-    const project::Waypoint before = document_.waypoints().at(row);
-    const std::optional<project::Waypoint> after =
-        project::taughtAt(before, state_.q, state_.tcpPose, state_.tcpOffset, document_.frames());
-    if (!after) {
-        showProblem(
-            tr("The frame of “%1” is not in this project. Choose another frame first.").arg(before.name));
+    if (!taughtNow(row)) {
+        showProblem(tr("The frame of “%1” is not in this project. Choose another frame first.")
+                        .arg(document_.waypoints().at(row).name));
         return;
     }
+    const project::Waypoint& before = document_.waypoints().at(row);
+    notice_->show(NoticeBar::Kind::Question,
+                  {.title = tr("Touch up “%1”?").arg(before.name),
+                   .accept = tr("Touch up"),
+                   .accepted = [this, id = before.id] { replaceByTouchUp(id); },
+                   .liveText = [this, id = before.id] { return touchUpText(id); }});
+    setTouchUpGhost(Ghost{before.name, state_.q, before.move == project::MoveKind::Linear});
+}
+
+std::optional<project::Waypoint> WaypointsTab::taughtNow(int row) const {
+    return project::taughtAt(document_.waypoints().at(row), state_.q, state_.tcpPose, state_.tcpOffset,
+                             document_.frames());
+}
+
+QString WaypointsTab::touchUpText(const QUuid& id) const {
+    const int row = document_.waypoints().indexOf(id);
+    if (row < 0) {
+        return {};
+    }
+    const project::Waypoint& before = document_.waypoints().at(row);
     const Pose old = kinematics::forwardTcp(
         document_.robot().dh, document_.reach(row).ok() ? document_.reach(row).q : before.joints,
         before.tcpOffset);
     const project::PoseDifference by = project::poseDifference(old, state_.tcpPose);
-    const Vector6 turns = after->joints.values - before.joints.values;
+    const Vector6 turns = state_.q.values - before.joints.values;
     int joint = 0;
     turns.cwiseAbs().maxCoeff(&joint);
-    const QString text = tr("The current position is %1 away (%2, base frame). Largest joint change: %3 %4.")
-                             .arg(format::difference(by.distance, by.angle),
-                                  format::shift(state_.tcpPose.position - old.position), jointName(joint),
-                                  format::degrees(turns[joint], 1));
-    notice_->show(NoticeBar::Kind::Question, tr("Touch up “%1”?").arg(before.name), text, tr("Touch up"),
-                  [this, id = before.id, taught = *after] { replaceByTouchUp(id, taught); });
-    setTouchUpGhost(Ghost{before.name, after->joints, before.move == project::MoveKind::Linear});
+    return tr("The current position is %1 away (%2, base frame). Largest joint change: %3 %4.")
+        .arg(format::difference(by.distance, by.angle), format::shift(state_.tcpPose.position - old.position),
+             jointName(joint), format::degrees(turns[joint], 1));
 }
 
-void WaypointsTab::replaceByTouchUp(const QUuid& id, const project::Waypoint& taught) {
-    // Use the position shown in the question, even if the arm has moved since.
+void WaypointsTab::replaceByTouchUp(const QUuid& id) {
     const int row = document_.waypoints().indexOf(id);
-    if (row >= 0) {
-        document_.changeWaypoint(row, taught, tr("Touch up “%1”").arg(taught.name));
+    if (row < 0) {
+        return;
+    }
+    if (const QString obstacle = positionObstacle(); !obstacle.isEmpty()) {
+        showProblem(obstacle);
+        return;
+    }
+    if (const std::optional<project::Waypoint> taught = taughtNow(row)) {
+        document_.changeWaypoint(row, *taught, tr("Touch up “%1”").arg(taught->name));
     }
 }
 

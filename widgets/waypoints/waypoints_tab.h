@@ -88,7 +88,8 @@ public Q_SLOTS:
     /// Adds a waypoint at the current position after the selected row.
     void teach();
     /// Shows the distance between the current position and the selected waypoint, and asks for confirmation
-    /// before replacing the waypoint.
+    /// before replacing the waypoint. The question follows the arm. The position at the confirmation is
+    /// stored.
     void touchUp();
     void selectWaypoint(const QUuid& id);
     void selectRow(int row);
@@ -126,10 +127,11 @@ private:
     Result<MoveRequest> goToRequest();
     Result<MoveRequest> moveTo(int row) const;
     void onComing();
-    void replaceByTouchUp(const QUuid& id, const project::Waypoint& taught);
+    /// The waypoint of this row at the current position; nullopt if its frame is missing.
+    std::optional<project::Waypoint> taughtNow(int row) const;
+    QString touchUpText(const QUuid& id) const;
+    void replaceByTouchUp(const QUuid& id);
     QString teachObstacle() const;
-    /// Why the current position cannot be stored now: also a moving arm, whose position at the time of the
-    /// press the operator does not know.
     QString positionObstacle() const;
     void showSpeed();
     void setTouchUpGhost(const std::optional<Ghost>& ghost);

@@ -49,6 +49,21 @@ QString cannotMoveReason(const SessionState& state) {
                : ReasonsText::tr("Not in control. Press “Take control” in the header.");
 }
 
+QString dataObstacle(const SessionState& state) {
+    if (state.link == LinkState::Live) {
+        return {};
+    }
+    return state.hasData() ? ReasonsText::tr("Robot data are out of date. Wait for new data.")
+                           : ReasonsText::tr("No robot is connected. Connect a robot, or try the simulator.");
+}
+
+QString storeObstacle(const SessionState& state) {
+    const QString obstacle = dataObstacle(state);
+    return obstacle.isEmpty() && state.moving
+               ? ReasonsText::tr("The arm is moving. Stop the arm first, then store the position.")
+               : obstacle;
+}
+
 StopCause stopCauseFor(const SessionState& state) {
     switch (state.link) {
         case LinkState::Stale:

@@ -14,6 +14,12 @@ namespace tiller {
 /// state.canMove().
 QString cannotMoveReason(const SessionState& state);
 
+/// Why the current position of the arm is unknown; empty if it is known.
+QString dataObstacle(const SessionState& state);
+/// Why the current position cannot be stored now. Includes a moving arm, whose position at the time of the
+/// press the operator does not know.
+QString storeObstacle(const SessionState& state);
+
 /// The cause to report when the arm can no longer be moved.
 control::StopCause stopCauseFor(const SessionState& state);
 

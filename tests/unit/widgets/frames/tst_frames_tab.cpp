@@ -180,7 +180,6 @@ private Q_SLOTS:
         QVERIFY2(notice()->text().contains("50.0 mm"), qPrintable(notice()->text()));
         QVERIFY2(notice()->text().contains("2 waypoints move with the frame"), qPrintable(notice()->text()));
         QVERIFY(frame(0).T_base_frame == before);
-        feed(beside(0.5, 0));  // the arm continues to move, but the displayed pose is stored
         click("notice.accept");
         QVERIFY(frame(0).T_base_frame == there);
         QVERIFY2(notice()->text().contains("2 waypoints moved with the frame"), qPrintable(notice()->text()));
@@ -188,6 +187,45 @@ private Q_SLOTS:
         document_->undoStack().undo();
         QVERIFY(frame(0).T_base_frame == before);
         QVERIFY(project::poseDifference(placeOf(0), place).distance < 1e-12);
+    }
+
+    // The question follows an arm that moves on. The pose at the confirmation is stored.
+    void touchUpFollowsTheArm() {
+        teachWithWaypoints(1);
+        const Pose before = frame(0).T_base_frame;
+        feed(beside(0.03, 0));
+        click("frame.touchUp");
+        QVERIFY2(notice()->text().contains("30.0 mm"), qPrintable(notice()->text()));
+        feed(beside(0.05, 0));
+        QTRY_VERIFY2_WITH_TIMEOUT(notice()->text().contains("50.0 mm"), qPrintable(notice()->text()), 60'000);
+        SessionState moving = liveAt(beside(0.06, 0));
+        moving.moving = true;
+        Q_EMIT session_->stateChanged(moving);
+        click("notice.accept");
+        QVERIFY(frame(0).T_base_frame == before);
+        QVERIFY2(notice()->title().contains("moving"), qPrintable(notice()->title()));
+        feed(beside(0.03, 0));
+        click("frame.touchUp");
+        feed(beside(0.07, 0));
+        click("notice.accept");
+        QVERIFY(frame(0).T_base_frame == beside(0.07, 0));
+    }
+
+    // A frame from three recorded points does not depend on the current position.
+    void touchUpFromThreePointsKeepsThePoints() {
+        teachWithWaypoints(1);
+        action("touchUpThreePoints")->trigger();
+        for (const Pose& pose : {beside(0.01, 0), beside(0.01, 0.1), beside(-0.1, 0)}) {
+            feed(pose);
+            QTest::keyClick(tab_.get(), Qt::Key_P);
+        }
+        click("frame.teacher.make");
+        const QString text = notice()->text();
+        feed(beside(0.5, 0));
+        QTest::qWait(150);
+        QCOMPARE(notice()->text(), text);
+        click("notice.accept");
+        QVERIFY((frame(0).T_base_frame.position - beside(0.01, 0).position).norm() < 1e-12);
     }
 
     void touchUpReportsUnreachableWaypoints() {

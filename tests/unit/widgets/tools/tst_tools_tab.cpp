@@ -451,6 +451,43 @@ private Q_SLOTS:
         everythingGoesThereAndBack(6);
     }
 
+    // The questions follow an arm that moves on. The position at the confirmation is stored.
+    void questionsAboutPositionsFollowTheArm() {
+        tab_->showPage(ToolsTab::Positions);
+        feed(liveState());
+        click("position.setHome");
+        const auto accept = [this] {
+            QTest::mouseClick(notice("position.page")->findChild<QPushButton*>("notice.accept"),
+                              Qt::LeftButton);
+        };
+        feed(liveState(moved(0, 0.3)));
+        action("position.action.touchUp")->trigger();
+        const QString text = notice("position.page")->text();
+        feed(liveState(moved(1, 0.5)));
+        QVERIFY2(notice("position.page")->text() != text, qPrintable(text));
+        SessionState moving = liveState(moved(1, 0.6));
+        moving.moving = true;
+        feed(moving);
+        accept();
+        QCOMPARE(document_->positions().homePosition()->joints, kReadyJoints);
+        QVERIFY(notice("position.page")->title().contains("moving"));
+        feed(liveState(moved(1, 0.5)));
+        action("position.action.touchUp")->trigger();
+        feed(liveState(moved(1, 0.7)));
+        accept();
+        QCOMPARE(document_->positions().homePosition()->joints, moved(1, 0.7));
+
+        click("position.setHome");
+        feed(moving);
+        accept();
+        QCOMPARE(document_->positions().homePosition()->joints, moved(1, 0.7));
+        feed(liveState());
+        click("position.setHome");
+        feed(liveState(moved(2, 0.2)));
+        accept();
+        QCOMPARE(document_->positions().homePosition()->joints, moved(2, 0.2));
+    }
+
     void safeHeightIsTaughtAndEntered() {
         tab_->showPage(ToolsTab::Positions);
         const SessionState state = liveState();

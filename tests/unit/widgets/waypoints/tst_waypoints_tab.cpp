@@ -147,13 +147,49 @@ private Q_SLOTS:
         QVERIFY(document_->waypoints().at(1) == before);
 
         click("waypoint.touchUp");
-        feed(liveState(moved(4, 0.9)));  // the arm continues to move, but the displayed pose is stored
         click("notice.accept");
         QCOMPARE(document_->waypoints().at(1).joints, live.q);
         QCOMPARE(document_->waypoints().at(1).name, before.name);
         QCOMPARE(document_->waypoints().at(1).id, before.id);
         document_->undoStack().undo();
         QVERIFY(document_->waypoints().at(1) == before);
+    }
+
+    // The arm moves while the question is open. Distance and ghost follow, and the position at the
+    // confirmation is stored.
+    void touchUpFollowsTheArm() {
+        teachThree();
+        tab_->selectRow(1);
+        const project::Waypoint before = document_->waypoints().at(1);
+        feed(liveState(moved(4, 0.2)));
+        click("waypoint.touchUp");
+        const QString text = notice()->text();
+        const SessionState later = liveState(moved(4, 0.9));
+        feed(later);
+        QTRY_VERIFY_WITH_TIMEOUT(notice()->text() != text, 60'000);
+        QVERIFY2(notice()->text().contains(QStringLiteral("mm")), qPrintable(notice()->text()));
+        QVERIFY(tab_->touchUpGhost().has_value());
+        QCOMPARE(tab_->touchUpGhost()->q, later.q);
+        click("notice.accept");
+        QCOMPARE(document_->waypoints().at(1).joints, later.q);
+        QCOMPARE(document_->waypoints().at(1).pose, later.tcpPose);
+        document_->undoStack().undo();
+        QVERIFY(document_->waypoints().at(1) == before);
+    }
+
+    void touchUpIsNotConfirmedWithAMovingArm() {
+        teachThree();
+        tab_->selectRow(1);
+        const project::Waypoint before = document_->waypoints().at(1);
+        feed(liveState(moved(4, 0.2)));
+        click("waypoint.touchUp");
+        SessionState moving = liveState(moved(4, 0.9));
+        moving.moving = true;
+        feed(moving);
+        click("notice.accept");
+        QVERIFY(document_->waypoints().at(1) == before);
+        QVERIFY(notice()->isVisible());
+        QVERIFY2(notice()->title().contains(QStringLiteral("moving")), qPrintable(notice()->title()));
     }
 
     void changedSelectionCancelsTheQuestion() {
