@@ -46,19 +46,26 @@ QStringList firstLines(const QString& path) {
     return lines;
 }
 
-QStringList headingsOf(const QStringList& lines) {
+bool isContent(const QString& line) {
+    return !line.isEmpty() && !line.startsWith(QLatin1Char('#'));
+}
+
+QStringList cellsOf(const QString& line, std::optional<char> separator) {
     static const QRegularExpression kSeparators(QStringLiteral("[,;\\t|]"));
-    for (const QString& line : lines) {
-        if (!line.isEmpty() && !line.startsWith(QLatin1Char('#'))) {
-            QStringList names = line.split(kSeparators);
-            for (QString& name : names) {
-                name = name.trimmed().remove(QLatin1Char('"'));
-            }
-            names.removeAll(QString());
-            return names;
-        }
+    static const QRegularExpression kBlanks(QStringLiteral("\\s+"));
+    QStringList cells = !separator          ? line.split(kSeparators)
+                        : *separator == ' ' ? line.split(kBlanks, Qt::SkipEmptyParts)
+                                            : line.split(QLatin1Char(*separator));
+    for (QString& cell : cells) {
+        cell = cell.trimmed().remove(QLatin1Char('"'));
     }
-    return {};
+    return cells;
+}
+
+bool isNumber(const QString& cell) {
+    bool ok = false;
+    (void)cell.toDouble(&ok);
+    return ok;
 }
 
 template <class Value>
@@ -74,8 +81,9 @@ std::optional<Value> chosen(const ChoiceBox& box) {
 
 }  // namespace
 
-OpenTableDialog::OpenTableDialog(const QString& path, const recording::TableFormat& format, QWidget* parent)
-    : QDialog(parent) {
+OpenTableDialog::OpenTableDialog(const QString& path, const recording::TableFormat& format,
+                                 const QString& reason, QWidget* parent)
+    : QDialog(parent), lines_(firstLines(path)) {
     setObjectName(QStringLiteral("plots.table.dialog"));
     setWindowTitle(tr("Open table"));
     setAttribute(Qt::WA_DeleteOnClose);
@@ -84,26 +92,24 @@ OpenTableDialog::OpenTableDialog(const QString& path, const recording::TableForm
                        .arg(QFileInfo(path).fileName()));
     words->setWordWrap(true);
     words->setMinimumWidth(kTextWidth);
-    const QStringList lines = firstLines(path);
-    auto* preview = new QPlainTextEdit(lines.join(QLatin1Char('\n')));
+    auto* why = new QLabel(tr("Reason: %1").arg(reason.section(QStringLiteral(" Decided by:"), 0, 0)));
+    why->setObjectName(QStringLiteral("plots.table.reason"));
+    why->setWordWrap(true);
+    why->setMinimumWidth(kTextWidth);
+    why->setVisible(!reason.isEmpty());
+    auto* preview = new QPlainTextEdit(lines_.join(QLatin1Char('\n')));
     preview->setObjectName(QStringLiteral("plots.table.preview"));
     preview->setAccessibleName(tr("First lines of the file"));
     preview->setReadOnly(true);
     preview->setLineWrapMode(QPlainTextEdit::NoWrap);
     preview->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
     preview->setFixedHeight(kPreviewHeight);
-    preview->setVisible(!lines.isEmpty());
+    preview->setVisible(!lines_.isEmpty());
 
     auto* form = new QFormLayout;
     time_ = box("time", tr("Time column"));
     time_->setEditable(true);
     time_->addItem(tr("No time column"));
-    time_->addItems(headingsOf(lines));
-    if (format.timeColumn && !format.timeColumn->empty()) {
-        time_->setCurrentText(QString::fromStdString(*format.timeColumn));
-    } else {
-        time_->setCurrentIndex(0);
-    }
     using recording::TimeUnit;
     unit_ = box("unit", tr("Time unit"));
     unit_->addItem(tr("Detect"));
@@ -140,6 +146,15 @@ OpenTableDialog::OpenTableDialog(const QString& path, const recording::TableForm
          std::initializer_list<QWidget*>{time_, unit_, rate_, separator_, decimal_, header_}) {
         form->addRow(each->accessibleName(), each);
     }
+    listColumns();
+    if (format.timeColumn && !format.timeColumn->empty()) {
+        time_->setCurrentText(QString::fromStdString(*format.timeColumn));
+    } else {
+        time_->setCurrentIndex(0);
+    }
+    for (const ChoiceBox* each : {separator_, header_}) {
+        connect(each, &QComboBox::currentIndexChanged, this, &OpenTableDialog::listColumns);
+    }
     const auto follow = [this] {
         const bool hasTime = time_->currentText() != time_->itemText(0);
         unit_->setEnabled(hasTime);
@@ -154,6 +169,7 @@ OpenTableDialog::OpenTableDialog(const QString& path, const recording::TableForm
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(words);
+    layout->addWidget(why);
     layout->addWidget(preview);
     layout->addLayout(form);
     layout->addWidget(buttons);
@@ -168,16 +184,51 @@ ChoiceBox* OpenTableDialog::box(const char* name, const QString& text) {
 
 QString OpenTableDialog::headerOf(const QString& path) {
     const QStringList lines = firstLines(path);
-    const auto isName = [](const QString& text) {
-        bool isNumber = false;
-        text.toDouble(&isNumber);
-        return !isNumber;
-    };
-    const auto header = std::find_if(lines.begin(), lines.end(), [](const QString& line) {
-        return !line.isEmpty() && !line.startsWith(QLatin1Char('#'));
-    });
-    const QStringList names = headingsOf(lines);
-    return std::any_of(names.begin(), names.end(), isName) ? *header : QString();
+    const auto header = std::find_if(lines.cbegin(), lines.cend(), isContent);
+    if (header == lines.cend()) {
+        return {};
+    }
+    const QStringList names = cellsOf(*header, std::nullopt);
+    const auto isName = [](const QString& name) { return !name.isEmpty() && !isNumber(name); };
+    return std::any_of(names.cbegin(), names.cend(), isName) ? *header : QString();
+}
+
+/// The names of the columns with the current choice: those of the header, otherwise "column 1", ...
+QStringList OpenTableDialog::columnNames() const {
+    const auto first = std::find_if(lines_.cbegin(), lines_.cend(), isContent);
+    if (first == lines_.cend()) {
+        return {};
+    }
+    const std::optional<char> separator = chosen<char>(*separator_);
+    QStringList names = cellsOf(*first, separator);
+    const bool isData = std::any_of(names.cbegin(), names.cend(), isNumber);
+    if (chosen<bool>(*header_).value_or(!isData)) {
+        static const QRegularExpression kUnit(QStringLiteral("\\s*\\[[^\\]]*\\]$"));
+        for (QString& name : names) {
+            name.remove(kUnit);
+        }
+        names.removeAll(QString());
+        return names;
+    }
+    for (qsizetype i = 0; i < names.size(); ++i) {
+        names[i] = QStringLiteral("column %1").arg(i + 1);
+    }
+    return names;
+}
+
+/// Keeps the selected column, which may have another name now.
+void OpenTableDialog::listColumns() {
+    const int index = time_->findText(time_->currentText());
+    const QString typed = time_->currentText();
+    while (time_->count() > 1) {
+        time_->removeItem(1);
+    }
+    time_->addItems(columnNames());
+    if (index >= 0) {
+        time_->setCurrentIndex(index < time_->count() ? index : 0);
+    } else {
+        time_->setCurrentText(typed);
+    }
 }
 
 recording::TableFormat OpenTableDialog::format() const {

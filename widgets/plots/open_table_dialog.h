@@ -17,7 +17,10 @@ class OpenTableDialog : public QDialog {
     Q_OBJECT
 
 public:
-    OpenTableDialog(const QString& path, const recording::TableFormat& format, QWidget* parent = nullptr);
+    /// format  the previous choice
+    /// reason  why the table cannot be read with it
+    OpenTableDialog(const QString& path, const recording::TableFormat& format, const QString& reason,
+                    QWidget* parent = nullptr);
 
     recording::TableFormat format() const;
     /// The first line of a text file with column names; empty for other files.
@@ -25,7 +28,10 @@ public:
 
 private:
     ChoiceBox* box(const char* name, const QString& text);
+    QStringList columnNames() const;
+    void listColumns();
 
+    QStringList lines_;  ///< the first lines of the file
     ChoiceBox* time_;
     ChoiceBox* unit_;
     DecimalSpinBox* rate_;

@@ -490,7 +490,7 @@ void PlotDock::openRecording(const QString& path, std::optional<double> at,
             if (*opened) {
                 showRecording(std::move(**opened), incident, at);
             } else if (opened->error().code == ErrorCode::InvalidArgument) {
-                askForFormat(path, at, format);
+                askForFormat(path, at, format, opened->error().controllerMessage);
             } else {
                 Q_EMIT session_.message(Severity::Error, texts::errorText(opened->error()));
             }
@@ -499,10 +499,10 @@ void PlotDock::openRecording(const QString& path, std::optional<double> at,
 }
 
 void PlotDock::askForFormat(const QString& path, std::optional<double> moment,
-                            const recording::TableFormat& format) {
+                            const recording::TableFormat& format, const QString& reason) {
     const QString header = OpenTableDialog::headerOf(path);
     const bool isFirst = format == recording::TableFormat{};
-    auto* dialog = new OpenTableDialog(path, isFirst ? tables_.value(header) : format, this);
+    auto* dialog = new OpenTableDialog(path, isFirst ? tables_.value(header) : format, reason, this);
     connect(dialog, &QDialog::accepted, this, [this, dialog, path, moment, header] {
         if (!header.isEmpty()) {
             tables_[header] = dialog->format();
@@ -576,9 +576,14 @@ PageLayout PlotDock::pageFor(const QString& recording) const {
     if (page.panes.isEmpty()) {
         constexpr qsizetype kFirst = 4;
         page.panes.append(PaneLayout{});
+        const recording::Recording& file = *store_->recorded(recording);
+        const std::optional<std::size_t> timeColumn = file.timeColumn();
+        const QString time =
+            timeColumn ? QString::fromStdString(file.columns()[*timeColumn].name) : QString();
         for (const int signal : store_->signalsOf(recording)) {
             const SignalInfo& info = store_->info(signal);
-            if (!info.isState() && !isTime(info.field) && page.panes[0].shown.size() < kFirst) {
+            if (!info.isState() && !isTime(info.field) && info.field != time &&
+                page.panes[0].shown.size() < kFirst) {
                 page.panes[0].shown.append(info.key);
             }
         }

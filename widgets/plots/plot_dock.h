@@ -155,8 +155,8 @@ private:
     QString picturesTitle() const;
     QString historyText() const;
     void askForRecording();
-    void askForFormat(const QString& path, std::optional<double> moment,
-                      const recording::TableFormat& format);
+    void askForFormat(const QString& path, std::optional<double> moment, const recording::TableFormat& format,
+                      const QString& reason);
     void showRecording(std::unique_ptr<recording::Recording> file, std::optional<double> incident,
                        std::optional<double> moment);
     void goTo(const QString& recording, std::optional<double> moment);

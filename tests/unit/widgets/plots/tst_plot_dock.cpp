@@ -1978,6 +1978,60 @@ private Q_SLOTS:
         QCOMPARE(OpenTableDialog::headerOf(numbers.fileName()), QString());
     }
 
+    void aTableWithoutAHeaderOffersItsColumnsByNumber() {
+        Bench b;
+        QTemporaryDir folder;
+        const QString path = folder.filePath("bare.csv");
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        for (int i = 0; i < 100; ++i) {
+            file.write(QByteArray::number(10 * i) + ',' + QByteArray::number(i) + ",5\n");
+        }
+        file.close();
+        const auto dialog = [&] { return b.dock.findChild<QDialog*>("plots.table.dialog"); };
+        const auto box = [&](const char* name) {
+            return dialog()->findChild<QComboBox*>(QStringLiteral("plots.table.") + QLatin1String(name));
+        };
+        const auto names = [&] {
+            QStringList all;
+            for (int i = 1; i < box("time")->count(); ++i) {
+                all << box("time")->itemText(i);
+            }
+            return all;
+        };
+        const auto open = [&] {
+            QTest::mouseClick(dialog()->findChild<QPushButton*>("plots.table.open"), Qt::LeftButton);
+        };
+        const QStringList numbered{"column 1", "column 2", "column 3"};
+        b.dock.openRecording(path);
+        QTRY_VERIFY_WITH_TIMEOUT(dialog() != nullptr, 60'000);
+        QCOMPARE(names(), numbered);
+        // The names follow the choice, and the selected column is kept.
+        box("time")->setCurrentIndex(1);
+        box("header")->setCurrentIndex(box("header")->findData(1));
+        QCOMPARE(names(), QStringList({"0", "0", "5"}));
+        QCOMPARE(box("time")->currentIndex(), 1);
+        box("header")->setCurrentIndex(box("header")->findData(0));
+        QCOMPARE(names(), numbered);
+        QCOMPARE(box("time")->currentText(), QStringLiteral("column 1"));
+        // The unit is unknown. The dialog opens again with the reason.
+        QPointer<QDialog> first = dialog();
+        open();
+        QTRY_VERIFY_WITH_TIMEOUT(first.isNull() && dialog() != nullptr, 60'000);
+        const QString reason = dialog()->findChild<QLabel*>("plots.table.reason")->text();
+        QVERIFY2(reason.contains("unit") && !reason.contains("--"), qPrintable(reason));
+        QCOMPARE(box("time")->currentText(), QStringLiteral("column 1"));
+        box("unit")->setCurrentIndex(box("unit")->findText("ms"));
+        open();
+        QTRY_COMPARE_WITH_TIMEOUT(b.dock.pages().count(), 2, 60'000);
+        // The time column is not a curve.
+        QStringList shown;
+        for (const int signal : b.dock.pages().view().panes().front()->shown()) {
+            shown << b.dock.store().info(signal).field;
+        }
+        QCOMPARE(shown, QStringList({"column 2", "column 3"}));
+    }
+
     void aRecordingIsComparedWithTheModelOfItsArm() {
         Bench b;
         QTemporaryDir folder;
