@@ -30,7 +30,6 @@ SceneDock::SceneDock(RobotSession& session, QWidget* parent)
 }
 
 void SceneDock::setReplay(const Replay& moment) {
-    band_->tell(moment ? moment->words() : QString());
     std::optional<ReplayMark> mark;
     if (moment) {
         mark = ReplayMark{JointPositions(), moment->words()};
@@ -38,7 +37,12 @@ void SceneDock::setReplay(const Replay& moment) {
         if (!moment->sample.isEmpty()) {
             mark->q = receive::RobotState(moment->sample).q();
         }
+        if (!mark->q.allFinite()) {
+            // First, because the end of the text may be elided.
+            mark->words = tr("No joint positions to replay") + QStringLiteral(" · ") + mark->words;
+        }
     }
+    band_->tell(mark ? mark->words : QString());
     view_->setReplay(mark);
 }
 

@@ -203,7 +203,9 @@ void ScenePainter::headline(const QRectF& box, const QString& text) {
 void ScenePainter::note(const QRectF& box, const QString& text) {
     if (!text.isEmpty()) {
         painter_.setFont(textFont(13));
-        label(box, Qt::AlignLeft | Qt::AlignVCenter, text, theme_.secondary);
+        label(box, Qt::AlignLeft | Qt::AlignVCenter,
+              painter_.fontMetrics().elidedText(text, Qt::ElideRight, static_cast<int>(box.width())),
+              theme_.secondary);
     }
 }
 

@@ -193,6 +193,13 @@ void SceneView::setReplay(const std::optional<ReplayMark>& replay) {
     }
 }
 
+QString SceneView::replayHeadline() const {
+    if (!replay_) {
+        return {};
+    }
+    return replay_->q.allFinite() ? tr("REPLAY") : haveJoints_ && !stale_ ? tr("LIVE ARM") : QString();
+}
+
 void SceneView::setWaypoints(const std::vector<WaypointMark>& waypoints) {
     waypoints_ = waypoints;
     changed();
@@ -407,10 +414,10 @@ void SceneView::placeKeys() {
     keys_->setVisible(keys_->sizeHint().width() + 2 * kKeysAt <= width());
 }
 
-QString SceneView::hiddenText() const {
-    return hiddenLabels_ == 0   ? QString()
-           : hiddenLabels_ == 1 ? tr("1 name hidden: zoom in")
-                                : tr("%n names hidden: zoom in", nullptr, hiddenLabels_);
+QString SceneView::hiddenText(int labels) {
+    return labels == 0   ? QString()
+           : labels == 1 ? tr("1 name hidden: zoom in")
+                         : tr("%n names hidden: zoom in", nullptr, labels);
 }
 
 void SceneView::drawNames(ScenePainter& scene, const QSizeF& size, const QRectF& arrowName) {
@@ -465,7 +472,10 @@ void SceneView::drawNames(ScenePainter& scene, const QSizeF& size, const QRectF&
         }
     }
     // Reserve the line that shows the number of hidden labels.
-    const QRectF line(12, size.height() - 28, size.width() / 2, 22);
+    constexpr double kLineMargin = 12;
+    const double words = QFontMetricsF(textFont(13)).horizontalAdvance(hiddenText(99)) + 2;
+    const QRectF line(kLineMargin, size.height() - 28,
+                      std::min(std::max(size.width() / 2, words), size.width() - 2 * kLineMargin), 22);
     placer.block(line);
     std::stable_partition(names.begin(), names.end(), [](const Name& name) { return name.selected; });
     labels_.clear();
@@ -594,10 +604,10 @@ void SceneView::paintScene(QPainter& painter, const QSizeF& size) {
         scene.axes(frame.T_base_frame.transform(), kFrameAxes * reach / 0.85, !frame.selected);
     }
     drawNames(scene, size, arrowName);
-    if (replay_) {
+    if (const QString replay = replayHeadline(); !replay.isEmpty()) {
         const double height = size.height() * 0.16;
         const double below = std::min(coveredBelow_, size.height() / 4);
-        scene.headline(QRectF(0, size.height() - below - height, size.width(), height), tr("REPLAY"));
+        scene.headline(QRectF(0, size.height() - below - height, size.width(), height), replay);
     }
     if (stale_ && !staleWord_.isEmpty()) {
         scene.headline(QRectF(QPointF(0, 0), QSizeF(size.width(), size.height() * 0.24)), staleWord_);

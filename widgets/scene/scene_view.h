@@ -59,6 +59,8 @@ public:
     /// Also shows the arm at a past time, with a text above the arm. Empty if there is none.
     void setReplay(const std::optional<ReplayMark>& replay);
     const std::optional<ReplayMark>& replay() const { return replay_; }
+    /// The large text during replay; empty if there is none. The live arm alone is not labelled as a replay.
+    QString replayHeadline() const;
     void setWaypoints(const std::vector<WaypointMark>& waypoints);
     void setFrames(const std::vector<FrameMark>& frames);
     const std::vector<FrameMark>& frames() const { return frames_; }
@@ -92,7 +94,7 @@ public:
     const std::vector<PlacedLabel>& labels() const { return labels_; }
     int hiddenLabels() const { return hiddenLabels_; }
     /// Text with the number of hidden labels; empty if all labels are visible.
-    QString hiddenText() const;
+    QString hiddenText() const { return hiddenText(hiddenLabels_); }
 
     /// Draws one frame. Called by paintEvent(), benchmarks and the image export.
     void paintScene(QPainter& painter, const QSizeF& size);
@@ -127,6 +129,7 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
+    static QString hiddenText(int labels);
     /// Schedules a repaint, at most 60 per second.
     void changed();
     /// True if the arm has visibly moved since the last image.

@@ -9,10 +9,14 @@
 #include <QToolButton>
 #include <QWheelEvent>
 #include <cmath>
+#include <limits>
 
 #include "robot/collision/arm_body.h"
 #include "robot/kinematics/arm_kinematics.h"
+#include "robot/station/link/robot_session.h"
+#include "widgets/common/replay_band.h"
 #include "widgets/common/theme.h"
+#include "widgets/scene/scene_dock.h"
 #include "widgets/scene/scene_view.h"
 
 using namespace tiller;
@@ -159,6 +163,34 @@ class TestSceneView : public QObject {
 
 private Q_SLOTS:
     void initTestCase() { applyTheme(*qApp, Theme::light()); }
+
+    void aReplayWithoutJointPositionsIsNotLabelledAsReplay() {
+        SceneView view;
+        view.setState(live(kStance));
+        QVERIFY(view.replayHeadline().isEmpty());
+        ReplayMark mark{kStance, QStringLiteral("REPLAY")};
+        view.setReplay(mark);
+        QCOMPARE(view.replayHeadline(), QStringLiteral("REPLAY"));
+        mark.q[2] = std::numeric_limits<double>::quiet_NaN();
+        view.setReplay(mark);
+        QCOMPARE(view.replayHeadline(), QStringLiteral("LIVE ARM"));
+        view.setState(SessionState());
+        QVERIFY2(view.replayHeadline().isEmpty(), "no arm is shown");
+    }
+
+    void theReplayBandReportsMissingJointPositions() {
+        RobotSession session;
+        session.shutDown();
+        SceneDock dock(session);
+        ReplayMoment moment;
+        moment.source = QStringLiteral("lab.csv");
+        dock.setReplay(moment);
+        const auto* band = dock.findChild<ReplayBand*>();
+        QVERIFY(band != nullptr);
+        QVERIFY2(band->words().contains("No joint positions"), qPrintable(band->words()));
+        dock.setReplay({});
+        QVERIFY(!band->words().contains("No joint positions"));
+    }
 
     void aPointStraightAheadIsCentred() {
         Camera camera;
