@@ -68,7 +68,8 @@ GoThroughBar::GoThroughBar(MotionPort port, HoldPolicy& policy, ActionPort actio
         stop(control::StopCause::SelectionChanged);
         goThrough_.setLoop(loop);
     });
-    connect(&goThrough_, &RouteRunner::failed, this, &GoThroughBar::refused);
+    connect(&goThrough_, &RouteRunner::failed, this,
+            [this](const QString& reason) { Q_EMIT refused(reason, false); });
     connect(&goThrough_, &RouteRunner::routeChanged, this, &GoThroughBar::showRoute);
     showRoute();
 }
@@ -86,8 +87,9 @@ HoldToRunButton* GoThroughBar::addKey(const QString& text, const QString& object
     key->setMotion(goThrough_.motion(way));
     connect(&key->guard(), &HoldGuard::began, this, &GoThroughBar::comingChanged);
     connect(&key->guard(), &HoldGuard::ended, this, &GoThroughBar::comingChanged);
-    connect(&key->guard(), &HoldGuard::refused, this,
-            [this](const Error& error) { Q_EMIT refused(RouteRunner::whyNot(error)); });
+    connect(&key->guard(), &HoldGuard::refused, this, [this](const Error& error) {
+        Q_EMIT refused(RouteRunner::whyNot(error), error.code == ErrorCode::Cancelled);
+    });
     keys_[static_cast<std::size_t>(way)] = key;
     return key;
 }

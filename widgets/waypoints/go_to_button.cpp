@@ -41,7 +41,7 @@ GoToButton::GoToButton(MotionPort port, HoldPolicy& policy, Target target, QWidg
     });
     connect(&guard(), &HoldGuard::refused, this, [this](const Error& error) {
         const bool said = error.code == ErrorCode::NoSolution || error.code == ErrorCode::Cancelled;
-        Q_EMIT refused(said ? error.context : texts::errorText(error));
+        Q_EMIT refused(said ? error.context : texts::errorText(error), error.code == ErrorCode::Cancelled);
     });
 }
 

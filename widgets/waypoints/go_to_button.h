@@ -29,7 +29,8 @@ public:
 
 Q_SIGNALS:
     /// A press had no effect for this reason.
-    void refused(const QString& reason);
+    /// passing  true if the reason disappears by itself, e.g. because another button is held
+    void refused(const QString& reason, bool passing);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -2,6 +2,7 @@
 #include "widgets/waypoints/waypoints_tab.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QItemSelectionModel>
@@ -34,6 +35,12 @@
 #include "widgets/waypoints/waypoint_table.h"
 
 namespace tiller {
+namespace {
+
+/// Cause of the notice about a press that had no effect because of a passing state.
+constexpr char kPassing[] = "waypoint.passing";
+
+}  // namespace
 
 WaypointsTab::WaypointsTab(RobotSession& session, UndoableDocument& document, HoldPolicy& policy,
                            QWidget* parent)
@@ -169,8 +176,23 @@ void WaypointsTab::buildLayout(MotionPort port, HoldPolicy& policy) {
 
     connect(teach_, &QPushButton::clicked, this, &WaypointsTab::teach);
     connect(touchUp_, &QPushButton::clicked, this, &WaypointsTab::touchUp);
-    const auto refuse = [this](const QString& reason) {
-        showProblem(reason);
+    // A reason that disappears by itself is also in the log, so its notice need not be closed by hand.
+    passing_.setSingleShot(true);
+    passing_.setInterval(kPassingMs);
+    connect(&passing_, &QTimer::timeout, this, [this, &policy] {
+        if (policy.holding != nullptr || QApplication::mouseButtons() != Qt::NoButton) {
+            passing_.start();
+        } else {
+            notice_->resolve(QLatin1String(kPassing));
+        }
+    });
+    const auto refuse = [this](const QString& reason, bool passing) {
+        setTouchUpGhost(std::nullopt);
+        notice_->show(NoticeBar::Kind::Warning,
+                      {.title = reason, .text = {}, .cause = passing ? QLatin1String(kPassing) : QString()});
+        if (passing) {
+            passing_.start();
+        }
         Q_EMIT message(Severity::Warning, reason);
     };
     connect(goTo_, &GoToButton::refused, this, refuse);

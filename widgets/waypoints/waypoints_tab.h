@@ -77,6 +77,9 @@ public:
     /// Row of the selected waypoint; -1 for none.
     int currentRow() const;
 
+    /// Minimum time for which a notice about a passing state is shown [ms].
+    static constexpr int kPassingMs = 5000;
+
     /// Includes the details, even if they are hidden.
     QSize minimumSizeHint() const override;
 
@@ -147,6 +150,7 @@ private:
     std::unique_ptr<WaypointModel> model_;
     QList<QAction*> actions_;
     QTimer detailsTimer_;
+    QTimer passing_;
     QUuid lastSelected_;
     std::optional<Ghost> touchUpGhost_;
 

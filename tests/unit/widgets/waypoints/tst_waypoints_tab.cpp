@@ -192,6 +192,19 @@ private Q_SLOTS:
         QVERIFY2(notice()->title().contains(QStringLiteral("moving")), qPrintable(notice()->title()));
     }
 
+    // Its reason passes by itself, and the log keeps the text.
+    void aPressDuringAnotherHoldShowsAPassingNotice() {
+        teachThree();
+        tab_->selectRow(0);
+        QWidget other;
+        HoldRules hold(policy_, [&hold](StopCause) { hold.end(); });
+        hold.begin(&other, {HoldSource::By::Keys}, {});
+        QVERIFY(!goTo()->guard().press({HoldSource::By::Keys}));
+        QVERIFY(notice()->isVisible());
+        QVERIFY2(notice()->title().contains("already held"), qPrintable(notice()->title()));
+        QTRY_VERIFY_WITH_TIMEOUT(!notice()->isVisible(), 60'000);
+    }
+
     void changedSelectionCancelsTheQuestion() {
         teachThree();
         tab_->selectRow(1);
