@@ -181,6 +181,24 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(bench.page() == nullptr, 60'000);
     }
 
+    // The values after the stop are not shown as those before it.
+    void aStopBeforeTheConnectionHasNoCurves() {
+        Bench bench;
+        QVERIFY2(bench.bringUp(), qPrintable(bench.cell.what()));
+        bench.cell.robot.protectiveStop();
+        bench.cell.advanceMs(200);
+        RobotSession& session = bench.window.session();
+        session.connectTo(RobotAddress(session.address()));
+        QVERIFY(bench.until([&] { return session.state().link == LinkState::Live; }));
+        QVERIFY(bench.openPage());
+        const QList<StopPlot*> plots = bench.page()->findChildren<StopPlot*>();
+        QCOMPARE(plots.size(), 3);
+        for (const StopPlot* plot : plots) {
+            QVERIFY2(plot->accessibleDescription().contains("no data"),
+                     qPrintable(plot->accessibleDescription()));
+        }
+    }
+
     void releasedEmergencyStopCanBeRecovered() {
         Bench bench;
         QVERIFY2(bench.bringUp(), qPrintable(bench.cell.what()));

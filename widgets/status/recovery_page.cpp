@@ -56,8 +56,10 @@ void StopPlot::show(const StopRecord& record, const Value& value, const std::fun
         curve_.append({point.time - record.stoppedAt, y});
         peak = std::max(peak, std::abs(y));
     }
-    peak_ = text(peak);
-    setAccessibleDescription(tr("Maximum in the last five seconds: %1").arg(peak_));
+    // After a stop before the connection, the only point is from after the stop.
+    const bool isMeasured = curve_.size() > 1;
+    peak_ = isMeasured ? tr("max %1").arg(text(peak)) : tr("no data before the stop");
+    setAccessibleDescription(isMeasured ? tr("Maximum in the last five seconds: %1").arg(text(peak)) : peak_);
     update();
 }
 
@@ -71,8 +73,7 @@ void StopPlot::paintEvent(QPaintEvent*) {
     painter.setPen(theme.secondary);
     painter.drawText(QRectF(0, 0, width(), kTop - 2), Qt::AlignLeft | Qt::AlignVCenter, title_);
     painter.setFont(numberFont(13));
-    painter.drawText(QRectF(0, 0, width(), kTop - 2), Qt::AlignRight | Qt::AlignVCenter,
-                     tr("max %1").arg(peak_));
+    painter.drawText(QRectF(0, 0, width(), kTop - 2), Qt::AlignRight | Qt::AlignVCenter, peak_);
     painter.setPen(theme.border);
     painter.setBrush(theme.raised);
     painter.drawRect(area);
