@@ -88,7 +88,7 @@ void connectAsAsked(app::MainWindow& window, const app::CommandLine& line) {
             window.connectSimulator();
             break;
         case app::CommandLine::Start::Robot:
-            window.connectRobot({line.robotHost, line.robotHost, 0, false});
+            window.connectToHost(line.robotHost);
             break;
         case app::CommandLine::Start::Ask:
             break;

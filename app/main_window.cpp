@@ -677,6 +677,10 @@ void MainWindow::connectRobot(const RobotAddress& address) {
     });
 }
 
+void MainWindow::connectToHost(const QString& host) {
+    connectRobot(settings_.robotAt(host));
+}
+
 // Stores only robots that have responded, so that mistyped addresses are not offered.
 void MainWindow::rememberRobot(const SessionState& state) {
     if (toRemember_ && state.link == LinkState::Live) {

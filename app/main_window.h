@@ -91,6 +91,8 @@ public:
     /// Connects to the simulated robot in this process, starting it if necessary.
     void connectSimulator();
     void connectRobot(const RobotAddress& address);
+    /// Connects to this address with the name and ports that it had before.
+    void connectToHost(const QString& host);
     /// Makes a simulated controller in this process the simulated robot of the window, for the first steps
     /// and the practice tasks. The controller must exist until null is passed.
     void practiseOn(simulator::Simulator* controller) { simulator_.borrow(controller); }

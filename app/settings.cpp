@@ -122,6 +122,13 @@ QVector<RobotAddress> Settings::rememberedRobots() const {
     return robotsIn(SettingsView(file_));
 }
 
+RobotAddress Settings::robotAt(const QString& host) const {
+    const QVector<RobotAddress> robots = rememberedRobots();
+    const auto known = std::find_if(robots.cbegin(), robots.cend(),
+                                    [&host](const RobotAddress& robot) { return robot.host == host; });
+    return known == robots.cend() ? RobotAddress{host, host, 0, false} : *known;
+}
+
 void Settings::rememberRobot(const RobotAddress& robot) {
     (void)edit([&robot](SettingsEdit& settings) {
         QVector<RobotAddress> robots = robotsIn(settings);

@@ -37,6 +37,8 @@ public:
 
     /// Remembered robots, newest first, without the simulated robot.
     QVector<RobotAddress> rememberedRobots() const;
+    /// The remembered robot with this address, or a robot that is named after its address.
+    RobotAddress robotAt(const QString& host) const;
     void rememberRobot(const RobotAddress& robot);
     void forgetRobot(const RobotAddress& robot);
     QString theme() const;  ///< "light" or "dark"; empty if the user never selected a theme

@@ -231,6 +231,25 @@ private Q_SLOTS:
         QCOMPARE(app::Settings(file()).rememberedRobots().first().name, QStringLiteral("Bench"));
     }
 
+    // As with --robot ADDRESS.
+    void aKnownAddressKeepsItsName() {
+        simulator::SimulatorOptions options;
+        options.anyFreePorts = false;
+        options.listenAddress = QStringLiteral("127.0.0.63");
+        simulator::Simulator robot(options);
+        QVERIFY(robot.start().ok());
+        app::Settings(file()).rememberRobot({"Left arm", "127.0.0.63", 0, false});
+        app::MainWindow window{app::Settings(file())};
+        window.show();
+        window.connectToHost(QStringLiteral("127.0.0.63"));
+        QTRY_COMPARE_WITH_TIMEOUT(window.session().state().link, LinkState::Live, 60'000);
+        QCOMPARE(window.session().state().robotName, QStringLiteral("Left arm"));
+        QCOMPARE(app::Settings(file()).rememberedRobots().size(), 1);
+        QCOMPARE(app::Settings(file()).rememberedRobots().first().name, QStringLiteral("Left arm"));
+        QCOMPARE(app::Settings(file()).robotAt(QStringLiteral("127.0.0.64")).name,
+                 QStringLiteral("127.0.0.64"));
+    }
+
     void aRobotIsCheckedBeforeConnecting() {
         VirtualClock clock;
         app::MainWindow window(app::Settings(file()), clock);
