@@ -4575,8 +4575,16 @@
         <translation>Auswahl oder Zusatztaste geändert</translation>
     </message>
     <message>
-        <source>this PC was too busy</source>
-        <translation>dieser PC war überlastet</translation>
+        <source>the window did not respond</source>
+        <translation>das Fenster reagierte nicht</translation>
+    </message>
+    <message>
+        <source>not measured: another program moves the arm</source>
+        <translation>nicht gemessen: ein anderes Programm bewegt den Arm</translation>
+    </message>
+    <message>
+        <source>not measured: no data during the stop</source>
+        <translation>nicht gemessen: keine Daten während des Stopps</translation>
     </message>
 </context>
 <context>
@@ -6175,6 +6183,10 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <source>MONITOR ONLY</source>
         <translation>NUR BEOBACHTEN</translation>
     </message>
+    <message>
+        <source>Cause: %1 (%2)</source>
+        <translation>Ursache: %1 (%2)</translation>
+    </message>
 </context>
 <context>
     <name>tiller::HoldRules</name>
@@ -6501,6 +6513,10 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
     <message>
         <source>Press for one step</source>
         <translation>Drücken: ein Schritt</translation>
+    </message>
+    <message>
+        <source>Last stop: %1 (%2)</source>
+        <translation>Letzter Stopp: %1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -9653,6 +9669,10 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     <message>
         <source>The program of the other client has ended.</source>
         <translation>Das Programm des anderen Clients ist beendet.</translation>
+    </message>
+    <message>
+        <source>Stopped: %1 (%2)</source>
+        <translation>Gestoppt: %1 (%2)</translation>
     </message>
 </context>
 <context>

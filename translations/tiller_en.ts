@@ -4575,7 +4575,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>this PC was too busy</source>
+        <source>the window did not respond</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not measured: another program moves the arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not measured: no data during the stop</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6171,6 +6179,10 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <source>MONITOR ONLY</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Cause: %1 (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::HoldRules</name>
@@ -6493,6 +6505,10 @@ Right-click or press F2 to rename it.</source>
     </message>
     <message>
         <source>Press for one step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last stop: %1 (%2)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9639,6 +9655,10 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>The program of the other client has ended.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopped: %1 (%2)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

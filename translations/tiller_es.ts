@@ -4575,8 +4575,16 @@
         <translation>cambió la selección o una tecla modificadora</translation>
     </message>
     <message>
-        <source>this PC was too busy</source>
-        <translation>este PC estaba sobrecargado</translation>
+        <source>the window did not respond</source>
+        <translation>la ventana no respondía</translation>
+    </message>
+    <message>
+        <source>not measured: another program moves the arm</source>
+        <translation>no medido: otro programa mueve el brazo</translation>
+    </message>
+    <message>
+        <source>not measured: no data during the stop</source>
+        <translation>no medido: sin datos durante la parada</translation>
     </message>
 </context>
 <context>
@@ -6175,6 +6183,10 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <source>MONITOR ONLY</source>
         <translation>SOLO SUPERVISIÓN</translation>
     </message>
+    <message>
+        <source>Cause: %1 (%2)</source>
+        <translation>Causa: %1 (%2)</translation>
+    </message>
 </context>
 <context>
     <name>tiller::HoldRules</name>
@@ -6501,6 +6513,10 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
     <message>
         <source>Press for one step</source>
         <translation>Pulsar: un paso</translation>
+    </message>
+    <message>
+        <source>Last stop: %1 (%2)</source>
+        <translation>Última parada: %1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -9653,6 +9669,10 @@ Suelte el botón para detener el brazo.</translation>
     <message>
         <source>The program of the other client has ended.</source>
         <translation>El programa del otro cliente ha terminado.</translation>
+    </message>
+    <message>
+        <source>Stopped: %1 (%2)</source>
+        <translation>Parado: %1 (%2)</translation>
     </message>
 </context>
 <context>

@@ -4575,8 +4575,16 @@
         <translation>sélection ou touche de modification changée</translation>
     </message>
     <message>
-        <source>this PC was too busy</source>
-        <translation>ce PC était surchargé</translation>
+        <source>the window did not respond</source>
+        <translation>la fenêtre ne répondait pas</translation>
+    </message>
+    <message>
+        <source>not measured: another program moves the arm</source>
+        <translation>non mesuré : un autre programme déplace le bras</translation>
+    </message>
+    <message>
+        <source>not measured: no data during the stop</source>
+        <translation>non mesuré : aucune donnée pendant l’arrêt</translation>
     </message>
 </context>
 <context>
@@ -6175,6 +6183,10 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <source>MONITOR ONLY</source>
         <translation>SURVEILLANCE SEULE</translation>
     </message>
+    <message>
+        <source>Cause: %1 (%2)</source>
+        <translation>Cause : %1 (%2)</translation>
+    </message>
 </context>
 <context>
     <name>tiller::HoldRules</name>
@@ -6501,6 +6513,10 @@ Clic droit ou F2 pour renommer.</translation>
     <message>
         <source>Press for one step</source>
         <translation>Appui : un pas</translation>
+    </message>
+    <message>
+        <source>Last stop: %1 (%2)</source>
+        <translation>Dernier arrêt : %1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -9653,6 +9669,10 @@ Relâchez le bouton pour arrêter le bras.</translation>
     <message>
         <source>The program of the other client has ended.</source>
         <translation>Le programme de l’autre client est terminé.</translation>
+    </message>
+    <message>
+        <source>Stopped: %1 (%2)</source>
+        <translation>Arrêté : %1 (%2)</translation>
     </message>
 </context>
 <context>

@@ -4573,8 +4573,16 @@
         <translation>選択または修飾キーの変更</translation>
     </message>
     <message>
-        <source>this PC was too busy</source>
-        <translation>この PC の負荷が高すぎました</translation>
+        <source>the window did not respond</source>
+        <translation>ウィンドウが応答しませんでした</translation>
+    </message>
+    <message>
+        <source>not measured: another program moves the arm</source>
+        <translation>測定なし: 別のプログラムがアームを動かしています</translation>
+    </message>
+    <message>
+        <source>not measured: no data during the stop</source>
+        <translation>測定なし: 停止中のデータがありません</translation>
     </message>
 </context>
 <context>
@@ -6166,6 +6174,10 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <source>MONITOR ONLY</source>
         <translation>監視のみ</translation>
     </message>
+    <message>
+        <source>Cause: %1 (%2)</source>
+        <translation>原因: %1 (%2)</translation>
+    </message>
 </context>
 <context>
     <name>tiller::HoldRules</name>
@@ -6492,6 +6504,10 @@ Right-click or press F2 to rename it.</source>
     <message>
         <source>Press for one step</source>
         <translation>押すと 1 ステップ</translation>
+    </message>
+    <message>
+        <source>Last stop: %1 (%2)</source>
+        <translation>前回の停止: %1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -9628,6 +9644,10 @@ Release the button to stop the arm.</source>
     <message>
         <source>The program of the other client has ended.</source>
         <translation>他のクライアントのプログラムが終了しました。</translation>
+    </message>
+    <message>
+        <source>Stopped: %1 (%2)</source>
+        <translation>停止: %1 (%2)</translation>
     </message>
 </context>
 <context>

@@ -4573,8 +4573,16 @@
         <translation>选择或修饰键已改变</translation>
     </message>
     <message>
-        <source>this PC was too busy</source>
-        <translation>此电脑负载过高</translation>
+        <source>the window did not respond</source>
+        <translation>窗口无响应</translation>
+    </message>
+    <message>
+        <source>not measured: another program moves the arm</source>
+        <translation>未测量：另一个程序正在移动机械臂</translation>
+    </message>
+    <message>
+        <source>not measured: no data during the stop</source>
+        <translation>未测量：停止期间无数据</translation>
     </message>
 </context>
 <context>
@@ -6166,6 +6174,10 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <source>MONITOR ONLY</source>
         <translation>仅监视</translation>
     </message>
+    <message>
+        <source>Cause: %1 (%2)</source>
+        <translation>原因：%1（%2）</translation>
+    </message>
 </context>
 <context>
     <name>tiller::HoldRules</name>
@@ -6492,6 +6504,10 @@ Right-click or press F2 to rename it.</source>
     <message>
         <source>Press for one step</source>
         <translation>按一次走一步</translation>
+    </message>
+    <message>
+        <source>Last stop: %1 (%2)</source>
+        <translation>上次停止：%1（%2）</translation>
     </message>
 </context>
 <context>
@@ -9628,6 +9644,10 @@ Release the button to stop the arm.</source>
     <message>
         <source>The program of the other client has ended.</source>
         <translation>其他客户端的程序已结束。</translation>
+    </message>
+    <message>
+        <source>Stopped: %1 (%2)</source>
+        <translation>已停止：%1（%2）</translation>
     </message>
 </context>
 <context>

@@ -80,6 +80,7 @@ struct ControllerStatus {
     MotionId lastMotion = kNoMotion;        ///< the last motion that ended
     StopCause lastCause = StopCause::None;  ///< cause of its end
     StopMeasurement lastStop;
+    UnmeasuredStop lastUnmeasured;
 
     std::uint64_t epoch = 0;         ///< increases with every stop
     std::uint64_t restingEpoch = 0;  ///< newest epoch whose standstill the robot has confirmed

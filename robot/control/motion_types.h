@@ -117,6 +117,17 @@ struct StopMeasurement {
     std::uint64_t count = 0;  ///< number of stops measured so far; 0: none
 };
 
+/// A stop whose time and distance are unknown.
+struct UnmeasuredStop {
+    enum class Reason : std::uint8_t {
+        DataGap,       ///< no data arrived while the arm was stopping
+        OtherProgram,  ///< a program of another client moved the arm before standstill
+    };
+    StopCause cause = StopCause::None;
+    Reason reason = Reason::DataGap;
+    std::uint64_t count = 0;  ///< number of such stops so far; 0: none
+};
+
 /// Joint limits reported by the controller.
 struct JointLimits {
     std::array<double, 6> minPosition{};  ///< [rad]

@@ -2,6 +2,7 @@
 #include "robot/control/stop_meter.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "robot/core/clock.h"
 
@@ -22,12 +23,18 @@ void StopMeter::begin(StopCause cause, std::int64_t requestNs) {
     stillSamples_ = 0;
 }
 
+void StopMeter::abandon(UnmeasuredStop::Reason reason) {
+    if (std::exchange(measuring_, false)) {
+        unmeasured_ = {cause_, reason, unmeasured_.count + 1};
+    }
+}
+
 bool StopMeter::add(const Sample& sample) {
     const bool still = sample.tcpSpeed < kStillTcpSpeed && sample.jointSpeed < kStillJointSpeed;
     moving_ = !still;
     // Ignore samples received before the request, even if they show standstill.
     if (measuring_ && hasSample_ && sample.hostNs - previous_.hostNs > kBlindNs) {
-        measuring_ = false;  // standstill was reached within the gap in the data
+        abandon(UnmeasuredStop::Reason::DataGap);  // standstill was reached within the gap
     }
     const bool counts = measuring_ && sample.hostNs >= requestNs_;
     if (counts && hasSample_) {

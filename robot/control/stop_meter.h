@@ -27,12 +27,15 @@ public:
     /// requestNs  time of the stop request. Does not interrupt a measurement in progress.
     void begin(StopCause cause, std::int64_t requestNs);
     void cancel() { measuring_ = false; }  ///< Cancels the measurement in progress.
+    /// Ends the measurement in progress without a result and counts it in lastUnmeasured().
+    void abandon(UnmeasuredStop::Reason reason);
     /// Returns  true if this sample completed a measurement
     bool add(const Sample& sample);
 
     bool isMeasuring() const { return measuring_; }        ///< True from the stop request to standstill.
     bool isMoving() const { return moving_; }              ///< True if the newest data report motion.
     const StopMeasurement& last() const { return last_; }  ///< The last complete measurement.
+    const UnmeasuredStop& lastUnmeasured() const { return unmeasured_; }
 
 private:
     bool measuring_ = false;
@@ -46,6 +49,7 @@ private:
     double pathAtStill_ = 0;
     Sample previous_;
     StopMeasurement last_;
+    UnmeasuredStop unmeasured_;
 };
 
 }  // namespace tiller::control

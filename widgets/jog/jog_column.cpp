@@ -769,7 +769,11 @@ QString JogColumn::quietText() const {
     }
     const control::StopMeasurement& stop = state_.lastStop;
     if (!state_.lastStopSeen) {
-        return tr("Last stop: not measured (data lost)");
+        const control::UnmeasuredStop& lost = state_.unmeasuredStop;
+        return lost.cause == StopCause::None
+                   ? tr("Last stop: not measured (data lost)")
+                   : tr("Last stop: %1 (%2)")
+                         .arg(texts::stopCauseText(lost.cause), texts::unmeasuredText(lost.reason));
     }
     if (stop.count == 0) {
         return {};

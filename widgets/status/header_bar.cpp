@@ -263,10 +263,14 @@ void HeaderBar::showLastStop() {
         return note.isEmpty() ? text : text + QStringLiteral("\n") + note;
     };
     lastStop_->setCaption(note.isEmpty() ? tr("LAST STOP") : tr("LAST STOP · no key check"));
-    if (!state_.lastStopSeen) {
+    if (const control::UnmeasuredStop& lost = state_.unmeasuredStop; !state_.lastStopSeen) {
         lastStop_->setState(
             tr("not measured"), StateChip::Shape::None, StateChip::Emphasis::Muted,
-            advice(tr("The robot data ended while the arm was moving, so the stop could not be measured.")));
+            advice(
+                lost.cause == control::StopCause::None
+                    ? tr("The robot data ended while the arm was moving, so the stop could not be measured.")
+                    : tr("Cause: %1 (%2)")
+                          .arg(texts::stopCauseText(lost.cause), texts::unmeasuredText(lost.reason))));
     } else if (last.count > 0) {
         lastStop_->setState(
             tr("%1 ms · %2").arg(last.durationMs, 0, 'f', 0).arg(format::length(last.distanceMm / 1e3, 1)),

@@ -155,7 +155,7 @@ void ControlLoop::takeIn(const Feedback& data) {
 void ControlLoop::pass(const Feedback& data) {
     takeIn(data);
     noteEnded(data.hostNs);
-    meter_.add({data.hostNs, data.tcpPose.position, data.tcpSpeed.linear.norm(), fastest(data.qd)});
+    measureStop(data);
 }
 
 Command ControlLoop::tick(const Feedback& data) {
@@ -167,10 +167,22 @@ Command ControlLoop::tick(const Feedback& data) {
     composedNs_ = data.hostNs;
     compose(data, command);
     noteEnded(data.hostNs);
-    meter_.add({data.hostNs, data.tcpPose.position, data.tcpSpeed.linear.norm(), fastest(data.qd)});
+    measureStop(data);
     seal(command, composedNs_);
     publish();
     return command;
+}
+
+void ControlLoop::measureStop(const Feedback& data) {
+    // After control.script has ended, only a program of another client can be running. Its motion is not part
+    // of the stop. control.script may continue after a pause.
+    const bool ended = status_.loss == ControlLoss::Released || status_.loss == ControlLoss::EchoStalled ||
+                       (status_.loss == ControlLoss::ScriptStopped && !paused_);
+    if (ended && !isInControl() && !scriptPermitted_.load(std::memory_order_acquire) &&
+        data.runtimeState == RuntimeState::Playing) {
+        meter_.abandon(UnmeasuredStop::Reason::OtherProgram);
+    }
+    meter_.add({data.hostNs, data.tcpPose.position, data.tcpSpeed.linear.norm(), fastest(data.qd)});
 }
 
 ControllerStatus ControlLoop::status() const {
@@ -273,7 +285,7 @@ void ControlLoop::lost(std::int64_t nowNs, ControlLoss loss) {
     }
     leave(loss, StopCause::LinkLost, nowNs);
     noteEnded(nowNs);
-    meter_.cancel();
+    meter_.abandon(UnmeasuredStop::Reason::DataGap);
     status_.moving = false;
     publish();
 }
@@ -637,6 +649,7 @@ void ControlLoop::publish() {
     status_.forceMode = forcePermitted_.load(std::memory_order_acquire);
     status_.moving = meter_.isMoving();
     status_.lastStop = meter_.last();
+    status_.lastUnmeasured = meter_.lastUnmeasured();
     published_.store(status_);
 }
 

@@ -186,6 +186,7 @@ private:
     void composeJog(const MotionCommand& motion, const Feedback& data, Command& command);
     bool feelsContact(const JogTarget& target, const Feedback& data);
     void noteEnded(std::int64_t nowNs);
+    void measureStop(const Feedback& data);
     void publish();
     void seal(Command& command, std::int64_t nowNs);
 

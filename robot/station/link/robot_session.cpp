@@ -27,10 +27,14 @@ constexpr milliseconds kTakeControlTime{5000};
 constexpr milliseconds kSendPathTime{5000};
 
 /// The safety mode describes a stop by the robot, e.g. "Protective stop".
+QString causeWords(control::StopCause cause, SafetyStatus safety) {
+    const bool bySafety = cause == control::StopCause::UnsafeMode && !allowsMotion(safety);
+    return bySafety ? safetyWords(safety).text : texts::stopCauseText(cause);
+}
+
 QString stopSentence(const control::StopMeasurement& stop, SafetyStatus safety) {
-    const bool bySafety = stop.cause == control::StopCause::UnsafeMode && !allowsMotion(safety);
     return RobotSession::tr("Stopped: %1 (%2 ms, %3)")
-        .arg(bySafety ? safetyWords(safety).text : texts::stopCauseText(stop.cause))
+        .arg(causeWords(stop.cause, safety))
         .arg(stop.durationMs, 0, 'f', 0)
         .arg(format::length(stop.distanceMm / 1e3, 1));
 }
@@ -189,6 +193,7 @@ void RobotSession::disconnectFromRobot() {
     d_->history.clear();
     d_->stopsSeen = 0;
     d_->ownStops = 0;
+    d_->ownUnmeasured = d_->foreignUnmeasured = d_->unmeasuredSeen = 0;
     d_->foreignStops = 0;
     d_->linkSeen = LinkState::Disconnected;
     Q_EMIT message(Severity::Info, tr("Disconnected from %1").arg(d_->address.name));
@@ -730,6 +735,12 @@ void RobotSession::reportChanges() {
         Q_EMIT motionStopped(state.lastStop);
         Q_EMIT message(Severity::Info, stopSentence(state.lastStop, state.safety()),
                        isOperatorStop(state.lastStop.cause) ? Origin::Operator : Origin::Tiller);
+    }
+    if (state.unmeasuredStop.count > d_->unmeasuredSeen) {
+        d_->unmeasuredSeen = state.unmeasuredStop.count;
+        Q_EMIT message(Severity::Warning, tr("Stopped: %1 (%2)")
+                                              .arg(causeWords(state.unmeasuredStop.cause, state.safety()),
+                                                   texts::unmeasuredText(state.unmeasuredStop.reason)));
     }
     if (state.link != d_->linkSeen) {
         if (state.link == LinkState::Live && d_->linkSeen != LinkState::Stale) {

@@ -131,8 +131,9 @@ struct SessionState {
     Vector6 jointCurrent = Vector6::Zero();      ///< [A]
     Vector6 jointTemperature = Vector6::Zero();  ///< [deg C]
     control::StopMeasurement lastStop;
-    bool lastStopSeen = true;  ///< false if data ended during motion, so that the stop was not measured
-    control::Limiter limiter;  ///< limit that reduces the requested speed
+    bool lastStopSeen = true;  ///< false if the last stop was not measured; unmeasuredStop has the reason
+    control::UnmeasuredStop unmeasuredStop;  ///< cause None if the data ended before the cause was known
+    control::Limiter limiter;                ///< limit that reduces the requested speed
 
     // I/O: bits 0-7 standard, 8-15 configurable, 16-17 tool
     std::uint64_t digitalInputs = 0;

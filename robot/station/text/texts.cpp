@@ -196,7 +196,7 @@ QString stopCauseText(control::StopCause cause) {
         case StopCause::UnsafeMode:
             return TextsText::tr("robot or safety mode changed");
         case StopCause::EventLoopStalled:
-            return TextsText::tr("this PC was too busy");
+            return TextsText::tr("the window did not respond");
         case StopCause::Sleep:
             return TextsText::tr("PC is going to sleep");
         case StopCause::LinkLost:
@@ -222,6 +222,12 @@ QString stopCauseText(control::StopCause cause) {
         default:
             return TextsText::tr("ended");
     }
+}
+
+QString unmeasuredText(control::UnmeasuredStop::Reason reason) {
+    return reason == control::UnmeasuredStop::Reason::OtherProgram
+               ? TextsText::tr("not measured: another program moves the arm")
+               : TextsText::tr("not measured: no data during the stop");
 }
 
 QString robotModeObstacle(RobotMode mode) {

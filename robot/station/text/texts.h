@@ -15,6 +15,8 @@ namespace tiller::texts {
 QString errorText(const Error& error);
 /// Text for messages about a stop, e.g. "button or key released", "pointer left the button".
 QString stopCauseText(control::StopCause cause);
+/// Why a stop was not measured, e.g. "not measured: another program moves the arm".
+QString unmeasuredText(control::UnmeasuredStop::Reason reason);
 /// Why the arm cannot be moved in this robot mode, with the suggested action; empty if it can.
 QString robotModeObstacle(RobotMode mode);
 /// Like robotModeObstacle(), for a safety mode.

@@ -67,6 +67,7 @@ public:
     const Error& error() const { return error_; }
     /// The last measured stop, from the request or the safety stop to standstill.
     const control::StopMeasurement& last() const { return meter_.last(); }
+    const control::UnmeasuredStop& lastUnmeasured() const { return meter_.lastUnmeasured(); }
 
 private:
     struct StopRequest {

@@ -65,12 +65,15 @@ void SessionBackend::read() {
         movedBefore = false;
         externalRunSeen = externalExists = changesConfirmed = readySeen = false;
         externalEndNs.reset();
+        readNs = 0;
+        stalledNs.reset();
         state.speedCap = limits.tcpSpeed;
         state.controlReason = RobotSession::tr("Not connected to a robot.");
         readRecording();
         return;
     }
     state.monitorOnly = monitorOnly;
+    noteStall();
     if (state.isFresh()) {
         // Stops of external programs are measured only if Tiller or the safety system caused the stop.
         const bool ours =
@@ -81,6 +84,8 @@ void SessionBackend::read() {
     readLink();
     if (state.link != LinkState::Live && std::exchange(movedBefore, false)) {
         state.lastStopSeen = false;
+        state.unmeasuredStop.cause = control::StopCause::None;
+        state.unmeasuredStop.reason = control::UnmeasuredStop::Reason::DataGap;
     }
     readSample();
     readControl();
@@ -183,6 +188,8 @@ void SessionBackend::readControl() {
     state.limiter = status.limiter;
     noteStop(status.lastStop, ownStops);
     noteStop(link->foreignStop->last(), foreignStops);
+    noteUnmeasured(status.lastUnmeasured, ownUnmeasured);
+    noteUnmeasured(link->foreignStop->lastUnmeasured(), foreignUnmeasured);
     state.motionActive = status.motion != control::kNoMotion;
     state.jogActive = status.motion != control::kNoMotion && status.motion == link->jog.id();
     state.freedriveActive =
@@ -294,6 +301,31 @@ void SessionBackend::noteStop(const control::StopMeasurement& stop, std::uint64_
         state.lastStop = stop;
         state.lastStop.count = count;
         state.lastStopSeen = true;
+    }
+}
+
+void SessionBackend::noteUnmeasured(const control::UnmeasuredStop& stop, std::uint64_t& seen) {
+    if (stop.count <= seen) {
+        return;
+    }
+    seen = stop.count;
+    using control::StopCause;
+    // If the whole process hung, its control thread only sees late data.
+    constexpr std::int64_t kStallSeenNs = kNsPerSecond;
+    const bool late = stop.cause == StopCause::DataStale || stop.cause == StopCause::LinkLost ||
+                      stop.cause == StopCause::ControlLost;
+    const bool stalled = late && stop.reason == control::UnmeasuredStop::Reason::DataGap && stalledNs &&
+                         clock->nowNs() - *stalledNs < kStallSeenNs;
+    state.lastStopSeen = false;
+    state.unmeasuredStop = {stalled ? StopCause::EventLoopStalled : stop.cause, stop.reason,
+                            state.unmeasuredStop.count + 1};
+}
+
+void SessionBackend::noteStall() {
+    constexpr std::int64_t kStallNs = 100 * kNsPerMs;  // hold-to-run motions end after the same time
+    const std::int64_t before = std::exchange(readNs, clock->nowNs());
+    if (before != 0 && readNs - before > kStallNs) {
+        stalledNs = readNs;
     }
 }
 

@@ -140,6 +140,11 @@ struct SessionBackend {
     std::uint64_t stopsSeen = 0;
     std::uint64_t ownStops = 0;  ///< number of displayed stops that the controller measured
     std::uint64_t foreignStops = 0;
+    std::uint64_t ownUnmeasured = 0;  ///< like ownStops, for stops that could not be measured
+    std::uint64_t foreignUnmeasured = 0;
+    std::uint64_t unmeasuredSeen = 0;
+    std::int64_t readNs = 0;                ///< time of the last read()
+    std::optional<std::int64_t> stalledNs;  ///< end of the last hang of the window
 
     SafetyMode safetySeen = SafetyMode::Normal;
     LinkState linkSeen = LinkState::Disconnected;
@@ -184,6 +189,8 @@ private:
     bool isControlInDoubt();
     void readGuard();
     void noteStop(const control::StopMeasurement& stop, std::uint64_t& seen);
+    void noteUnmeasured(const control::UnmeasuredStop& stop, std::uint64_t& seen);
+    void noteStall();
     void readRecording();
     QString obstacle() const;
 };

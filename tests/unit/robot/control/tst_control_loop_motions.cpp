@@ -401,6 +401,55 @@ private Q_SLOTS:
         QCOMPARE(bench.loop.status().lastStop.count, 1U);
     }
 
+    // The motion of another client's program is not the stop of the jog that it replaced.
+    void theMotionOfAnotherProgramIsNotMeasuredAsAStop_data() {
+        QTest::addColumn<bool>("seenStopped");
+        QTest::addRow("the program state shows the change") << true;
+        QTest::addRow("control.script does not answer") << false;
+    }
+    void theMotionOfAnotherProgramIsNotMeasuredAsAStop() {
+        QFETCH(const bool, seenStopped);
+        Bench bench;
+        bench.takeControl();
+        bench.startJog(0.1);
+        bench.data.tcpSpeed.linear.x() = 0.1;
+        bench.tick(20);
+        bench.answering = false;
+        if (seenStopped) {
+            bench.data.runtimeState = RuntimeState::Stopped;
+            bench.tick(5);
+            bench.data.runtimeState = RuntimeState::Playing;
+        }
+        bench.tick(500);
+        QVERIFY(!bench.loop.isInControl());
+        bench.data.tcpSpeed.linear.x() = 0;
+        bench.tick(10);  // the other program pauses
+        QCOMPARE(bench.loop.status().lastStop.count, 0U);
+        QCOMPARE(bench.loop.status().lastUnmeasured.count, 1U);
+        // Without answers, the hold ends before control is lost, because the bench does not refresh it.
+        QCOMPARE(bench.loop.status().lastUnmeasured.cause,
+                 seenStopped ? StopCause::ControlLost : StopCause::EventLoopStalled);
+        QCOMPARE(bench.loop.status().lastUnmeasured.reason, UnmeasuredStop::Reason::OtherProgram);
+    }
+
+    // The arm reaches standstill before the other program moves it.
+    void aStopBeforeAnotherProgramIsMeasured() {
+        Bench bench;
+        bench.takeControl();
+        bench.startJog(0.1);
+        bench.data.tcpSpeed.linear.x() = 0.1;
+        bench.tick(20);
+        bench.data.runtimeState = RuntimeState::Stopped;
+        bench.tick(30);
+        bench.data.tcpSpeed.linear.x() = 0;
+        bench.tick(5);
+        bench.data.runtimeState = RuntimeState::Playing;
+        bench.data.tcpSpeed.linear.x() = 0.2;
+        bench.tick(50);
+        QCOMPARE(bench.loop.status().lastStop.count, 1U);
+        QCOMPARE(bench.loop.status().lastUnmeasured.count, 0U);
+    }
+
     void requestsAreRepeatedUntilTheNextOne() {
         Bench bench;
         bench.takeControl();

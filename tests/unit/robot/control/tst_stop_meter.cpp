@@ -78,6 +78,9 @@ private Q_SLOTS:
             QVERIFY(!arm.step(0));
         }
         QCOMPARE(meter.last().count, 0U);
+        QCOMPARE(meter.lastUnmeasured().count, 1U);
+        QCOMPARE(meter.lastUnmeasured().cause, StopCause::DataStale);
+        QCOMPARE(meter.lastUnmeasured().reason, UnmeasuredStop::Reason::DataGap);
         // The next stop is measured.
         arm.speed = 0.1;
         arm.step(0);

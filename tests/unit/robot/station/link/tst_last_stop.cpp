@@ -61,11 +61,15 @@ struct Bench {
     /// Releases control and lets another client move the arm.
     bool runOtherProgram() {
         session.releaseControl();
-        if (!within([this] {
-                return state().control == ControlState::None && state().runtimeState == RuntimeState::Stopped;
-            })) {
-            return false;
-        }
+        return within([this] {
+                   return state().control == ControlState::None &&
+                          state().runtimeState == RuntimeState::Stopped;
+               }) &&
+               takeOver();
+    }
+
+    /// Lets another client move the arm.
+    bool takeOver() {
         script::ScriptClient other(cell.robot.listenAddress(),
                                    script::kPrimaryPort + cell.robot.options().portOffset);
         const bool sent =
@@ -82,6 +86,16 @@ struct Bench {
         }
         cell.advanceMs(200);
         return true;
+    }
+
+    /// Advances robot and clock without the process: neither controller nor session runs.
+    void hang(int ms) {
+        cell.robot.silence(true);
+        for (int t = 0; t < ms; t += 2) {
+            clock.advanceNs(2 * kNsPerMs);
+            cell.robot.step();
+        }
+        cell.robot.silence(false);
     }
 
 private:
@@ -150,6 +164,48 @@ private Q_SLOTS:
         QCOMPARE(bench.state().lastStop.count, before + 1);
         QCOMPARE(bench.state().lastStop.cause, StopCause::EventLoopStalled);
         QCOMPARE(messages.filter(QStringLiteral("Stopped: ")).size(), 1);
+    }
+
+    // The whole process was stopped, as by kill -STOP. The robot has stopped the arm by its own timeout.
+    void aHangOfTheProcessIsReportedAsNotMeasured() {
+        QStringList messages;  // must outlive the session, which reports its end in the destructor
+        Bench bench;
+        QObject::connect(&bench.session, &RobotSession::message, &bench.session,
+                         [&](Severity, const QString& text) { messages << text; });
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.jogAndRelease());
+        QVERIFY(bench.jog());
+        const std::uint64_t before = bench.state().lastStop.count;
+        messages.clear();
+        bench.hang(300);
+        bench.cell.everyRefresh = {};
+        QVERIFY(bench.within([&] { return !bench.state().lastStopSeen; }));
+        QVERIFY(bench.within([&] { return bench.state().unmeasuredStop.count == 1; }));
+        QCOMPARE(bench.state().unmeasuredStop.cause, StopCause::EventLoopStalled);
+        QCOMPARE(bench.state().lastStop.count, before);
+        const QStringList stops = messages.filter(QStringLiteral("Stopped: "));
+        QCOMPARE(stops.size(), 1);
+        QVERIFY2(
+            stops.first().contains("the window did not respond") && stops.first().contains("not measured"),
+            qPrintable(stops.first()));
+        QVERIFY(bench.jogAndRelease());
+        QVERIFY(bench.state().lastStopSeen);
+    }
+
+    void aTakeoverDuringAHoldIsNotMeasured() {
+        Bench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.jogAndRelease());
+        QVERIFY(bench.jog());
+        const std::uint64_t before = bench.state().lastStop.count;
+        QVERIFY(bench.takeOver());
+        QVERIFY(bench.within([&] { return bench.state().unmeasuredStop.count == 1; }));
+        QVERIFY(!bench.state().lastStopSeen);
+        QCOMPARE(bench.state().unmeasuredStop.reason, control::UnmeasuredStop::Reason::OtherProgram);
+        QVERIFY(bench.within([&] { return !bench.state().moving; }));
+        bench.cell.advanceMs(200);
+        QCOMPARE(bench.state().lastStop.count, before);
+        QVERIFY(!bench.state().lastStopSeen);
     }
 
     void aSafetyStopOfAnotherProgramIsTheLastStop_data() { addSafetyRows(); }
