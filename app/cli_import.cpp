@@ -1,46 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <QDir>
-#include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 
 #include "app/cli_command.h"
-#include "robot/core/file_reading.h"
 #include "robot/station/program/import/program_import.h"
-#include "robot/station/program/step_kind.h"
 
 namespace tiller::app {
 
 namespace {
 
 using program::ImportRow;
-
-QString stepText(const ImportRow& row) {
-    const program::StepKind* kind = program::findStepKind(row.kind);
-    return kind == nullptr ? row.kind : kind->name();
-}
-
-QString resultText(const ImportRow& row) {
-    const QString reason = row.reason.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(row.reason);
-    QString text;
-    switch (row.result) {
-        case ImportRow::Result::Step:
-            text = stepText(row) + reason;
-            break;
-        case ImportRow::Result::Text:
-            text = QStringLiteral("URScript text") + reason;
-            break;
-        case ImportRow::Result::Merged:
-            text = row.reason;
-            break;
-        case ImportRow::Result::Omitted:
-            text = QStringLiteral("not imported") + reason;
-            break;
-    }
-    return row.disabled ? text + QStringLiteral(", disabled") : text;
-}
 
 QJsonObject rowJson(const ImportRow& row) {
     static const char* const kResults[] = {"step", "text", "merged", "omitted"};
@@ -84,7 +55,7 @@ void printReport(const QString& program, const QString& path, const program::Imp
     }
     for (const ImportRow& row : imported.rows) {
         const QString line = row.line > 0 ? QString::number(row.line) : QString();
-        out() << QStringLiteral("%1  %2: %3\n").arg(line, 4).arg(row.name, resultText(row));
+        out() << QStringLiteral("%1  %2: %3\n").arg(line, 4).arg(row.name, program::resultText(row));
     }
     for (const QString& note : imported.notes) {
         out() << "note: " << note << '\n';
@@ -106,26 +77,16 @@ int import(const CommandArguments& arguments) {
     }
     const QString file = arguments.operands().constFirst();
     const QString path = arguments.value("project");
-    const auto content = readWholeFile(file, program::kMaxImportedBytes);
-    if (!content) {
-        return complain(content.error().toString(), kFailed);
+    auto source = program::readImportSource(file);
+    if (!source) {
+        return complain(source.error().toString(), kFailed);
     }
+    source->programName = arguments.value("program");
     const auto opened = project::openProject(path);
     if (!opened) {
         return complain(opened.error().toString(), kFailed);
     }
-    // Names in programs are paths on the robot. Only files in the folder of the program are read.
-    const QDir folder = QFileInfo(file).absoluteDir();
-    program::ImportSource source;
-    source.file = QFileInfo(file).fileName();
-    source.content = *content;
-    source.programName = arguments.value("program");
-    source.files = [folder](const QString& name) -> std::optional<QByteArray> {
-        const auto other =
-            readWholeFile(folder.filePath(QFileInfo(name).fileName()), program::kMaxImportedBytes);
-        return other ? std::optional(*other) : std::nullopt;
-    };
-    const auto imported = program::importProgram(opened->document, source);
+    const auto imported = program::importProgram(opened->document, *source);
     if (!imported) {
         return complain(imported.error().toString(), kFailed);
     }

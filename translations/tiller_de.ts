@@ -3084,6 +3084,174 @@
         <source>a program of another client has taken over</source>
         <translation>ein Programm eines anderen Clients hat übernommen</translation>
     </message>
+    <message>
+        <source>the Message step has no title</source>
+        <translation>der Schritt „Meldung“ hat keinen Titel</translation>
+    </message>
+    <message>
+        <source>the payload is not given by numbers</source>
+        <translation>die Nutzlast ist nicht durch Zahlen angegeben</translation>
+    </message>
+    <message>
+        <source>the speed, acceleration or blend is not a number, or a time is set</source>
+        <translation>Geschwindigkeit, Beschleunigung oder Überschleifen ist keine Zahl, oder es ist eine Zeit angegeben</translation>
+    </message>
+    <message>
+        <source>its target cannot be a waypoint or a pose of a step</source>
+        <translation>das Ziel kann weder Wegpunkt noch Pose eines Schritts sein</translation>
+    </message>
+    <message>
+        <source>%1. Save the program on the pendant and copy its .script file to the same folder, or change the program.</source>
+        <translation>%1. Speichern Sie das Programm am Teach-Pendant und kopieren Sie seine .script-Datei in denselben Ordner, oder ändern Sie das Programm.</translation>
+    </message>
+    <message>
+        <source>The nodes cannot be translated: %1. The script that the pendant saved was imported instead.</source>
+        <translation>Die Knoten können nicht übersetzt werden: %1. Stattdessen wurde das vom Teach-Pendant gespeicherte Skript importiert.</translation>
+    </message>
+    <message>
+        <source>%1. Complete the program on the pendant first.</source>
+        <translation>%1. Vervollständigen Sie das Programm zuerst am Teach-Pendant.</translation>
+    </message>
+    <message>
+        <source>not imported</source>
+        <translation>nicht importiert</translation>
+    </message>
+    <message>
+        <source>%1, disabled</source>
+        <translation>%1, deaktiviert</translation>
+    </message>
+    <message>
+        <source>the program has no name</source>
+        <translation>das Programm hat keinen Namen</translation>
+    </message>
+    <message>
+        <source>the project already has a program &apos;%1&apos;; choose another name</source>
+        <translation>das Projekt enthält bereits ein Programm „%1“; wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>the file is too large for a program</source>
+        <translation>die Datei ist zu groß für ein Programm</translation>
+    </message>
+    <message>
+        <source>the file is not text in UTF-8</source>
+        <translation>die Datei ist kein Text in UTF-8</translation>
+    </message>
+    <message>
+        <source>the External Control node runs a script of another computer, which cannot be imported. Remove this node from the program.</source>
+        <translation>der Knoten „External Control“ führt ein Skript eines anderen Computers aus, das nicht importiert werden kann. Entfernen Sie diesen Knoten aus dem Programm.</translation>
+    </message>
+    <message>
+        <source>this line ends a block that was not opened</source>
+        <translation>diese Zeile schließt einen Block, der nicht geöffnet wurde</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>Zeile %1: %2</translation>
+    </message>
+    <message>
+        <source>the blocks are nested too deep</source>
+        <translation>die Blöcke sind zu tief verschachtelt</translation>
+    </message>
+    <message>
+        <source>a block continues beyond its node</source>
+        <translation>ein Block reicht über seinen Knoten hinaus</translation>
+    </message>
+    <message>
+        <source>several statements share a line</source>
+        <translation>mehrere Anweisungen stehen in einer Zeile</translation>
+    </message>
+    <message>
+        <source>the block that begins in line %1 has no end</source>
+        <translation>der Block, der in Zeile %1 beginnt, hat kein Ende</translation>
+    </message>
+    <message>
+        <source>no step generates this statement</source>
+        <translation>kein Schritt erzeugt diese Anweisung</translation>
+    </message>
+    <message>
+        <source>the program contains a return</source>
+        <translation>das Programm enthält ein „return“</translation>
+    </message>
+    <message>
+        <source>the program has too many statements</source>
+        <translation>das Programm hat zu viele Anweisungen</translation>
+    </message>
+    <message>
+        <source>the script of the steps does not compile</source>
+        <translation>das Skript der Schritte lässt sich nicht übersetzen</translation>
+    </message>
+    <message>
+        <source>the program is too complex</source>
+        <translation>das Programm ist zu komplex</translation>
+    </message>
+    <message>
+        <source>the file contains no statements</source>
+        <translation>die Datei enthält keine Anweisungen</translation>
+    </message>
+    <message>
+        <source>the file contains %1 functions or parameters, but no statement that calls a function; add the call</source>
+        <translation>die Datei enthält %1 Funktionen oder Parameter, aber keine Anweisung, die eine Funktion aufruft; fügen Sie den Aufruf hinzu</translation>
+    </message>
+    <message>
+        <source>the program contains no statements</source>
+        <translation>das Programm enthält keine Anweisungen</translation>
+    </message>
+    <message>
+        <source>Installation</source>
+        <translation>Installation</translation>
+    </message>
+    <message>
+        <source>disabled</source>
+        <translation>deaktiviert</translation>
+    </message>
+    <message>
+        <source>The program uses output integer register 46 or 47, in which Tiller writes the number of the running step.</source>
+        <translation>Das Programm verwendet das ganzzahlige Ausgangsregister 46 oder 47, in das Tiller die Nummer des laufenden Schritts schreibt.</translation>
+    </message>
+    <message>
+        <source>In this project, programs begin with the TCP of the tool &apos;%1&apos;.</source>
+        <translation>In diesem Projekt beginnen Programme mit dem TCP des Werkzeugs „%1“.</translation>
+    </message>
+    <message>
+        <source>The program does not set the TCP. Its waypoints require the TCP %1.</source>
+        <translation>Das Programm setzt den TCP nicht. Seine Wegpunkte erfordern den TCP %1.</translation>
+    </message>
+    <message>
+        <source>a disabled node in a part that is text</source>
+        <translation>ein deaktivierter Knoten in einem Teil, der Text ist</translation>
+    </message>
+    <message>
+        <source>it is nested too deep</source>
+        <translation>sie ist zu tief verschachtelt</translation>
+    </message>
+    <message>
+        <source>the TCP applies until the end of the program</source>
+        <translation>der TCP gilt bis zum Ende des Programms</translation>
+    </message>
+    <message>
+        <source>its condition cannot be a condition of a step</source>
+        <translation>die Bedingung kann nicht Bedingung eines Schritts sein</translation>
+    </message>
+    <message>
+        <source>functions with parameters or results, and threads, have no step</source>
+        <translation>für Funktionen mit Parametern oder Ergebnis und für Threads gibt es keinen Schritt</translation>
+    </message>
+    <message>
+        <source>the program does not call this function</source>
+        <translation>das Programm ruft diese Funktion nicht auf</translation>
+    </message>
+    <message>
+        <source>becomes a program</source>
+        <translation>wird zu einem Programm</translation>
+    </message>
+    <message>
+        <source>part of a waypoint</source>
+        <translation>Teil eines Wegpunkts</translation>
+    </message>
+    <message>
+        <source>the type or the scope of the variable is not certain</source>
+        <translation>Typ oder Gültigkeitsbereich der Variablen ist nicht eindeutig</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -9020,6 +9188,34 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <source>The program was changed after the stop, so it cannot continue. Run it from its beginning.</source>
         <translation>Das Programm wurde nach dem Anhalten geändert und kann nicht fortgesetzt werden. Starten Sie es am Anfang.</translation>
     </message>
+    <message>
+        <source>Import program…</source>
+        <translation>Programm importieren …</translation>
+    </message>
+    <message>
+        <source>Import program</source>
+        <translation>Programm importieren</translation>
+    </message>
+    <message>
+        <source>Robot programs (*.script *.urp *.urpx);;All files (*)</source>
+        <translation>Roboterprogramme (*.script *.urp *.urpx);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Importing %1…</source>
+        <translation>%1 wird importiert …</translation>
+    </message>
+    <message>
+        <source>Import “%1”</source>
+        <translation>„%1“ importieren</translation>
+    </message>
+    <message>
+        <source>Imported “%1”.</source>
+        <translation>„%1“ importiert.</translation>
+    </message>
+    <message>
+        <source>⚠ The import failed. The project is unchanged.</source>
+        <translation>⚠ Der Import ist fehlgeschlagen. Das Projekt ist unverändert.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectDocument</name>
@@ -13001,6 +13197,33 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     <message>
         <source>Practice: add “%1”</source>
         <translation>Übung: „%1“ hinzufügen</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ImportReport</name>
+    <message>
+        <source>Import of “%1”</source>
+        <translation>Import von „%1“</translation>
+    </message>
+    <message>
+        <source>Steps: %1. Kept as URScript text: %2. Not imported: %3. New waypoints: %4.</source>
+        <translation>Schritte: %1. Als URScript-Text übernommen: %2. Nicht importiert: %3. Neue Wegpunkte: %4.</translation>
+    </message>
+    <message>
+        <source>Imported program</source>
+        <translation>Importiertes Programm</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Zeile</translation>
+    </message>
+    <message>
+        <source>Node or statement</source>
+        <translation>Knoten oder Anweisung</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
     </message>
 </context>
 </TS>

@@ -3084,6 +3084,174 @@
         <source>a program of another client has taken over</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>the Message step has no title</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the payload is not given by numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the speed, acceleration or blend is not a number, or a time is set</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its target cannot be a waypoint or a pose of a step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1. Save the program on the pendant and copy its .script file to the same folder, or change the program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The nodes cannot be translated: %1. The script that the pendant saved was imported instead.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1. Complete the program on the pendant first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not imported</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, disabled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the program has no name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the project already has a program &apos;%1&apos;; choose another name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file is too large for a program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file is not text in UTF-8</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the External Control node runs a script of another computer, which cannot be imported. Remove this node from the program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this line ends a block that was not opened</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the blocks are nested too deep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a block continues beyond its node</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>several statements share a line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the block that begins in line %1 has no end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no step generates this statement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the program contains a return</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the program has too many statements</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the script of the steps does not compile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the program is too complex</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file contains no statements</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file contains %1 functions or parameters, but no statement that calls a function; add the call</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the program contains no statements</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Installation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>disabled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program uses output integer register 46 or 47, in which Tiller writes the number of the running step.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In this project, programs begin with the TCP of the tool &apos;%1&apos;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program does not set the TCP. Its waypoints require the TCP %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a disabled node in a part that is text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is nested too deep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the TCP applies until the end of the program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its condition cannot be a condition of a step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>functions with parameters or results, and threads, have no step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the program does not call this function</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>becomes a program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>part of a waypoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the type or the scope of the variable is not certain</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -9007,6 +9175,34 @@ Release the button to stop the arm.</source>
         <source>The program was changed after the stop, so it cannot continue. Run it from its beginning.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Import program…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robot programs (*.script *.urp *.urpx);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Importing %1…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Imported “%1”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>⚠ The import failed. The project is unchanged.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectDocument</name>
@@ -12984,6 +13180,33 @@ Jog the arm to a position and press “Teach here” (T).</source>
     </message>
     <message>
         <source>Practice: add “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ImportReport</name>
+    <message>
+        <source>Import of “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Steps: %1. Kept as URScript text: %2. Not imported: %3. New waypoints: %4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Imported program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Node or statement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Result</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -3084,6 +3084,174 @@
         <source>a program of another client has taken over</source>
         <translation>un programa de otro cliente se ha hecho con el robot</translation>
     </message>
+    <message>
+        <source>the Message step has no title</source>
+        <translation>el paso «Mensaje» no tiene título</translation>
+    </message>
+    <message>
+        <source>the payload is not given by numbers</source>
+        <translation>la carga útil no está indicada con números</translation>
+    </message>
+    <message>
+        <source>the speed, acceleration or blend is not a number, or a time is set</source>
+        <translation>la velocidad, la aceleración o el radio de fusión no es un número, o se indica un tiempo</translation>
+    </message>
+    <message>
+        <source>its target cannot be a waypoint or a pose of a step</source>
+        <translation>su destino no puede ser un punto de paso ni una pose de un paso</translation>
+    </message>
+    <message>
+        <source>%1. Save the program on the pendant and copy its .script file to the same folder, or change the program.</source>
+        <translation>%1. Guarde el programa en la consola portátil y copie su archivo .script en la misma carpeta, o modifique el programa.</translation>
+    </message>
+    <message>
+        <source>The nodes cannot be translated: %1. The script that the pendant saved was imported instead.</source>
+        <translation>Los nodos no se pueden traducir: %1. En su lugar se ha importado el script que guardó la consola portátil.</translation>
+    </message>
+    <message>
+        <source>%1. Complete the program on the pendant first.</source>
+        <translation>%1. Complete primero el programa en la consola portátil.</translation>
+    </message>
+    <message>
+        <source>not imported</source>
+        <translation>no importado</translation>
+    </message>
+    <message>
+        <source>%1, disabled</source>
+        <translation>%1, desactivado</translation>
+    </message>
+    <message>
+        <source>the program has no name</source>
+        <translation>el programa no tiene nombre</translation>
+    </message>
+    <message>
+        <source>the project already has a program &apos;%1&apos;; choose another name</source>
+        <translation>el proyecto ya contiene un programa «%1»; elija otro nombre</translation>
+    </message>
+    <message>
+        <source>the file is too large for a program</source>
+        <translation>el archivo es demasiado grande para un programa</translation>
+    </message>
+    <message>
+        <source>the file is not text in UTF-8</source>
+        <translation>el archivo no es texto en UTF-8</translation>
+    </message>
+    <message>
+        <source>the External Control node runs a script of another computer, which cannot be imported. Remove this node from the program.</source>
+        <translation>el nodo External Control ejecuta un script de otro ordenador, que no se puede importar. Elimine este nodo del programa.</translation>
+    </message>
+    <message>
+        <source>this line ends a block that was not opened</source>
+        <translation>esta línea cierra un bloque que no se ha abierto</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>línea %1: %2</translation>
+    </message>
+    <message>
+        <source>the blocks are nested too deep</source>
+        <translation>los bloques están anidados a demasiada profundidad</translation>
+    </message>
+    <message>
+        <source>a block continues beyond its node</source>
+        <translation>un bloque continúa más allá de su nodo</translation>
+    </message>
+    <message>
+        <source>several statements share a line</source>
+        <translation>varias instrucciones comparten una línea</translation>
+    </message>
+    <message>
+        <source>the block that begins in line %1 has no end</source>
+        <translation>el bloque que empieza en la línea %1 no tiene fin</translation>
+    </message>
+    <message>
+        <source>no step generates this statement</source>
+        <translation>ningún paso genera esta instrucción</translation>
+    </message>
+    <message>
+        <source>the program contains a return</source>
+        <translation>el programa contiene un «return»</translation>
+    </message>
+    <message>
+        <source>the program has too many statements</source>
+        <translation>el programa tiene demasiadas instrucciones</translation>
+    </message>
+    <message>
+        <source>the script of the steps does not compile</source>
+        <translation>el script de los pasos no se puede compilar</translation>
+    </message>
+    <message>
+        <source>the program is too complex</source>
+        <translation>el programa es demasiado complejo</translation>
+    </message>
+    <message>
+        <source>the file contains no statements</source>
+        <translation>el archivo no contiene instrucciones</translation>
+    </message>
+    <message>
+        <source>the file contains %1 functions or parameters, but no statement that calls a function; add the call</source>
+        <translation>el archivo contiene %1 funciones o parámetros, pero ninguna instrucción que llame a una función; añada la llamada</translation>
+    </message>
+    <message>
+        <source>the program contains no statements</source>
+        <translation>el programa no contiene instrucciones</translation>
+    </message>
+    <message>
+        <source>Installation</source>
+        <translation>Instalación</translation>
+    </message>
+    <message>
+        <source>disabled</source>
+        <translation>desactivado</translation>
+    </message>
+    <message>
+        <source>The program uses output integer register 46 or 47, in which Tiller writes the number of the running step.</source>
+        <translation>El programa utiliza el registro de salida entero 46 o 47, en el que Tiller escribe el número del paso en ejecución.</translation>
+    </message>
+    <message>
+        <source>In this project, programs begin with the TCP of the tool &apos;%1&apos;.</source>
+        <translation>En este proyecto, los programas empiezan con el TCP de la herramienta «%1».</translation>
+    </message>
+    <message>
+        <source>The program does not set the TCP. Its waypoints require the TCP %1.</source>
+        <translation>El programa no establece el TCP. Sus puntos de paso requieren el TCP %1.</translation>
+    </message>
+    <message>
+        <source>a disabled node in a part that is text</source>
+        <translation>un nodo desactivado en una parte que es texto</translation>
+    </message>
+    <message>
+        <source>it is nested too deep</source>
+        <translation>está anidada a demasiada profundidad</translation>
+    </message>
+    <message>
+        <source>the TCP applies until the end of the program</source>
+        <translation>el TCP se aplica hasta el final del programa</translation>
+    </message>
+    <message>
+        <source>its condition cannot be a condition of a step</source>
+        <translation>su condición no puede ser la condición de un paso</translation>
+    </message>
+    <message>
+        <source>functions with parameters or results, and threads, have no step</source>
+        <translation>no hay ningún paso para funciones con parámetros o resultado ni para hilos</translation>
+    </message>
+    <message>
+        <source>the program does not call this function</source>
+        <translation>el programa no llama a esta función</translation>
+    </message>
+    <message>
+        <source>becomes a program</source>
+        <translation>se convierte en un programa</translation>
+    </message>
+    <message>
+        <source>part of a waypoint</source>
+        <translation>parte de un punto de paso</translation>
+    </message>
+    <message>
+        <source>the type or the scope of the variable is not certain</source>
+        <translation>el tipo o el ámbito de la variable no está claro</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -9020,6 +9188,34 @@ Suelte el botón para detener el brazo.</translation>
         <source>The program was changed after the stop, so it cannot continue. Run it from its beginning.</source>
         <translation>El programa se cambió después de la parada, así que no puede continuar. Ejecútelo desde el principio.</translation>
     </message>
+    <message>
+        <source>Import program…</source>
+        <translation>Importar programa…</translation>
+    </message>
+    <message>
+        <source>Import program</source>
+        <translation>Importar programa</translation>
+    </message>
+    <message>
+        <source>Robot programs (*.script *.urp *.urpx);;All files (*)</source>
+        <translation>Programas de robot (*.script *.urp *.urpx);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Importing %1…</source>
+        <translation>Importando %1…</translation>
+    </message>
+    <message>
+        <source>Import “%1”</source>
+        <translation>Importar «%1»</translation>
+    </message>
+    <message>
+        <source>Imported “%1”.</source>
+        <translation>«%1» importado.</translation>
+    </message>
+    <message>
+        <source>⚠ The import failed. The project is unchanged.</source>
+        <translation>⚠ La importación ha fallado. El proyecto no ha cambiado.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectDocument</name>
@@ -13001,6 +13197,33 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     <message>
         <source>Practice: add “%1”</source>
         <translation>Ejercicio: añadir «%1»</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ImportReport</name>
+    <message>
+        <source>Import of “%1”</source>
+        <translation>Importación de «%1»</translation>
+    </message>
+    <message>
+        <source>Steps: %1. Kept as URScript text: %2. Not imported: %3. New waypoints: %4.</source>
+        <translation>Pasos: %1. Conservados como texto URScript: %2. No importados: %3. Puntos de paso nuevos: %4.</translation>
+    </message>
+    <message>
+        <source>Imported program</source>
+        <translation>Programa importado</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Línea</translation>
+    </message>
+    <message>
+        <source>Node or statement</source>
+        <translation>Nodo o instrucción</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Resultado</translation>
     </message>
 </context>
 </TS>

@@ -3084,6 +3084,174 @@
         <source>a program of another client has taken over</source>
         <translation>un programme d’un autre client a pris le robot</translation>
     </message>
+    <message>
+        <source>the Message step has no title</source>
+        <translation>l’étape « Message » n’a pas de titre</translation>
+    </message>
+    <message>
+        <source>the payload is not given by numbers</source>
+        <translation>la charge utile n’est pas donnée par des nombres</translation>
+    </message>
+    <message>
+        <source>the speed, acceleration or blend is not a number, or a time is set</source>
+        <translation>la vitesse, l’accélération ou le raccordement n’est pas un nombre, ou une durée est indiquée</translation>
+    </message>
+    <message>
+        <source>its target cannot be a waypoint or a pose of a step</source>
+        <translation>la cible ne peut être ni un point de passage ni une pose d’une étape</translation>
+    </message>
+    <message>
+        <source>%1. Save the program on the pendant and copy its .script file to the same folder, or change the program.</source>
+        <translation>%1. Enregistrez le programme sur le pupitre et copiez son fichier .script dans le même dossier, ou modifiez le programme.</translation>
+    </message>
+    <message>
+        <source>The nodes cannot be translated: %1. The script that the pendant saved was imported instead.</source>
+        <translation>Les nœuds ne peuvent pas être traduits : %1. Le script enregistré par le pupitre a été importé à la place.</translation>
+    </message>
+    <message>
+        <source>%1. Complete the program on the pendant first.</source>
+        <translation>%1. Complétez d’abord le programme sur le pupitre.</translation>
+    </message>
+    <message>
+        <source>not imported</source>
+        <translation>non importé</translation>
+    </message>
+    <message>
+        <source>%1, disabled</source>
+        <translation>%1, désactivée</translation>
+    </message>
+    <message>
+        <source>the program has no name</source>
+        <translation>le programme n’a pas de nom</translation>
+    </message>
+    <message>
+        <source>the project already has a program &apos;%1&apos;; choose another name</source>
+        <translation>le projet contient déjà un programme « %1 » ; choisissez un autre nom</translation>
+    </message>
+    <message>
+        <source>the file is too large for a program</source>
+        <translation>le fichier est trop grand pour un programme</translation>
+    </message>
+    <message>
+        <source>the file is not text in UTF-8</source>
+        <translation>le fichier n’est pas du texte en UTF-8</translation>
+    </message>
+    <message>
+        <source>the External Control node runs a script of another computer, which cannot be imported. Remove this node from the program.</source>
+        <translation>le nœud External Control exécute un script d’un autre ordinateur, qui ne peut pas être importé. Supprimez ce nœud du programme.</translation>
+    </message>
+    <message>
+        <source>this line ends a block that was not opened</source>
+        <translation>cette ligne ferme un bloc qui n’a pas été ouvert</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>ligne %1 : %2</translation>
+    </message>
+    <message>
+        <source>the blocks are nested too deep</source>
+        <translation>les blocs sont imbriqués trop profondément</translation>
+    </message>
+    <message>
+        <source>a block continues beyond its node</source>
+        <translation>un bloc se poursuit au-delà de son nœud</translation>
+    </message>
+    <message>
+        <source>several statements share a line</source>
+        <translation>plusieurs instructions sont sur la même ligne</translation>
+    </message>
+    <message>
+        <source>the block that begins in line %1 has no end</source>
+        <translation>le bloc qui commence à la ligne %1 n’a pas de fin</translation>
+    </message>
+    <message>
+        <source>no step generates this statement</source>
+        <translation>aucune étape ne produit cette instruction</translation>
+    </message>
+    <message>
+        <source>the program contains a return</source>
+        <translation>le programme contient un « return »</translation>
+    </message>
+    <message>
+        <source>the program has too many statements</source>
+        <translation>le programme a trop d’instructions</translation>
+    </message>
+    <message>
+        <source>the script of the steps does not compile</source>
+        <translation>le script des étapes ne se compile pas</translation>
+    </message>
+    <message>
+        <source>the program is too complex</source>
+        <translation>le programme est trop complexe</translation>
+    </message>
+    <message>
+        <source>the file contains no statements</source>
+        <translation>le fichier ne contient aucune instruction</translation>
+    </message>
+    <message>
+        <source>the file contains %1 functions or parameters, but no statement that calls a function; add the call</source>
+        <translation>le fichier contient %1 fonctions ou paramètres, mais aucune instruction n’appelle une fonction ; ajoutez l’appel</translation>
+    </message>
+    <message>
+        <source>the program contains no statements</source>
+        <translation>le programme ne contient aucune instruction</translation>
+    </message>
+    <message>
+        <source>Installation</source>
+        <translation>Installation</translation>
+    </message>
+    <message>
+        <source>disabled</source>
+        <translation>désactivé</translation>
+    </message>
+    <message>
+        <source>The program uses output integer register 46 or 47, in which Tiller writes the number of the running step.</source>
+        <translation>Le programme utilise le registre de sortie entier 46 ou 47, dans lequel Tiller écrit le numéro de l’étape en cours.</translation>
+    </message>
+    <message>
+        <source>In this project, programs begin with the TCP of the tool &apos;%1&apos;.</source>
+        <translation>Dans ce projet, les programmes commencent avec le TCP de l’outil « %1 ».</translation>
+    </message>
+    <message>
+        <source>The program does not set the TCP. Its waypoints require the TCP %1.</source>
+        <translation>Le programme ne définit pas le TCP. Ses points de passage exigent le TCP %1.</translation>
+    </message>
+    <message>
+        <source>a disabled node in a part that is text</source>
+        <translation>un nœud désactivé dans une partie conservée comme texte</translation>
+    </message>
+    <message>
+        <source>it is nested too deep</source>
+        <translation>elle est imbriquée trop profondément</translation>
+    </message>
+    <message>
+        <source>the TCP applies until the end of the program</source>
+        <translation>le TCP s’applique jusqu’à la fin du programme</translation>
+    </message>
+    <message>
+        <source>its condition cannot be a condition of a step</source>
+        <translation>sa condition ne peut pas être celle d’une étape</translation>
+    </message>
+    <message>
+        <source>functions with parameters or results, and threads, have no step</source>
+        <translation>aucune étape ne correspond aux fonctions avec paramètres ou résultat, ni aux threads</translation>
+    </message>
+    <message>
+        <source>the program does not call this function</source>
+        <translation>le programme n’appelle pas cette fonction</translation>
+    </message>
+    <message>
+        <source>becomes a program</source>
+        <translation>devient un programme</translation>
+    </message>
+    <message>
+        <source>part of a waypoint</source>
+        <translation>partie d’un point de passage</translation>
+    </message>
+    <message>
+        <source>the type or the scope of the variable is not certain</source>
+        <translation>le type ou la portée de la variable n’est pas certain</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -9020,6 +9188,34 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <source>The program was changed after the stop, so it cannot continue. Run it from its beginning.</source>
         <translation>Le programme a été modifié après l’arrêt : il ne peut pas reprendre. Exécutez-le depuis le début.</translation>
     </message>
+    <message>
+        <source>Import program…</source>
+        <translation>Importer un programme…</translation>
+    </message>
+    <message>
+        <source>Import program</source>
+        <translation>Importer un programme</translation>
+    </message>
+    <message>
+        <source>Robot programs (*.script *.urp *.urpx);;All files (*)</source>
+        <translation>Programmes de robot (*.script *.urp *.urpx);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Importing %1…</source>
+        <translation>Importation de %1…</translation>
+    </message>
+    <message>
+        <source>Import “%1”</source>
+        <translation>Importer « %1 »</translation>
+    </message>
+    <message>
+        <source>Imported “%1”.</source>
+        <translation>« %1 » importé.</translation>
+    </message>
+    <message>
+        <source>⚠ The import failed. The project is unchanged.</source>
+        <translation>⚠ L’importation a échoué. Le projet est inchangé.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectDocument</name>
@@ -13001,6 +13197,33 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     <message>
         <source>Practice: add “%1”</source>
         <translation>Exercice : ajouter « %1 »</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ImportReport</name>
+    <message>
+        <source>Import of “%1”</source>
+        <translation>Importation de « %1 »</translation>
+    </message>
+    <message>
+        <source>Steps: %1. Kept as URScript text: %2. Not imported: %3. New waypoints: %4.</source>
+        <translation>Étapes : %1. Conservées comme texte URScript : %2. Non importées : %3. Nouveaux points de passage : %4.</translation>
+    </message>
+    <message>
+        <source>Imported program</source>
+        <translation>Programme importé</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Ligne</translation>
+    </message>
+    <message>
+        <source>Node or statement</source>
+        <translation>Nœud ou instruction</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Résultat</translation>
     </message>
 </context>
 </TS>

@@ -3084,6 +3084,174 @@
         <source>a program of another client has taken over</source>
         <translation>別のクライアントのプログラムがロボットを制御しています</translation>
     </message>
+    <message>
+        <source>the Message step has no title</source>
+        <translation>メッセージのステップにはタイトルがありません</translation>
+    </message>
+    <message>
+        <source>the payload is not given by numbers</source>
+        <translation>ペイロードが数値で指定されていません</translation>
+    </message>
+    <message>
+        <source>the speed, acceleration or blend is not a number, or a time is set</source>
+        <translation>速度、加速度またはブレンドが数値でないか、時間が指定されています</translation>
+    </message>
+    <message>
+        <source>its target cannot be a waypoint or a pose of a step</source>
+        <translation>目標をウェイポイントにもステップの姿勢にもできません</translation>
+    </message>
+    <message>
+        <source>%1. Save the program on the pendant and copy its .script file to the same folder, or change the program.</source>
+        <translation>%1。ティーチペンダントでプログラムを保存し、その.scriptファイルを同じフォルダーにコピーするか、プログラムを変更してください。</translation>
+    </message>
+    <message>
+        <source>The nodes cannot be translated: %1. The script that the pendant saved was imported instead.</source>
+        <translation>ノードを変換できません：%1。代わりに、ティーチペンダントが保存したスクリプトをインポートしました。</translation>
+    </message>
+    <message>
+        <source>%1. Complete the program on the pendant first.</source>
+        <translation>%1。先にティーチペンダントでプログラムを完成させてください。</translation>
+    </message>
+    <message>
+        <source>not imported</source>
+        <translation>インポートされていません</translation>
+    </message>
+    <message>
+        <source>%1, disabled</source>
+        <translation>%1、無効</translation>
+    </message>
+    <message>
+        <source>the program has no name</source>
+        <translation>プログラムに名前がありません</translation>
+    </message>
+    <message>
+        <source>the project already has a program &apos;%1&apos;; choose another name</source>
+        <translation>プロジェクトにはすでにプログラム「%1」があります。別の名前を選択してください</translation>
+    </message>
+    <message>
+        <source>the file is too large for a program</source>
+        <translation>ファイルがプログラムとしては大きすぎます</translation>
+    </message>
+    <message>
+        <source>the file is not text in UTF-8</source>
+        <translation>ファイルがUTF-8のテキストではありません</translation>
+    </message>
+    <message>
+        <source>the External Control node runs a script of another computer, which cannot be imported. Remove this node from the program.</source>
+        <translation>External Controlノードは別のコンピューターのスクリプトを実行するため、インポートできません。このノードをプログラムから削除してください。</translation>
+    </message>
+    <message>
+        <source>this line ends a block that was not opened</source>
+        <translation>この行は、開かれていないブロックを閉じています</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>%1行目：%2</translation>
+    </message>
+    <message>
+        <source>the blocks are nested too deep</source>
+        <translation>ブロックの入れ子が深すぎます</translation>
+    </message>
+    <message>
+        <source>a block continues beyond its node</source>
+        <translation>ブロックがノードの範囲を超えています</translation>
+    </message>
+    <message>
+        <source>several statements share a line</source>
+        <translation>1行に複数の文があります</translation>
+    </message>
+    <message>
+        <source>the block that begins in line %1 has no end</source>
+        <translation>%1行目で始まるブロックに終わりがありません</translation>
+    </message>
+    <message>
+        <source>no step generates this statement</source>
+        <translation>この文を生成するステップはありません</translation>
+    </message>
+    <message>
+        <source>the program contains a return</source>
+        <translation>プログラムにreturnが含まれています</translation>
+    </message>
+    <message>
+        <source>the program has too many statements</source>
+        <translation>プログラムの文が多すぎます</translation>
+    </message>
+    <message>
+        <source>the script of the steps does not compile</source>
+        <translation>ステップのスクリプトをコンパイルできません</translation>
+    </message>
+    <message>
+        <source>the program is too complex</source>
+        <translation>プログラムが複雑すぎます</translation>
+    </message>
+    <message>
+        <source>the file contains no statements</source>
+        <translation>ファイルに文がありません</translation>
+    </message>
+    <message>
+        <source>the file contains %1 functions or parameters, but no statement that calls a function; add the call</source>
+        <translation>ファイルには%1個の関数またはパラメーターがありますが、関数を呼び出す文がありません。呼び出しを追加してください</translation>
+    </message>
+    <message>
+        <source>the program contains no statements</source>
+        <translation>プログラムに文がありません</translation>
+    </message>
+    <message>
+        <source>Installation</source>
+        <translation>インストール設定</translation>
+    </message>
+    <message>
+        <source>disabled</source>
+        <translation>無効</translation>
+    </message>
+    <message>
+        <source>The program uses output integer register 46 or 47, in which Tiller writes the number of the running step.</source>
+        <translation>プログラムは整数出力レジスター46または47を使用していますが、Tillerはそこに実行中のステップの番号を書き込みます。</translation>
+    </message>
+    <message>
+        <source>In this project, programs begin with the TCP of the tool &apos;%1&apos;.</source>
+        <translation>このプロジェクトでは、プログラムはツール「%1」のTCPで始まります。</translation>
+    </message>
+    <message>
+        <source>The program does not set the TCP. Its waypoints require the TCP %1.</source>
+        <translation>プログラムはTCPを設定しません。そのウェイポイントにはTCP %1が必要です。</translation>
+    </message>
+    <message>
+        <source>a disabled node in a part that is text</source>
+        <translation>テキストになった部分の無効なノード</translation>
+    </message>
+    <message>
+        <source>it is nested too deep</source>
+        <translation>入れ子が深すぎます</translation>
+    </message>
+    <message>
+        <source>the TCP applies until the end of the program</source>
+        <translation>TCPはプログラムの終わりまで有効です</translation>
+    </message>
+    <message>
+        <source>its condition cannot be a condition of a step</source>
+        <translation>条件をステップの条件にできません</translation>
+    </message>
+    <message>
+        <source>functions with parameters or results, and threads, have no step</source>
+        <translation>引数や戻り値のある関数とスレッドに対応するステップはありません</translation>
+    </message>
+    <message>
+        <source>the program does not call this function</source>
+        <translation>プログラムはこの関数を呼び出しません</translation>
+    </message>
+    <message>
+        <source>becomes a program</source>
+        <translation>プログラムになります</translation>
+    </message>
+    <message>
+        <source>part of a waypoint</source>
+        <translation>ウェイポイントの一部</translation>
+    </message>
+    <message>
+        <source>the type or the scope of the variable is not certain</source>
+        <translation>変数の型またはスコープを特定できません</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -9000,6 +9168,34 @@ Release the button to stop the arm.</source>
         <source>The program was changed after the stop, so it cannot continue. Run it from its beginning.</source>
         <translation>停止後にプログラムが変更されたため、再開できません。最初から実行してください。</translation>
     </message>
+    <message>
+        <source>Import program…</source>
+        <translation>プログラムをインポート…</translation>
+    </message>
+    <message>
+        <source>Import program</source>
+        <translation>プログラムのインポート</translation>
+    </message>
+    <message>
+        <source>Robot programs (*.script *.urp *.urpx);;All files (*)</source>
+        <translation>ロボットプログラム (*.script *.urp *.urpx);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>Importing %1…</source>
+        <translation>%1 をインポートしています…</translation>
+    </message>
+    <message>
+        <source>Import “%1”</source>
+        <translation>「%1」をインポート</translation>
+    </message>
+    <message>
+        <source>Imported “%1”.</source>
+        <translation>「%1」をインポートしました。</translation>
+    </message>
+    <message>
+        <source>⚠ The import failed. The project is unchanged.</source>
+        <translation>⚠ インポートに失敗しました。プロジェクトは変更されていません。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectDocument</name>
@@ -12959,6 +13155,33 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>Practice: add “%1”</source>
         <translation>練習：「%1」を追加</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ImportReport</name>
+    <message>
+        <source>Import of “%1”</source>
+        <translation>「%1」のインポート</translation>
+    </message>
+    <message>
+        <source>Steps: %1. Kept as URScript text: %2. Not imported: %3. New waypoints: %4.</source>
+        <translation>ステップ：%1。URScriptテキストとして保持：%2。インポートなし：%3。新しいウェイポイント：%4。</translation>
+    </message>
+    <message>
+        <source>Imported program</source>
+        <translation>インポートしたプログラム</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>行</translation>
+    </message>
+    <message>
+        <source>Node or statement</source>
+        <translation>ノードまたは文</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>結果</translation>
     </message>
 </context>
 </TS>

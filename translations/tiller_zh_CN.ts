@@ -3084,6 +3084,174 @@
         <source>a program of another client has taken over</source>
         <translation>其他客户端的程序已接管机器人</translation>
     </message>
+    <message>
+        <source>the Message step has no title</source>
+        <translation>“消息”步骤没有标题</translation>
+    </message>
+    <message>
+        <source>the payload is not given by numbers</source>
+        <translation>有效负载不是用数字给出的</translation>
+    </message>
+    <message>
+        <source>the speed, acceleration or blend is not a number, or a time is set</source>
+        <translation>速度、加速度或交融半径不是数字，或者设置了时间</translation>
+    </message>
+    <message>
+        <source>its target cannot be a waypoint or a pose of a step</source>
+        <translation>目标既不能作为路点，也不能作为步骤的位姿</translation>
+    </message>
+    <message>
+        <source>%1. Save the program on the pendant and copy its .script file to the same folder, or change the program.</source>
+        <translation>%1。请在示教器上保存程序，并将其 .script 文件复制到同一文件夹，或者修改程序。</translation>
+    </message>
+    <message>
+        <source>The nodes cannot be translated: %1. The script that the pendant saved was imported instead.</source>
+        <translation>无法转换节点：%1。已改为导入示教器保存的脚本。</translation>
+    </message>
+    <message>
+        <source>%1. Complete the program on the pendant first.</source>
+        <translation>%1。请先在示教器上完成程序。</translation>
+    </message>
+    <message>
+        <source>not imported</source>
+        <translation>未导入</translation>
+    </message>
+    <message>
+        <source>%1, disabled</source>
+        <translation>%1，已禁用</translation>
+    </message>
+    <message>
+        <source>the program has no name</source>
+        <translation>程序没有名称</translation>
+    </message>
+    <message>
+        <source>the project already has a program &apos;%1&apos;; choose another name</source>
+        <translation>项目中已有程序“%1”；请选择其他名称</translation>
+    </message>
+    <message>
+        <source>the file is too large for a program</source>
+        <translation>文件太大，不能作为程序</translation>
+    </message>
+    <message>
+        <source>the file is not text in UTF-8</source>
+        <translation>文件不是 UTF-8 文本</translation>
+    </message>
+    <message>
+        <source>the External Control node runs a script of another computer, which cannot be imported. Remove this node from the program.</source>
+        <translation>External Control 节点运行另一台计算机的脚本，无法导入。请从程序中删除此节点。</translation>
+    </message>
+    <message>
+        <source>this line ends a block that was not opened</source>
+        <translation>此行结束了一个未开始的块</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>第 %1 行：%2</translation>
+    </message>
+    <message>
+        <source>the blocks are nested too deep</source>
+        <translation>块嵌套过深</translation>
+    </message>
+    <message>
+        <source>a block continues beyond its node</source>
+        <translation>某个块超出了其节点</translation>
+    </message>
+    <message>
+        <source>several statements share a line</source>
+        <translation>同一行有多条语句</translation>
+    </message>
+    <message>
+        <source>the block that begins in line %1 has no end</source>
+        <translation>从第 %1 行开始的块没有结束</translation>
+    </message>
+    <message>
+        <source>no step generates this statement</source>
+        <translation>没有步骤能生成此语句</translation>
+    </message>
+    <message>
+        <source>the program contains a return</source>
+        <translation>程序包含 return</translation>
+    </message>
+    <message>
+        <source>the program has too many statements</source>
+        <translation>程序的语句太多</translation>
+    </message>
+    <message>
+        <source>the script of the steps does not compile</source>
+        <translation>步骤的脚本无法编译</translation>
+    </message>
+    <message>
+        <source>the program is too complex</source>
+        <translation>程序过于复杂</translation>
+    </message>
+    <message>
+        <source>the file contains no statements</source>
+        <translation>文件不包含语句</translation>
+    </message>
+    <message>
+        <source>the file contains %1 functions or parameters, but no statement that calls a function; add the call</source>
+        <translation>文件包含 %1 个函数或参数，但没有调用函数的语句；请添加调用</translation>
+    </message>
+    <message>
+        <source>the program contains no statements</source>
+        <translation>程序不包含语句</translation>
+    </message>
+    <message>
+        <source>Installation</source>
+        <translation>安装设置</translation>
+    </message>
+    <message>
+        <source>disabled</source>
+        <translation>已禁用</translation>
+    </message>
+    <message>
+        <source>The program uses output integer register 46 or 47, in which Tiller writes the number of the running step.</source>
+        <translation>程序使用整数输出寄存器 46 或 47，而 Tiller 在其中写入正在运行的步骤编号。</translation>
+    </message>
+    <message>
+        <source>In this project, programs begin with the TCP of the tool &apos;%1&apos;.</source>
+        <translation>在此项目中，程序以工具“%1”的 TCP 开始。</translation>
+    </message>
+    <message>
+        <source>The program does not set the TCP. Its waypoints require the TCP %1.</source>
+        <translation>程序未设置 TCP。其路点需要 TCP %1。</translation>
+    </message>
+    <message>
+        <source>a disabled node in a part that is text</source>
+        <translation>文本部分中的已禁用节点</translation>
+    </message>
+    <message>
+        <source>it is nested too deep</source>
+        <translation>嵌套过深</translation>
+    </message>
+    <message>
+        <source>the TCP applies until the end of the program</source>
+        <translation>该 TCP 一直有效到程序结束</translation>
+    </message>
+    <message>
+        <source>its condition cannot be a condition of a step</source>
+        <translation>其条件不能作为步骤的条件</translation>
+    </message>
+    <message>
+        <source>functions with parameters or results, and threads, have no step</source>
+        <translation>带参数或返回值的函数以及线程没有对应的步骤</translation>
+    </message>
+    <message>
+        <source>the program does not call this function</source>
+        <translation>程序没有调用此函数</translation>
+    </message>
+    <message>
+        <source>becomes a program</source>
+        <translation>成为一个程序</translation>
+    </message>
+    <message>
+        <source>part of a waypoint</source>
+        <translation>路点的一部分</translation>
+    </message>
+    <message>
+        <source>the type or the scope of the variable is not certain</source>
+        <translation>无法确定变量的类型或作用域</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -9000,6 +9168,34 @@ Release the button to stop the arm.</source>
         <source>The program was changed after the stop, so it cannot continue. Run it from its beginning.</source>
         <translation>停止后程序已更改，无法继续。请从头运行。</translation>
     </message>
+    <message>
+        <source>Import program…</source>
+        <translation>导入程序…</translation>
+    </message>
+    <message>
+        <source>Import program</source>
+        <translation>导入程序</translation>
+    </message>
+    <message>
+        <source>Robot programs (*.script *.urp *.urpx);;All files (*)</source>
+        <translation>机器人程序 (*.script *.urp *.urpx);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Importing %1…</source>
+        <translation>正在导入 %1…</translation>
+    </message>
+    <message>
+        <source>Import “%1”</source>
+        <translation>导入“%1”</translation>
+    </message>
+    <message>
+        <source>Imported “%1”.</source>
+        <translation>已导入“%1”。</translation>
+    </message>
+    <message>
+        <source>⚠ The import failed. The project is unchanged.</source>
+        <translation>⚠ 导入失败。项目未更改。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectDocument</name>
@@ -12959,6 +13155,33 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>Practice: add “%1”</source>
         <translation>练习：添加“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::ImportReport</name>
+    <message>
+        <source>Import of “%1”</source>
+        <translation>导入“%1”</translation>
+    </message>
+    <message>
+        <source>Steps: %1. Kept as URScript text: %2. Not imported: %3. New waypoints: %4.</source>
+        <translation>步骤：%1。保留为 URScript 文本：%2。未导入：%3。新路点：%4。</translation>
+    </message>
+    <message>
+        <source>Imported program</source>
+        <translation>导入的程序</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>行</translation>
+    </message>
+    <message>
+        <source>Node or statement</source>
+        <translation>节点或语句</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
     </message>
 </context>
 </TS>

@@ -7,11 +7,17 @@
 #include <QDragEnterEvent>
 #include <QDragMoveEvent>
 #include <QDropEvent>
+#include <QFile>
 #include <QHeaderView>
+#include <QLabel>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
+#include <QTemporaryDir>
 #include <QTest>
+#include <QTreeWidget>
+#include <QUrl>
 #include <functional>
 
 #include "app/action_table.h"
@@ -134,6 +140,27 @@ private:
         QDropEvent dropped(at, possible, data.get(), Qt::LeftButton, keys);
         dropped.setDropAction(action);
         QApplication::sendEvent(tree().viewport(), &dropped);
+    }
+    QDialog* importReport() { return window().findChild<QDialog*>("program.import"); }
+    static QString writtenScript(const QTemporaryDir& folder, const QString& name,
+                                 const QByteArray& content) {
+        QFile file(folder.filePath(name));
+        return file.open(QIODevice::WriteOnly) && file.write(content) == content.size() ? file.fileName()
+                                                                                        : QString();
+    }
+    /// Drops a file of a file manager.
+    static void dropFile(QWidget& on, const QString& path, bool isAccepted) {
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(path)});
+        const QPoint at(5, 5);
+        QDragEnterEvent enter(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(&on, &enter);
+        QCOMPARE(enter.isAccepted(), isAccepted);
+        if (isAccepted) {
+            QDropEvent dropped(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+            QApplication::sendEvent(&on, &dropped);
+            QVERIFY(dropped.isAccepted());
+        }
     }
     QPoint middleOf(const QModelIndex& row) { return tree().visualRect(row).center(); }
     QPoint topOf(const QModelIndex& row) {
@@ -318,6 +345,103 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(view.paths().empty(), 60'000);
         cell().advanceMs(500);
         QVERIFY((cell().truth().q.values - before.values).cwiseAbs().maxCoeff() < 1e-9);
+    }
+
+    // A file dropped on any part of the tab becomes a program. One undo step removes it with its waypoints.
+    void droppedFileBecomesAProgram() {
+        openTray();
+        const project::Project before = document().project();
+        const QTemporaryDir folder;
+        const QString path = writtenScript(folder, "pick.script",
+                                           "def pick():\n  movej([0, -1.5, 1.5, 0, 1, 0])\n  "
+                                           "zero_ftsensor()\n  if get_standard_digital_in(1):\n"
+                                           "    sleep(1)\n  end\nend\n");
+        dropFile(*tree().viewport(), path, true);
+        QTRY_VERIFY2_WITH_TIMEOUT(importReport() != nullptr, qPrintable(status()), 60'000);
+        QCOMPARE(document().project().programs.size(), std::size_t(2));
+        QCOMPARE(shapeOf(document().project().programs.at(1).steps), QString("moveJ script if(wait)"));
+        QCOMPARE(document().waypoints().size(), before.waypoints.size() + 1);
+        QCOMPARE(bench_->find<QComboBox>("program.choice").currentText(), QString("pick"));
+        QCOMPARE(importReport()->findChild<QLabel*>("program.import.summary")->text(),
+                 QString("Steps: 3. Kept as URScript text: 1. Not imported: 0. New waypoints: 1."));
+        auto& rows = *importReport()->findChild<QTreeWidget*>("program.import.rows");
+        QStringList results;
+        for (int row = 0; row < rows.topLevelItemCount(); ++row) {
+            const QTreeWidgetItem& item = *rows.topLevelItem(row);
+            results << item.text(0) + ": " + item.text(2);
+        }
+        QCOMPARE(results, QStringList({"2: 1  MoveJ", "3: ⚠ 2  URScript (no step generates this statement)",
+                                       "4: 3  If", "5: 4  Wait"}));
+        // Enter selects the step of the row.
+        rows.setCurrentItem(rows.topLevelItem(3));
+        QTest::keyClick(&rows, Qt::Key_Return);
+        QCOMPARE(tree().selectedIds(), QSet<QUuid>{document().project().programs.at(1).steps[2].steps[0].id});
+        importReport()->close();
+        document().undo();
+        QVERIFY(document().project() == before);
+        document().redo();
+        QCOMPARE(document().project().programs.size(), std::size_t(2));
+        // The same file again is a program with another name.
+        dropFile(*tree().viewport(), path, true);
+        QTRY_COMPARE_WITH_TIMEOUT(document().project().programs.size(), std::size_t(3), 60'000);
+        QCOMPARE(document().project().programs.at(2).name, QString("pick 2"));
+    }
+
+    // The project may change while a file is imported.
+    void editDuringAnImportIsKept() {
+        openTray();
+        const QTemporaryDir folder;
+        dropFile(*tree().viewport(), writtenScript(folder, "a.script", "sleep(1)\n"), true);
+        project::ProgramList programs = document().project().programs;
+        programs.append(program::makeProgram("other", {program::step("wait", {{"time", 1}})}));
+        document().changePrograms(programs, "add");
+        QTRY_VERIFY2_WITH_TIMEOUT(importReport() != nullptr, qPrintable(status()), 60'000);
+        QStringList names;
+        for (const project::Program& program : document().project().programs) {
+            names << program.name;
+        }
+        QCOMPARE(names, QStringList({programs.at(0).name, "other", "a"}));
+    }
+
+    void failedImportReportsCauseAndAction_data() {
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<QByteArray>("content");
+        QTest::addColumn<QString>("cause");
+        QTest::addColumn<QString>("action");
+        QTest::newRow("open block") << "a.script" << QByteArray("def a():\n  while True:\n")
+                                    << "a.script: line 4: the block that begins in line 2 has no end"
+                                    << "repair the file";
+        QTest::newRow("not a program") << "a.urp" << QByteArray("<Installation/>") << "a.urp: "
+                                       << "Save the program on the pendant";
+        QTest::newRow("no file") << "a.script" << QByteArray() << "a.script"
+                                 << "Check that the file exists";
+    }
+    void failedImportReportsCauseAndAction() {
+        QFETCH(QString, file);
+        QFETCH(QByteArray, content);
+        QFETCH(QString, cause);
+        QFETCH(QString, action);
+        openTray();
+        const project::Project before = document().project();
+        const QTemporaryDir folder;
+        const QString path = writtenScript(folder, file, content);
+        if (content.isEmpty()) {
+            QVERIFY(QFile::remove(path));
+        }
+        dropFile(*tree().viewport(), path, true);
+        QMessageBox* box = nullptr;
+        QTRY_VERIFY_WITH_TIMEOUT((box = window().findChild<QMessageBox*>("program.importError")) != nullptr,
+                                 60'000);
+        QVERIFY2(box->text().contains(cause) && box->text().contains(action), qPrintable(box->text()));
+        QVERIFY(document().project() == before);
+        QVERIFY2(status().contains("The import failed"), qPrintable(status()));
+        box->close();
+    }
+
+    void otherFilesAreNotImported() {
+        openTray();
+        const QTemporaryDir folder;
+        dropFile(*tree().viewport(), writtenScript(folder, "picture.png", "x"), false);
     }
 
     void previewNamesTheFirstProblem() {

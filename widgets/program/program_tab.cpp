@@ -4,10 +4,14 @@
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
+#include <QDragEnterEvent>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QInputDialog>
 #include <QMenu>
+#include <QMessageBox>
+#include <QMimeData>
 #include <QPointer>
 #include <QSplitter>
 #include <QVBoxLayout>
@@ -16,11 +20,13 @@
 
 #include "robot/core/atomic_file.h"
 #include "robot/station/document/project_document.h"
+#include "robot/station/text/texts.h"
 #include "widgets/common/choice_box.h"
 #include "widgets/common/elided_label.h"
 #include "widgets/common/enter_key.h"
 #include "widgets/common/no_focus_scroll_area.h"
 #include "widgets/common/segmented_control.h"
+#include "widgets/program/import_report.h"
 #include "widgets/program/program_model.h"
 #include "widgets/program/run_bar.h"
 #include "widgets/program/step_form.h"
@@ -35,6 +41,14 @@ namespace {
 
 constexpr int kWide = 820;  ///< minimum width for palette, tree and fields next to each other [px]
 constexpr double kPathSpacing = 0.003;  ///< distance between path points in the 3D view [m]
+
+/// The only program file that is dragged; empty if something else is dragged.
+QString draggedProgram(const QMimeData& data) {
+    const QList<QUrl> urls = data.urls();
+    const QString path = urls.size() == 1 ? urls.front().toLocalFile() : QString();
+    const QString suffix = QFileInfo(path).suffix().toLower();
+    return QStringList{"script", "urp", "urpx"}.contains(suffix) ? path : QString();
+}
 
 QPushButton* keyFor(const char* name, const QString& text) {
     auto* key = new EnterKey(text);
@@ -58,6 +72,7 @@ ProgramTab::ProgramTab(ProjectDocument& document, QWidget* parent)
     , showKey_(keyFor("program.showProblem", tr("Show step")))
     , previewKey_(keyFor("program.preview", tr("Preview"))) {
     setObjectName("program.tab");
+    setAcceptDrops(true);
     buildLayout();
     addCommands();
     connect(previewKey_, &QPushButton::clicked, this, &ProgramTab::preview);
@@ -262,6 +277,7 @@ void ProgramTab::addCommands() {
         {addCommand("new", tr("New program"), {}, &ProgramTab::addProgram),
          addCommand("rename", tr("Rename program…"), {}, &ProgramTab::renameProgram),
          addCommand("remove", tr("Delete program"), {}, &ProgramTab::removeProgram),
+         addCommand("import", tr("Import program…"), {}, &ProgramTab::importProgram),
          addCommand("export", tr("Export script…"), {}, &ProgramTab::exportScript),
          recoverAction_ = addCommand("recover", tr("Check recoverability"), {}, &ProgramTab::checkRecovery)});
     tree_->addAction(addCommand("paste", tr("Paste steps"), QKeySequence::Paste, &ProgramTab::paste));
@@ -304,6 +320,19 @@ QAction* ProgramTab::addCommand(const char* name, const QString& text, const QKe
 void ProgramTab::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     showSides();
+}
+
+void ProgramTab::dragEnterEvent(QDragEnterEvent* event) {
+    if (!draggedProgram(*event->mimeData()).isEmpty()) {
+        event->acceptProposedAction();
+    }
+}
+
+void ProgramTab::dropEvent(QDropEvent* event) {
+    if (const QString path = draggedProgram(*event->mimeData()); !path.isEmpty()) {
+        event->acceptProposedAction();
+        importFile(path);
+    }
 }
 
 void ProgramTab::showSides() {
@@ -788,6 +817,81 @@ void ProgramTab::exportScript() {
     }
     const auto written = writeFileAtomically(path, script.text.toUtf8());
     showStatus(written ? tr("Exported to %1").arg(path) : tr("⚠ %1").arg(written.error().toString()));
+}
+
+// ---- import ---------------------------------------------------------------------------------------------
+
+void ProgramTab::importProgram() {
+    const QString path = QFileDialog::getOpenFileName(
+        this, tr("Import program"), {}, tr("Robot programs (*.script *.urp *.urpx);;All files (*)"));
+    if (!path.isEmpty()) {
+        importFile(path);
+    }
+}
+
+void ProgramTab::importFile(const QString& path) {
+    if (const auto source = program::readImportSource(path)) {
+        startImport(*source);
+    } else {
+        showImportError(source.error());
+    }
+}
+
+void ProgramTab::startImport(const program::ImportSource& source) {
+    showStatus(tr("Importing %1…").arg(source.file));
+    importTask_.start([this, before = document_.project(), source](const std::atomic<bool>& cancelled) {
+        program::ImportSource named = source;
+        named.programName = before.programs.uniqueName(QFileInfo(source.file).completeBaseName());
+        const auto imported = program::importProgram(before, named);
+        if (cancelled) {
+            return;
+        }
+        QMetaObject::invokeMethod(this, [this, before, source, imported] {
+            if (!imported) {
+                showImportError(imported.error());
+            } else if (document_.project() == before) {
+                showImported(*imported);
+            } else {
+                startImport(source);  // the project has changed in the meantime
+            }
+        });
+    });
+}
+
+void ProgramTab::showImported(const program::ImportedProgram& imported) {
+    const project::Project& before = document_.project();
+    const QString name = imported.project.programs.find(imported.program)->name;
+    const QString text = tr("Import “%1”").arg(name);
+    const auto added = imported.project.waypoints.begin() + before.waypoints.size();
+    const std::vector<project::Waypoint> waypoints(added, imported.project.waypoints.end());
+    document_.beginGroup(text);
+    document_.insertWaypoints(before.waypoints.size(), waypoints, text);
+    document_.changeTooling(imported.project.tooling, text);
+    program_ = imported.program;
+    document_.changePrograms(imported.project.programs, text);
+    document_.endGroup();
+    showStatus(tr("Imported “%1”.").arg(name));
+    auto* report = new ImportReport(imported, this);
+    report->setAttribute(Qt::WA_DeleteOnClose);
+    connect(report, &ImportReport::stepChosen, this, [this](const QUuid& step) {
+        for (const project::Program& program : document_.project().programs) {
+            if (program::findStep(program.steps, step) != nullptr && program.id != program_) {
+                program_ = program.id;
+                follow();
+            }
+        }
+        tree_->selectIds({step});
+    });
+    report->open();
+}
+
+void ProgramTab::showImportError(const Error& error) {
+    showStatus(tr("⚠ The import failed. The project is unchanged."));
+    auto* box = new QMessageBox(QMessageBox::Warning, tr("Import program"), texts::errorText(error),
+                                QMessageBox::Ok, this);
+    box->setObjectName("program.importError");
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->open();
 }
 
 }  // namespace tiller

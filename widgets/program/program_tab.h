@@ -11,6 +11,8 @@
 #include <memory>
 #include <vector>
 
+#include "robot/station/program/import/program_import.h"
+#include "robot/station/program/preview/background_task.h"
 #include "robot/station/program/preview/preview_runner.h"
 #include "robot/station/program/program_edit.h"
 #include "robot/station/program/recover/recovery_runner.h"
@@ -65,6 +67,8 @@ Q_SIGNALS:
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
 
 private:
     /// Panels of the right column if there is space for only one of them.
@@ -121,6 +125,12 @@ private:
     QString continuationObstacle() const;
     static QString changedText();
     void exportScript();
+    void importProgram();
+    /// Imports a program file in the background and shows the report.
+    void importFile(const QString& path);
+    void startImport(const program::ImportSource& source);
+    void showImported(const program::ImportedProgram& imported);
+    void showImportError(const Error& error);
     void showRun();
     void showEnd(const program::ProgramRunner& runner);
     void showRunningStep(const program::ProgramRunner& runner);
@@ -165,6 +175,7 @@ private:
     project::Project recoveredProject_;
     std::optional<program::RecoveryMap> recovery_;
     program::RecoveryRunner recoveryRunner_;
+    program::BackgroundTask importTask_;
 };
 
 }  // namespace tiller

@@ -4,6 +4,7 @@
 #include "robot/kinematics/arm_kinematics.h"
 #include "robot/station/program/import/call_steps.h"
 #include "robot/station/program/import/variable_types.h"
+#include "robot/station/program/program_text.h"
 
 namespace tiller::program {
 
@@ -203,12 +204,12 @@ std::optional<ProgramStep> MoveImport::moveStep(const ScriptCall& call, const QS
     const auto time = process ? std::optional(0.0) : numberAt(3, 0);
     const auto blend = numberAt(process ? 3 : 4, 0);
     if (!acceleration || !speed || !blend || time != 0) {
-        reason = QStringLiteral("the speed, acceleration or blend is not a number, or a time is set");
+        reason = ProgramText::tr("the speed, acceleration or blend is not a number, or a time is set");
         return std::nullopt;
     }
     const auto found = targetOf(values->front(), joint);
     if (!found) {
-        reason = QStringLiteral("its target cannot be a waypoint or a pose of a step");
+        reason = ProgramText::tr("its target cannot be a waypoint or a pose of a step");
         return std::nullopt;
     }
     ProgramStep step = makeStep(joint     ? "moveJ"

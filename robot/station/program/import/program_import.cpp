@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "robot/station/program/import/program_import.h"
 
+#include <QDir>
 #include <QFileInfo>
 #include <QRegularExpression>
 #include <algorithm>
 
+#include "robot/core/file_reading.h"
 #include "robot/simulator/pendant/pendant_program.h"
 #include "robot/simulator/script_run.h"
 #include "robot/station/program/import/statement_import.h"
+#include "robot/station/program/program_text.h"
+#include "robot/station/program/step_kind.h"
 
 namespace tiller::program {
 
@@ -48,25 +52,64 @@ Result<PendantProgram> readScriptFile(const ImportSource& source, QString& note)
                                ? pendant.files(QFileInfo(source.file).completeBaseName() + ".script")
                                : std::nullopt;
         if (!saved) {
-            return importError(source.file,
-                               read.error().context +
-                                   QStringLiteral(". Save the program on the pendant and copy its .script "
-                                                  "file to the same folder, or change the program."));
+            return importError(
+                source.file,
+                ProgramText::tr("%1. Save the program on the pendant and copy its .script file to "
+                                "the same folder, or change the program.")
+                    .arg(read.error().context));
         }
-        note = QStringLiteral(
+        note = ProgramText::tr(
                    "The nodes cannot be translated: %1. The script that the pendant saved was "
                    "imported instead.")
                    .arg(read.error().context);
         return PendantProgram{saved->toStdString(), {}, {}};
     }
     if (read->unfinished) {
-        return importError(source.file, read->unfinished->context +
-                                            QStringLiteral(". Complete the program on the pendant first."));
+        return importError(
+            source.file,
+            ProgramText::tr("%1. Complete the program on the pendant first.").arg(read->unfinished->context));
     }
     return read;
 }
 
 }  // namespace
+
+Result<ImportSource> readImportSource(const QString& path) {
+    const auto content = readWholeFile(path, kMaxImportedBytes);
+    if (!content) {
+        return content.error();
+    }
+    ImportSource source;
+    source.file = QFileInfo(path).fileName();
+    source.content = *content;
+    const QDir folder = QFileInfo(path).absoluteDir();
+    source.files = [folder](const QString& name) -> std::optional<QByteArray> {
+        const auto other = readWholeFile(folder.filePath(QFileInfo(name).fileName()), kMaxImportedBytes);
+        return other ? std::optional(*other) : std::nullopt;
+    };
+    return source;
+}
+
+QString resultText(const ImportRow& row) {
+    const StepKind* kind = findStepKind(row.kind);
+    const QString step = kind == nullptr ? row.kind : kind->name();
+    const auto withReason = [&row](const QString& text) {
+        return row.reason.isEmpty() ? text : QStringLiteral("%1 (%2)").arg(text, row.reason);
+    };
+    const auto text = [&] {
+        switch (row.result) {
+            case ImportRow::Result::Step:
+            case ImportRow::Result::Text:
+                return withReason(step);
+            case ImportRow::Result::Merged:
+                return row.reason;
+            case ImportRow::Result::Omitted:
+                return withReason(ProgramText::tr("not imported"));
+        }
+        return QString();
+    };
+    return row.disabled ? ProgramText::tr("%1, disabled").arg(text()) : text();
+}
 
 int ImportedProgram::count(ImportRow::Result result) const {
     return static_cast<int>(
@@ -77,15 +120,15 @@ Result<ImportedProgram> importProgram(const project::Project& project, const Imp
     const QString name =
         source.programName.isEmpty() ? QFileInfo(source.file).completeBaseName() : source.programName;
     if (name.trimmed().isEmpty()) {
-        return Error{ErrorCode::InvalidArgument, QStringLiteral("the program has no name"), {}};
+        return Error{ErrorCode::InvalidArgument, ProgramText::tr("the program has no name"), {}};
     }
     if (project.programs.findByName(name) != nullptr) {
         return Error{ErrorCode::InvalidArgument,
-                     QStringLiteral("the project already has a program '%1'; choose another name").arg(name),
+                     ProgramText::tr("the project already has a program '%1'; choose another name").arg(name),
                      {}};
     }
     if (source.content.size() > kMaxImportedBytes) {
-        return importError(source.file, QStringLiteral("the file is too large for a program"));
+        return importError(source.file, ProgramText::tr("the file is too large for a program"));
     }
     QString note;
     const Result<PendantProgram> read = readScriptFile(source, note);
@@ -95,14 +138,14 @@ Result<ImportedProgram> importProgram(const project::Project& project, const Imp
     const QString script =
         QString::fromStdString(read->script).remove(QLatin1Char('\r')).remove(QChar(QChar::ByteOrderMark));
     if (script.contains(QChar(0)) || script.contains(QChar::ReplacementCharacter)) {
-        return importError(source.file, QStringLiteral("the file is not text in UTF-8"));
+        return importError(source.file, ProgramText::tr("the file is not text in UTF-8"));
     }
     static const QRegularExpression control(QStringLiteral("^\\s*\\$ 0 \"External Control\"$"),
                                             QRegularExpression::MultilineOption);
     if (script.contains(control)) {
         return importError(
-            source.file, QStringLiteral("the External Control node runs a script of another computer, which "
-                                        "cannot be imported. Remove this node from the program."));
+            source.file, ProgramText::tr("the External Control node runs a script of another computer, which "
+                                         "cannot be imported. Remove this node from the program."));
     }
     Result<ImportedProgram> imported =
         importStatements(project, name, withoutReservedNames(script).split(QLatin1Char('\n')), read->marks);

@@ -4,7 +4,7 @@
 // Imports programs of the teach pendant (.urp, .urpx) and URScript (.script) as steps. The import works on the
 // URScript that runs on the robot: for .urp files, the translation of the nodes by robot/simulator/pendant. A
 // statement becomes a step if the step generates an equivalent statement. All other statements become URScript
-// text, in the same order. Texts in this folder are not translated, like those of the other file formats.
+// text, in the same order.
 
 #include <QByteArray>
 #include <QString>
@@ -39,8 +39,9 @@ struct ImportRow {
     int line = 0;  ///< of a .urp program: in the program tree, otherwise in the file; 0: none
     QString name;  ///< text in the program tree, or the statement
     Result result = Result::Step;
-    QString kind;  ///< StepKind::id
-    QString reason;
+    QString kind;    ///< StepKind::id
+    QUuid step;      ///< the step; null if the row is not one step
+    QString reason;  ///< translated
     bool disabled = false;
 };
 
@@ -50,9 +51,18 @@ struct ImportedProgram {
     int waypoints = 0;         ///< number of new waypoints
     int programs = 0;          ///< number of new programs, including subprograms
     std::vector<ImportRow> rows;
-    QStringList notes;  ///< conditions under which the program behaves like the original
+    QStringList notes;  ///< translated: conditions under which the program behaves like the original
     int count(ImportRow::Result result) const;  ///< Number of rows with this result.
 };
+
+/// Reads a program file. Its names of other files are paths on the robot, so `files` of the result finds only files
+/// in the folder of the program.
+/// Errors   those of readWholeFile()
+/// Threads  any. Blocks: for the file system
+Result<ImportSource> readImportSource(const QString& path);
+
+/// The result of a row in one line, e.g. "MoveL" or "URScript text (no step generates this statement)". Translated.
+QString resultText(const ImportRow& row);
 
 /// Adds a program to a copy of the project.
 /// Errors   InvalidArgument: the project already has a program with this name; FileCorrupt, with file, line and

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "robot/station/program/import/script_statements.h"
+#include "robot/station/program/program_text.h"
 
 #include <QRegularExpression>
 #include <cmath>
@@ -58,7 +59,7 @@ public:
         std::vector<ScriptStatement> all;
         const End end = readBlock(all, 0);
         if (error_.isEmpty() && end != End::Text) {
-            fail(QStringLiteral("this line ends a block that was not opened"));
+            fail(ProgramText::tr("this line ends a block that was not opened"));
         }
         if (!error_.isEmpty()) {
             return Error{ErrorCode::ScriptError, error_, {}};
@@ -71,7 +72,7 @@ private:
 
     void fail(const QString& why) {
         if (error_.isEmpty()) {
-            error_ = QStringLiteral("line %1: %2").arg(line_ + 1).arg(why);
+            error_ = ProgramText::tr("line %1: %2").arg(line_ + 1).arg(why);
         }
     }
 
@@ -82,7 +83,7 @@ private:
     /// Reads up to the end of the block; `branch_` is then the line that ended it.
     End readBlock(std::vector<ScriptStatement>& into, int depth) {
         if (depth > kMaxBlockDepth) {
-            fail(QStringLiteral("the blocks are nested too deep"));
+            fail(ProgramText::tr("the blocks are nested too deep"));
         }
         while (error_.isEmpty()) {
             if (mark_ < marks_.size() && marks_[mark_].line <= line_) {
@@ -115,7 +116,7 @@ private:
                                          line_, mark.text);
         if (isFolder || mark.kind == NodeMark::Kind::DisabledBegin) {
             if (readBlock(read.body, depth + 1) != End::Mark) {
-                fail(QStringLiteral("a block continues beyond its node"));
+                fail(ProgramText::tr("a block continues beyond its node"));
             }
         }
         read.last = line_ - 1;
@@ -159,7 +160,7 @@ private:
         if (words.opening == words.closing) {
             static const QRegularExpression part(QStringLiteral("^(else|elif|end)\\b"));
             if (part.match(code).hasMatch()) {
-                fail(QStringLiteral("several statements share a line"));
+                fail(ProgramText::tr("several statements share a line"));
             }
             ScriptStatement simple = statement(Kind::Simple, first, code);
             simple.last = line_ - 1;
@@ -168,7 +169,7 @@ private:
         }
         const auto match = header.match(code);
         if (words.opening != 1 || words.closing != 0 || !match.hasMatch()) {
-            fail(QStringLiteral("several statements share a line"));
+            fail(ProgramText::tr("several statements share a line"));
             return std::nullopt;
         }
         const QString word = match.captured(1);
@@ -185,7 +186,7 @@ private:
                 block.code = code;
             }
             if (readBlock(block.body, depth + 1) != End::End) {
-                fail(QStringLiteral("the block that begins in line %1 has no end").arg(first + 1));
+                fail(ProgramText::tr("the block that begins in line %1 has no end").arg(first + 1));
             }
             node_ = node;
             nodeName_ = nodeName;
@@ -207,7 +208,7 @@ private:
             }
             const bool wasElse = block.branches.size() > 1 && block.branches.back().condition.isEmpty();
             if (end != End::Else || wasElse) {
-                fail(QStringLiteral("the block that begins in line %1 has no end").arg(block.first + 1));
+                fail(ProgramText::tr("the block that begins in line %1 has no end").arg(block.first + 1));
                 return;
             }
             const bool isElse = branch_.startsWith(QLatin1String("else"));

@@ -15,6 +15,7 @@
 #include "robot/station/program/import/script_statements.h"
 #include "robot/station/program/import/variable_types.h"
 #include "robot/station/program/program_script.h"
+#include "robot/station/program/program_text.h"
 
 namespace tiller::program {
 
@@ -28,7 +29,9 @@ using Row = ImportRow;
 
 constexpr int kMaxPasses = 50;
 
-const QString kNoStep = QStringLiteral("no step generates this statement");
+QString noStep() {
+    return ProgramText::tr("no step generates this statement");
+}
 
 QString poseText(const Pose& pose) {
     QStringList numbers;
@@ -107,7 +110,7 @@ public:
             return Error{ErrorCode::ScriptError, why, {}};
         }
         if (hasWord(main_, QStringLiteral("return"))) {
-            return asText(textOf(main_), QStringLiteral("the program contains a return"));
+            return asText(textOf(main_), ProgramText::tr("the program contains a return"));
         }
         analyse();
         if (isPendant_) {
@@ -119,7 +122,7 @@ public:
                 continue;
             }
             if (countOf(out_.project.programs.find(out_.program)->steps) > project::kMaxProgramSteps) {
-                return asText(textOf(main_), QStringLiteral("the program has too many statements"));
+                return asText(textOf(main_), ProgramText::tr("the program has too many statements"));
             }
             const ProgramScript script = writeScript(out_.project, out_.program);
             if (script.ok()) {
@@ -127,13 +130,13 @@ public:
                 return isCompiled(script.text)
                            ? Result<ImportedProgram>(out_)
                            : asText(textOf(main_),
-                                    QStringLiteral("the script of the steps does not compile"));
+                                    ProgramText::tr("the script of the steps does not compile"));
             }
             if (!deny(script.problems)) {
                 return asText(textOf(main_), script.problems.front().text);
             }
         }
-        return asText(textOf(main_), QStringLiteral("the program is too complex"));
+        return asText(textOf(main_), ProgramText::tr("the program is too complex"));
     }
 
 private:
@@ -159,15 +162,15 @@ private:
                       std::back_inserter(main_));
         } else if (others.empty()) {
             return functions.empty()
-                       ? QStringLiteral("the file contains no statements")
-                       : QStringLiteral(
+                       ? ProgramText::tr("the file contains no statements")
+                       : ProgramText::tr(
                              "the file contains %1 functions or parameters, but no statement that "
                              "calls a function; add the call")
                              .arg(functions.size());
         } else {
             main_ = std::move(top);
         }
-        return main_.empty() ? QStringLiteral("the program contains no statements") : QString();
+        return main_.empty() ? ProgramText::tr("the program contains no statements") : QString();
     }
 
     /// Moves the statements before the first node into a folder.
@@ -182,7 +185,7 @@ private:
         folder.kind = Kind::Folder;
         folder.first = main_.front().first;
         folder.last = (end - 1)->last;
-        folder.code = QStringLiteral("Installation");
+        folder.code = ProgramText::tr("Installation");
         folder.body.assign(std::make_move_iterator(main_.begin()), std::make_move_iterator(end));
         main_.erase(main_.begin(), end);
         main_.insert(main_.begin(), std::move(folder));
@@ -342,13 +345,14 @@ private:
         program.steps = {makeStep("script", {{"text", text}})};
         out_.program = program.id;
         out_.programs = 1;
-        out_.project.programs.append(program);
-        out_.rows = {{0, name_, Row::Result::Text, QStringLiteral("script"), reason, false}};
+        const ProgramStep& step = program.steps.front();
+        out_.rows = {{0, name_, Row::Result::Text, step.kind, step.id, reason, false}};
         forEachStatement(main_, false, [&](const ScriptStatement& statement, bool) {
             if (statement.kind == Kind::Disabled || statement.kind == Kind::Omitted) {
-                addRow(statement, Row::Result::Omitted, {}, QStringLiteral("disabled"));
+                addRow(statement, Row::Result::Omitted, ProgramText::tr("disabled"));
             }
         });
+        out_.project.programs.append(std::move(program));
         const ProgramScript script = writeScript(out_.project, out_.program);
         if (!script.ok()) {
             return Error{ErrorCode::ScriptError, script.problems.front().text, {}};
@@ -361,15 +365,15 @@ private:
         static const QRegularExpression used(
             QStringLiteral("(read|write)_output_integer_register\\(\\s*(46|47)\\b"));
         if (!lines_.filter(used).isEmpty()) {
-            out_.notes << QStringLiteral(
+            out_.notes << ProgramText::tr(
                 "The program uses output integer register 46 or 47, in which Tiller "
                 "writes the number of the running step.");
         }
         if (const auto* tool = before_.tooling.tools.find(before_.tooling.activeTool)) {
-            out_.notes << QStringLiteral("In this project, programs begin with the TCP of the tool '%1'.")
+            out_.notes << ProgramText::tr("In this project, programs begin with the TCP of the tool '%1'.")
                               .arg(tool->name);
         } else if (script.tcp && !callsSetTcp(script.text)) {
-            out_.notes << QStringLiteral(
+            out_.notes << ProgramText::tr(
                               "The program does not set the TCP. Its waypoints require the TCP %1.")
                               .arg(poseText(*script.tcp));
         }
@@ -414,8 +418,14 @@ private:
         return texts.join(QLatin1Char('\n'));
     }
 
-    void addRow(const ScriptStatement& statement, Row::Result result, const QString& kind,
+    void addRow(const ScriptStatement& statement, Row::Result result, const ProgramStep& step,
                 const QString& reason = {}) {
+        addRow(statement, result, reason);
+        out_.rows.back().kind = step.kind;
+        out_.rows.back().step = step.id;
+    }
+
+    void addRow(const ScriptStatement& statement, Row::Result result, const QString& reason) {
         constexpr qsizetype kMaxName = 70;
         QString name = statement.node > 0 ? statement.nodeName : statement.code;
         if (name.isEmpty() && statement.kind == Kind::If) {
@@ -425,7 +435,7 @@ private:
             name = name.left(kMaxName - 1) + QChar(0x2026);
         }
         const int line = isPendant_ ? statement.node : statement.first + 1;
-        out_.rows.push_back({line, name, result, kind, reason, false});
+        out_.rows.push_back({line, name, result, {}, {}, reason, false});
     }
 
     void addText(std::vector<ProgramStep>& steps, const ScriptStatement& statement, const QString& reason) {
@@ -443,12 +453,12 @@ private:
         texts_[lastText_] << text;
         keys_.insert(steps.back().id, statement.first);
         if (!joins || !isPendant_ || statement.node == 0) {
-            addRow(statement, Row::Result::Text, QStringLiteral("script"), reason);
+            addRow(statement, Row::Result::Text, steps.back(), reason);
         }
         const auto report = [&](const ScriptStatement& inner, bool) {
             if (inner.kind == Kind::Disabled || inner.kind == Kind::Omitted) {
-                addRow(inner, Row::Result::Omitted, {},
-                       QStringLiteral("a disabled node in a part that is text"));
+                addRow(inner, Row::Result::Omitted,
+                       ProgramText::tr("a disabled node in a part that is text"));
             }
         };
         forEachStatement(statement.body, false, report);
@@ -475,7 +485,7 @@ private:
                     addComment(steps, list, i);
                     break;
                 case Kind::Omitted:
-                    addRow(statement, Row::Result::Omitted, {}, statement.code);
+                    addRow(statement, Row::Result::Omitted, statement.code);
                     out_.rows.back().name.clear();
                     break;
                 case Kind::Folder:
@@ -490,7 +500,7 @@ private:
                     } else if (addCountingLoop(steps, list, i) || addSwitch(steps, list, i)) {
                         ++i;
                     } else if (!addConverted(steps, statement)) {
-                        addText(steps, statement, std::exchange(reason_, kNoStep));
+                        addText(steps, statement, std::exchange(reason_, noStep()));
                     }
                     break;
             }
@@ -500,10 +510,10 @@ private:
 
     void addFolder(std::vector<ProgramStep>& steps, const ScriptStatement& statement) {
         const bool isNode = statement.node > 0;
-        if (isNode) {
-            addRow(statement, Row::Result::Step, QStringLiteral("folder"));
-        }
         ProgramStep folder = makeStep("folder", {{"name", statement.code}});
+        if (isNode) {
+            addRow(statement, Row::Result::Step, folder);
+        }
         ++depth_;
         folder.steps = block(statement.body);
         --depth_;
@@ -519,7 +529,7 @@ private:
             texts << list[++i].code;
         }
         addStep(steps, makeStep("comment", {{"text", texts.join(QLatin1Char('\n'))}}), first);
-        addRow(first, Row::Result::Step, QStringLiteral("comment"));
+        addRow(first, Row::Result::Step, steps.back());
     }
 
     void addDisabled(std::vector<ProgramStep>& steps, const ScriptStatement& statement) {
@@ -540,9 +550,9 @@ private:
     }
 
     bool addConverted(std::vector<ProgramStep>& steps, const ScriptStatement& statement) {
-        reason_ = kNoStep;
+        reason_ = noStep();
         if (depth_ >= project::kMaxProgramDepth / 2 && statement.kind != Kind::Simple) {
-            reason_ = QStringLiteral("it is nested too deep");
+            reason_ = ProgramText::tr("it is nested too deep");
             return false;
         }
         switch (statement.kind) {
@@ -561,14 +571,14 @@ private:
         std::optional<ProgramStep> step = simpleStep(statement);
         if (!step) {
             if (const auto tcp = literalTcp(statement.code)) {
-                addText(steps, statement, QStringLiteral("the TCP applies until the end of the program"));
+                addText(steps, statement, ProgramText::tr("the TCP applies until the end of the program"));
                 using TcpKind = ScriptTcp::Kind;
                 moves_.setTcp({functionSetsTcp_ ? TcpKind::Unknown : TcpKind::Known, *tcp});
                 return true;
             }
             return false;
         }
-        addRow(statement, Row::Result::Step, step->kind);
+        addRow(statement, Row::Result::Step, *step);
         addStep(steps, std::move(*step), statement);
         return true;
     }
@@ -598,10 +608,9 @@ private:
                 return branch.condition.isEmpty() || isExpression(withoutBrackets(branch.condition));
             });
         if (!allConditions) {
-            reason_ = QStringLiteral("its condition cannot be a condition of a step");
+            reason_ = ProgramText::tr("its condition cannot be a condition of a step");
             return false;
         }
-        addRow(statement, Row::Result::Step, QStringLiteral("if"));
         addBranches(steps, statement, statement, true);
         return true;
     }
@@ -619,7 +628,6 @@ private:
                     return each.condition.isEmpty() || isExpression(withoutBrackets(each.condition));
                 });
             if (continues) {
-                addRow(*inner, Row::Result::Step, QStringLiteral("elseIf"));
                 addBranches(steps, chain, *inner, false);
                 return;
             }
@@ -627,6 +635,9 @@ private:
                                    ? makeStep("else")
                                    : makeStep(isFirst ? "if" : "elseIf", {{"condition", condition}});
             isFirst = false;
+            if (&branch == &statement.branches.front()) {
+                addRow(statement, Row::Result::Step, step);
+            }
             step.steps = innerBlock(branch.body, false);
             addStep(steps, std::move(step), chain);
         }
@@ -639,12 +650,12 @@ private:
         const QString condition = withoutBrackets(statement.code);
         const bool isEndless = flagLiteral(condition) == true;
         if (!isEndless && !isExpression(condition)) {
-            reason_ = QStringLiteral("its condition cannot be a condition of a step");
+            reason_ = ProgramText::tr("its condition cannot be a condition of a step");
             return false;
         }
         ProgramStep step =
             isEndless ? makeStep("loop", {{"times", 0}}) : makeStep("while", {{"condition", condition}});
-        addRow(statement, Row::Result::Step, step.kind);
+        addRow(statement, Row::Result::Step, step);
         step.steps = innerBlock(statement.body, true);
         addStep(steps, std::move(step), statement);
         return true;
@@ -670,7 +681,7 @@ private:
             channel ? makeStep("waitInput",
                                {{"input", *channel}, {"value", match.captured(3) == QLatin1String("True")}})
                     : makeStep("waitCondition", {{"condition", condition}});
-        addRow(statement, Row::Result::Step, step.kind);
+        addRow(statement, Row::Result::Step, step);
         addStep(steps, std::move(step), statement);
         return true;
     }
@@ -699,8 +710,8 @@ private:
             hasWord(loop.body, QStringLiteral("continue"))) {
             return false;
         }
-        addRow(loop, Row::Result::Step, QStringLiteral("loop"));
         ProgramStep step = makeStep("loop", {{"times", times}});
+        addRow(loop, Row::Result::Step, step);
         step.steps = innerBlock(Statements(loop.body.begin(), loop.body.end() - 1), true);
         addStep(steps, std::move(step), list[i]);
         return true;
@@ -729,8 +740,8 @@ private:
         if (occurrences(match.captured(1)) != conditions + 1) {
             return false;
         }
-        addRow(list[i], Row::Result::Step, QStringLiteral("switch"));
         ProgramStep step = makeStep("switch", {{"value", match.captured(2)}});
+        addRow(list[i], Row::Result::Step, step);
         for (std::size_t at = 0; at < cases.branches.size(); ++at) {
             const QString& wanted = values[static_cast<qsizetype>(at)];
             ProgramStep part = wanted.isEmpty() ? makeStep("default") : makeStep("case", {{"value", wanted}});
@@ -747,15 +758,16 @@ private:
         const auto match = def.match(statement.code);
         if (!match.hasMatch() || keptFunctions_.contains(match.captured(1)) ||
             hasWord(statement.body, QStringLiteral("return"))) {
-            reason_ = QStringLiteral("functions with parameters or results, and threads, have no step");
+            reason_ = ProgramText::tr("functions with parameters or results, and threads, have no step");
             return false;
         }
         const QString name = match.captured(1);
         if (occurrences(name) < 2) {
-            reason_ = QStringLiteral("the program does not call this function");
+            reason_ = ProgramText::tr("the program does not call this function");
             return false;
         }
-        addRow(statement, Row::Result::Step, QStringLiteral("call"), QStringLiteral("becomes a program"));
+        addRow(statement, Row::Result::Step, ProgramText::tr("becomes a program"));
+        out_.rows.back().kind = QStringLiteral("call");
         const ScriptTcp tcp = moves_.tcp();
         if (callsSetTcpAfter(statement.last)) {
             moves_.setTcpUnknown();
@@ -789,7 +801,7 @@ private:
         }
         moves_.define(name, match.captured(2).trimmed());
         if (omitted_.contains(name)) {
-            addRow(statement, Row::Result::Merged, {}, QStringLiteral("part of a waypoint"));
+            addRow(statement, Row::Result::Merged, ProgramText::tr("part of a waypoint"));
             return true;
         }
         return false;
@@ -829,7 +841,7 @@ private:
         const auto call = parseCall(value);
         const QString type = types_.value(name);
         if (type.isEmpty()) {
-            reason_ = QStringLiteral("the type or the scope of the variable is not certain");
+            reason_ = ProgramText::tr("the type or the scope of the variable is not certain");
             return std::nullopt;
         }
         if (const auto match = call ? request.match(call->function) : QRegularExpressionMatch();

@@ -10,6 +10,7 @@
 #include "program_samples.h"
 #include "robot/simulator/script_run.h"
 #include "robot/station/program/import/program_import.h"
+#include "robot/station/program/program_edit.h"
 #include "robot/station/program/program_script.h"
 
 using namespace tiller;
@@ -368,9 +369,30 @@ private Q_SLOTS:
         QVERIFY(program.rows[1].result == ImportRow::Result::Text && !program.rows[1].reason.isEmpty());
         QCOMPARE(program.rows[1].name, "force_mode_set_damping(0.1)");
         QCOMPARE(program.rows[2].line, 4);
+        QCOMPARE(resultText(program.rows[0]), "MoveJ");
+        QCOMPARE(resultText(program.rows[1]), "URScript (no step generates this statement)");
         QCOMPARE(program.waypoints, 1);
         QCOMPARE(program.project.waypoints.at(0).name, "sample 1");
         QCOMPARE(program.project.waypoints.at(0).group, "sample");
+    }
+
+    // The window selects the step of a row.
+    void rowsReferToTheirSteps() {
+        for (const Sample& sample : kSamples) {
+            const ImportedProgram program = imported(sample.script);
+            for (const ImportRow& row : program.rows) {
+                const project::ProgramStep* step = nullptr;
+                for (const project::Program& each : program.project.programs) {
+                    step = step != nullptr ? step : findStep(each.steps, row.step);
+                }
+                const bool isStep =
+                    row.result == ImportRow::Result::Text ||
+                    (row.result == ImportRow::Result::Step && row.reason.isEmpty());  // not a new program
+                QVERIFY2((step != nullptr) == isStep, qPrintable(sample.name + (": " + row.name)));
+                QVERIFY2(step == nullptr || step->kind == row.kind,
+                         qPrintable(sample.name + (": " + row.name)));
+            }
+        }
     }
 
     void equalPositionsShareAWaypoint() {
