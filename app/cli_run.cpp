@@ -4,18 +4,14 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QRegularExpression>
-#include <atomic>
-#include <thread>
 
 #include "app/cli_command.h"
 #include "app/cli_options.h"
 #include "app/cli_program.h"
 #include "app/termination.h"
-#include "robot/control/programs.h"
-#include "robot/kinematics/arm_kinematics.h"
+#include "robot/control/controller.h"
 #include "robot/receive/receiver.h"
-#include "robot/receive/robot_state.h"
-#include "robot/rtde/fields.h"
+#include "robot/station/program/execution/program_execution.h"
 #include "robot/station/program/preview/preview.h"
 #include "robot/station/program/recover/recovery_map.h"
 
@@ -203,45 +199,12 @@ int refuse(const LoadedProgram& loaded, bool json) {
     return kFailed;
 }
 
-/// True for findings that make a run on the robot unsafe. A missing input is not dangerous, because it can
-/// only end a simulated run early.
-bool isDangerous(const program::Finding& finding) {
-    using Kind = program::Finding::Kind;
-    return finding.kind == Kind::ScriptError || finding.kind == Kind::ProtectiveStop ||
-           finding.kind == Kind::Collision;
-}
-
-/// Maximum simulated time in the check before a program runs on a robot [s].
-constexpr double kCheckedTime = 600;
-
-/// Returns the reason why the program must not run on the robot with this state; empty if it may run.
-QString mismatch(const LoadedProgram& loaded, const receive::RobotState& state) {
-    constexpr double kSameTcp = 1e-4;    // [m]
-    constexpr double kSamePlace = 0.02;  // [m]; a calibrated arm differs from its model by a few millimetres
-    const RobotModel& model = robotModel(loaded.project.robot.value_or(RobotModelId::UR5e));
-    const Pose computed = kinematics::forwardTcp(model.dh, state.q(), state.tcpOffset());
-    if (!((computed.position - state.tcpPose().position).norm() < kSamePlace)) {
-        return QStringLiteral(
-                   "the project was taught with a %1, but the robot is a different model; adapt the project "
-                   "to the robot first")
-            .arg(QLatin1String(model.name));
-    }
-    if (loaded.script.tcp &&
-        !((loaded.script.tcp->position - state.tcpOffset().position).norm() < kSameTcp)) {
-        return QStringLiteral(
-            "the TCP of the robot differs from the TCP of the program's waypoints; set the TCP of the "
-            "waypoints on the robot first");
-    }
-    return {};
-}
-
 int runOnRobot(LoadedProgram loaded, const QString& address, int portOffset,
                const program::PreviewOptions& given) {
     receive::ReceiverOptions receiverOptions;
     receiverOptions.host = address;
     receiverOptions.port = static_cast<std::uint16_t>(rtde::kPort + portOffset);
-    receiverOptions.fields = {"timestamp", "actual_q", "actual_TCP_pose", "tcp_offset",
-                              rtde::intRegisterName(rtde::Direction::Output, program::kStepRegister)};
+    receiverOptions.fields = program::executionFields();
     receive::Receiver receiver(receiverOptions);
     if (const auto started = receiver.start(); !started) {
         return complain(started.error().toString(), kFailed);
@@ -250,29 +213,13 @@ int runOnRobot(LoadedProgram loaded, const QString& address, int portOffset,
     if (!first) {
         return complain(first.error().toString(), kFailed);
     }
-    const receive::RobotState state(*first);
-    if (const QString why = mismatch(loaded, state); !why.isEmpty()) {
-        return complain(why, kFailed);
-    }
     loaded.options.version = receiver.version();
-    loaded.script = program::writeScript(loaded.project, loaded.program, loaded.options);
-    if (!loaded.script.ok()) {
-        return refuse(loaded, false);
-    }
-    program::PreviewOptions previewOptions = given;
-    previewOptions.start = state.q();
-    previewOptions.timeLimit = std::min(given.timeLimit, kCheckedTime);
-    const Preview preview =
-        program::previewProgram(loaded.project, loaded.script, loaded.options, previewOptions);
-    bool dangerous = false;
-    for (const program::Finding& finding : preview.findings) {
-        if (isDangerous(finding)) {
-            complain(QStringLiteral("simulated: ") + problemText(loaded, finding.step, finding.text),
-                     kFailed);
-            dangerous = true;
+    const program::CheckedProgram checked =
+        program::checkForRobot(loaded.project, loaded.program, loaded.options, given, *first);
+    if (!checked.obstacles.isEmpty()) {
+        for (const QString& obstacle : checked.obstacles) {
+            complain(obstacle, kFailed);
         }
-    }
-    if (dangerous) {
         return kFailed;
     }
     control::ControllerOptions controllerOptions;
@@ -286,42 +233,36 @@ int runOnRobot(LoadedProgram loaded, const QString& address, int portOffset,
     if (const auto taken = controller.takeControl(Deadline::after(5s)); !taken) {
         return complain(taken.error().toString(), kFailed);
     }
-    control::Programs programs(controller);
-    Result<void> outcome;
-    std::atomic<bool> ended = false;
-    std::thread runner([&] {
-        outcome = programs.runScript(loaded.script.text,
-                                     Deadline::after(std::chrono::duration_cast<std::chrono::milliseconds>(
-                                         std::chrono::duration<double>(given.timeLimit))));
-        ended = true;
-    });
-    const auto registerNow = [&receiver] {
-        const receive::Sample sample = receiver.latest();
-        return receive::RobotState(sample).outputIntRegister(program::kStepRegister).value_or(0);
-    };
+    loaded.script = checked.script;
+    program::ProgramExecution execution(controller, receiver.subscribe(), checked.script);
+    const Deadline limit = Deadline::after(std::chrono::duration<double>(given.timeLimit));
+    bool isLate = false;
     int shown = 0;
-    while (!ended) {
-        if (waitForTermination(10ms)) {
-            controller.stop();
+    program::ProgramExecution::Status now;
+    while (execution.isActive()) {
+        if (waitForTermination(10ms) || (!isLate && limit.hasExpired())) {
+            isLate = limit.hasExpired();
+            execution.stop();
         }
-        const int now = registerNow();
-        if (now != shown && now > 0) {
-            out() << QStringLiteral("step %1 (%2)\n").arg(now).arg(stepName(loaded, now));
+        now = execution.status();
+        if (now.step != shown && now.step > 0) {
+            out() << QStringLiteral("step %1 (%2)\n").arg(now.step).arg(stepName(loaded, now.step));
             out().flush();
         }
-        shown = now;
+        shown = now.step;
     }
-    runner.join();
-    const int last = registerNow();
-    if (!outcome) {
-        return complain(problemText(loaded, shown, outcome.error().toString()), kFailed);
+    now = execution.status();
+    if (now.state == program::ProgramExecution::State::Completed) {
+        return kSuccess;
     }
-    // At its own end, a program resets the register.
-    return last < 0 ? complain(problemText(loaded, -last, QStringLiteral("the step failed")), kFailed)
-           : last > 0
-               ? complain(problemText(loaded, last, QStringLiteral("the program was ended on the robot")),
-                          kFailed)
-               : kSuccess;
+    if (now.state == program::ProgramExecution::State::Failed) {
+        return complain(problemText(loaded, now.failedStep, QStringLiteral("the step failed")), kFailed);
+    }
+    const Error error = execution.wait(Deadline::never()).error();
+    return complain(
+        problemText(loaded, now.lastStep,
+                    isLate ? QStringLiteral("the time limit of --time-limit expired") : error.toString()),
+        kFailed);
 }
 
 int runProgram(const CommandArguments& arguments) {

@@ -3252,6 +3252,18 @@
         <source>the type or the scope of the variable is not certain</source>
         <translation>Typ oder Gültigkeitsbereich der Variablen ist nicht eindeutig</translation>
     </message>
+    <message>
+        <source>The project was taught with a %1, but the robot is a different model. Adapt the project to the robot first.</source>
+        <translation>Das Projekt wurde mit einem %1 geteacht, aber der Roboter ist ein anderes Modell. Passen Sie das Projekt zuerst an den Roboter an.</translation>
+    </message>
+    <message>
+        <source>Simulated: %1</source>
+        <translation>Simuliert: %1</translation>
+    </message>
+    <message>
+        <source>Step %1 failed and ended the program.</source>
+        <translation>Schritt %1 ist fehlgeschlagen und hat das Programm beendet.</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -9215,6 +9227,10 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     <message>
         <source>⚠ The import failed. The project is unchanged.</source>
         <translation>⚠ Der Import ist fehlgeschlagen. Das Projekt ist unverändert.</translation>
+    </message>
+    <message>
+        <source>Step %1 (%2)</source>
+        <translation>Schritt %1 (%2)</translation>
     </message>
 </context>
 <context>

@@ -3252,6 +3252,18 @@
         <source>the type or the scope of the variable is not certain</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The project was taught with a %1, but the robot is a different model. Adapt the project to the robot first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulated: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step %1 failed and ended the program.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -9201,6 +9213,10 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>⚠ The import failed. The project is unchanged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step %1 (%2)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

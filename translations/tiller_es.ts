@@ -3252,6 +3252,18 @@
         <source>the type or the scope of the variable is not certain</source>
         <translation>el tipo o el ámbito de la variable no está claro</translation>
     </message>
+    <message>
+        <source>The project was taught with a %1, but the robot is a different model. Adapt the project to the robot first.</source>
+        <translation>El proyecto se enseñó con un %1, pero el robot es de otro modelo. Adapte primero el proyecto al robot.</translation>
+    </message>
+    <message>
+        <source>Simulated: %1</source>
+        <translation>Simulado: %1</translation>
+    </message>
+    <message>
+        <source>Step %1 failed and ended the program.</source>
+        <translation>El paso %1 ha fallado y ha terminado el programa.</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -9215,6 +9227,10 @@ Suelte el botón para detener el brazo.</translation>
     <message>
         <source>⚠ The import failed. The project is unchanged.</source>
         <translation>⚠ La importación ha fallado. El proyecto no ha cambiado.</translation>
+    </message>
+    <message>
+        <source>Step %1 (%2)</source>
+        <translation>Paso %1 (%2)</translation>
     </message>
 </context>
 <context>

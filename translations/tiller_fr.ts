@@ -3252,6 +3252,18 @@
         <source>the type or the scope of the variable is not certain</source>
         <translation>le type ou la portée de la variable n’est pas certain</translation>
     </message>
+    <message>
+        <source>The project was taught with a %1, but the robot is a different model. Adapt the project to the robot first.</source>
+        <translation>Le projet a été appris avec un %1, mais le robot est d’un autre modèle. Adaptez d’abord le projet au robot.</translation>
+    </message>
+    <message>
+        <source>Simulated: %1</source>
+        <translation>Simulé : %1</translation>
+    </message>
+    <message>
+        <source>Step %1 failed and ended the program.</source>
+        <translation>L’étape %1 a échoué et a mis fin au programme.</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -9215,6 +9227,10 @@ Relâchez le bouton pour arrêter le bras.</translation>
     <message>
         <source>⚠ The import failed. The project is unchanged.</source>
         <translation>⚠ L’importation a échoué. Le projet est inchangé.</translation>
+    </message>
+    <message>
+        <source>Step %1 (%2)</source>
+        <translation>Étape %1 (%2)</translation>
     </message>
 </context>
 <context>

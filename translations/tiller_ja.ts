@@ -3252,6 +3252,18 @@
         <source>the type or the scope of the variable is not certain</source>
         <translation>変数の型またはスコープを特定できません</translation>
     </message>
+    <message>
+        <source>The project was taught with a %1, but the robot is a different model. Adapt the project to the robot first.</source>
+        <translation>プロジェクトは%1で教示されましたが、ロボットは別の機種です。先にプロジェクトをロボットに合わせてください。</translation>
+    </message>
+    <message>
+        <source>Simulated: %1</source>
+        <translation>シミュレーション：%1</translation>
+    </message>
+    <message>
+        <source>Step %1 failed and ended the program.</source>
+        <translation>ステップ%1が失敗し、プログラムが終了しました。</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -9195,6 +9207,10 @@ Release the button to stop the arm.</source>
     <message>
         <source>⚠ The import failed. The project is unchanged.</source>
         <translation>⚠ インポートに失敗しました。プロジェクトは変更されていません。</translation>
+    </message>
+    <message>
+        <source>Step %1 (%2)</source>
+        <translation>ステップ%1（%2）</translation>
     </message>
 </context>
 <context>

@@ -3252,6 +3252,18 @@
         <source>the type or the scope of the variable is not certain</source>
         <translation>无法确定变量的类型或作用域</translation>
     </message>
+    <message>
+        <source>The project was taught with a %1, but the robot is a different model. Adapt the project to the robot first.</source>
+        <translation>项目是用 %1 示教的，但机器人是其他型号。请先使项目适配该机器人。</translation>
+    </message>
+    <message>
+        <source>Simulated: %1</source>
+        <translation>模拟：%1</translation>
+    </message>
+    <message>
+        <source>Step %1 failed and ended the program.</source>
+        <translation>步骤 %1 失败并结束了程序。</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -9195,6 +9207,10 @@ Release the button to stop the arm.</source>
     <message>
         <source>⚠ The import failed. The project is unchanged.</source>
         <translation>⚠ 导入失败。项目未更改。</translation>
+    </message>
+    <message>
+        <source>Step %1 (%2)</source>
+        <translation>步骤 %1（%2）</translation>
     </message>
 </context>
 <context>

@@ -8,10 +8,10 @@
 #include <QSet>
 #include <memory>
 
+#include "robot/station/program/execution/step_log.h"
 #include "robot/station/program/preview/preview.h"
 #include "robot/station/program/program_edit.h"
 #include "robot/station/program/recover/recovery_map.h"
-#include "robot/station/program/run/step_log.h"
 
 namespace tiller {
 

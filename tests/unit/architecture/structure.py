@@ -14,7 +14,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 PAGE = ROOT / "packaging/reference/architecture.md"
-GROUPS = ["app", "widgets", "robot/station", "robot"]
+GROUPS = ["app", "widgets", "robot/python", "robot/station", "robot"]
 WIDTH = 100
 
 PLOT = "the visible part of a plot"

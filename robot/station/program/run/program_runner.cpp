@@ -197,10 +197,10 @@ Result<RobotSession::MotionId> ProgramRunner::start(const RunPlan& plan, control
     limits_ = plan.limits;
     holding_ = holding;
     endsByPause_ = false;
-    gate_ = {permitted, false};
+    gate_ = RunGate(permitted);
     const QSet<QUuid> breakpoints = holding == control::Holding::Free ? breakpoints_ : QSet<QUuid>();
-    const auto begun =
-        session_.beginProgram(plan.name, script_.gatedText(breakpoints), holding, session_.stops(), gate_);
+    const auto begun = session_.beginProgram(plan.name, script_.gatedText(breakpoints), holding,
+                                             session_.stops(), gate_.value());
     if (!begun) {
         state_ = State::Idle;
         return begun.error();
@@ -240,28 +240,24 @@ void ProgramRunner::stop(control::StopCause cause) {
     }
 }
 
-void ProgramRunner::setGate(const script::StepGate& gate) {
+void ProgramRunner::setGate(const RunGate& gate) {
     if (isActive() && gate != gate_) {
         gate_ = gate;
-        session_.setStepGate(id_, gate_);
+        session_.setStepGate(id_, gate_.value());
         Q_EMIT changed();
     }
 }
 
 void ProgramRunner::pause() {
-    if (!isPaused()) {
-        setGate({log_.begun(), gate_.endsWithCycle});
-    }
-}
-
-bool ProgramRunner::isAtBreakpoint() const {
-    return log_.isWaiting() && gate_.permitted >= script::StepGate::kUnlimited &&
-           gate_.permitted - script::StepGate::kUnlimited <= log_.begun();
+    RunGate gate = gate_;
+    gate.pause(log_);
+    setGate(gate);
 }
 
 void ProgramRunner::resume() {
-    const std::int32_t passed = log_.isWaiting() ? log_.begun() + 1 : 0;
-    setGate({script::StepGate::kUnlimited + passed, gate_.endsWithCycle});
+    RunGate gate = gate_;
+    gate.resume(log_);
+    setGate(gate);
 }
 
 void ProgramRunner::setBreakpoints(const QSet<QUuid>& steps) {
@@ -269,7 +265,7 @@ void ProgramRunner::setBreakpoints(const QSet<QUuid>& steps) {
 }
 
 void ProgramRunner::passRemovedBreakpoint() {
-    if (isAtBreakpoint() && log_.step() > 0 &&
+    if (gate_.isAtBreakpoint(log_) && log_.step() > 0 &&
         !breakpoints_.contains(script_.steps[static_cast<std::size_t>(log_.step() - 1)].step)) {
         resume();
     }
@@ -277,12 +273,16 @@ void ProgramRunner::passRemovedBreakpoint() {
 
 void ProgramRunner::step() {
     if (isWaiting()) {
-        setGate({log_.begun() + 1, gate_.endsWithCycle});
+        RunGate gate = gate_;
+        gate.step(log_);
+        setGate(gate);
     }
 }
 
 void ProgramRunner::setEndsWithCycle(bool ends) {
-    setGate({gate_.permitted, ends});
+    RunGate gate = gate_;
+    gate.setEndsWithCycle(ends);
+    setGate(gate);
 }
 
 void ProgramRunner::take(const SampleBatch& batch) {

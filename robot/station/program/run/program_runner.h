@@ -12,9 +12,10 @@
 #include "robot/control/motion.h"
 #include "robot/station/link/hold_motion.h"
 #include "robot/station/link/robot_session.h"
+#include "robot/station/program/execution/run_gate.h"
+#include "robot/station/program/execution/step_log.h"
 #include "robot/station/program/program_script.h"
 #include "robot/station/program/run/start_step.h"
-#include "robot/station/program/run/step_log.h"
 
 namespace tiller::program {
 
@@ -110,10 +111,10 @@ public:
     /// True: the program ends at standstill before the next iteration of its outermost endless loop.
     void setEndsWithCycle(bool ends);
 
-    bool endsWithCycle() const { return gate_.endsWithCycle; }
+    bool endsWithCycle() const { return gate_.value().endsWithCycle; }
 
     /// True after pause() or step(), and while the program waits at a breakpoint.
-    bool isPaused() const { return gate_.permitted < script::StepGate::kUnlimited || isAtBreakpoint(); }
+    bool isPaused() const { return gate_.isPaused(log_); }
     /// True if the program is paused and has reached the next step.
     bool isWaiting() const { return state_ == State::Running && isPaused() && log_.isWaiting(); }
     /// True while the program is paused by the pendant or another client. Only these can resume it.
@@ -140,8 +141,7 @@ private:
     void take(const SampleBatch& batch);
     void follow();
     void finish(const Result<control::MotionProgress>& progress);
-    void setGate(const script::StepGate& gate);
-    bool isAtBreakpoint() const;
+    void setGate(const RunGate& gate);
     void passRemovedBreakpoint();
 
     RobotSession& session_;
@@ -154,7 +154,7 @@ private:
     QUuid program_;
     ProgramScript script_;
     StepLog log_;
-    script::StepGate gate_;
+    RunGate gate_;
     QSet<QUuid> breakpoints_;
     double expected_ = 0;
     SpeedLimits limits_;

@@ -4,7 +4,7 @@
 
 #include <QTest>
 
-#include "robot/station/program/run/step_log.h"
+#include "robot/station/program/execution/step_log.h"
 
 using namespace tiller;
 using namespace tiller::program;

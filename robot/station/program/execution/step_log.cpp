@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "robot/station/program/run/step_log.h"
+#include "robot/station/program/execution/step_log.h"
 
 namespace tiller::program {
 

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+#include "robot/station/program/execution/program_execution.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "robot/control/programs.h"
+#include "robot/kinematics/arm_kinematics.h"
+#include "robot/receive/robot_state.h"
+#include "robot/rtde/fields.h"
+#include "robot/station/program/program_text.h"
+
+namespace tiller::program {
+
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr double kCheckedTime = 600;  // [s]
+constexpr double kSameTcp = 1e-4;     // [m]
+constexpr double kSamePlace = 0.02;   // [m]; a calibrated arm differs from its model by a few millimetres
+
+/// True for findings that make a run on the robot unsafe. A missing input is not dangerous, because it can only end a
+/// simulated run early.
+bool isDangerous(const Finding& finding) {
+    using Kind = Finding::Kind;
+    return finding.kind == Kind::ScriptError || finding.kind == Kind::ProtectiveStop ||
+           finding.kind == Kind::Collision;
+}
+
+/// Why the program does not fit the robot, as a sentence; empty if it does.
+QString mismatch(const project::Project& project, const ProgramScript& script,
+                 const receive::RobotState& robot) {
+    const RobotModel& model = robotModel(project.robot.value_or(RobotModelId::UR5e));
+    const Pose computed = kinematics::forwardTcp(model.dh, robot.q(), robot.tcpOffset());
+    if (!((computed.position - robot.tcpPose().position).norm() < kSamePlace)) {
+        return ProgramText::
+            tr("The project was taught with a %1, but the robot is a different model. Adapt the project to "
+               "the robot first.")
+                .arg(QLatin1String(model.name));
+    }
+    if (script.tcp && !((script.tcp->position - robot.tcpOffset().position).norm() < kSameTcp)) {
+        return ProgramText::tr(
+            "The TCP of the robot differs from the TCP of the program's waypoints. Set the active TCP of the "
+            "project, or use a TCP section.");
+    }
+    return {};
+}
+
+}  // namespace
+
+std::vector<std::string> executionFields() {
+    return {"timestamp",
+            "actual_q",
+            "actual_TCP_pose",
+            "tcp_offset",
+            "runtime_state",
+            rtde::intRegisterName(rtde::Direction::Output, kStepRegister),
+            rtde::intRegisterName(rtde::Direction::Output, script::kGateRegister)};
+}
+
+CheckedProgram checkForRobot(const project::Project& project, const QUuid& program,
+                             const ScriptOptions& options, const PreviewOptions& preview,
+                             const receive::Sample& sample) {
+    const receive::RobotState robot(sample);
+    CheckedProgram checked{writeScript(project, program, options), {}};
+    for (const ProgramProblem& problem : checked.script.problems) {
+        checked.obstacles.append(problem.number > 0
+                                     ? ProgramText::tr("Step %1: %2").arg(problem.number).arg(problem.text)
+                                     : problem.text);
+    }
+    if (!checked.obstacles.isEmpty()) {
+        return checked;
+    }
+    if (const QString why = mismatch(project, checked.script, robot); !why.isEmpty()) {
+        checked.obstacles.append(why);
+        return checked;
+    }
+    PreviewOptions limited = preview;
+    limited.start = robot.q();
+    limited.timeLimit = std::min(preview.timeLimit, kCheckedTime);
+    for (const Finding& finding : previewProgram(project, checked.script, options, limited).findings) {
+        if (isDangerous(finding)) {
+            checked.obstacles.append(
+                ProgramText::tr("Simulated: %1").arg(findingText(project, checked.script, finding)));
+        }
+    }
+    return checked;
+}
+
+ProgramExecution::ProgramExecution(control::Controller& controller, receive::Subscription samples,
+                                   ProgramScript script, const QSet<QUuid>& breakpoints,
+                                   std::optional<std::uint64_t> stops)
+    : controller_(controller)
+    , samples_(std::move(samples))
+    , script_(std::move(script))
+    , log_(static_cast<int>(script_.steps.size())) {
+    monitor_ = std::thread(&ProgramExecution::monitor, this);
+    runner_ = std::thread(&ProgramExecution::run, this, script_.gatedText(breakpoints),
+                          stops.value_or(controller.stops()));
+}
+
+ProgramExecution::~ProgramExecution() {
+    stop();
+    token_.cancel();
+    runner_.join();
+    monitor_.join();
+}
+
+void ProgramExecution::run(const QString& text, std::uint64_t stops) {
+    control::ScriptTerms terms;
+    terms.stops = stops;
+    terms.gate = script::StepGate();
+    terms.starting = [this](const control::Motion& motion) {
+        const std::lock_guard lock(mutex_);
+        if (isStopped_) {
+            return false;
+        }
+        motion_ = motion;
+        motion_.setGate(gate_.value());  // the gate may have changed since the start
+        return true;
+    };
+    const Result<void> outcome =
+        control::Programs(controller_).runScript(text, Deadline::never(token_), terms);
+    const std::lock_guard lock(mutex_);
+    outcome_ = outcome;
+    changed_.notify_all();
+}
+
+void ProgramExecution::monitor() {
+    constexpr auto kPoll = 50ms;
+    receive::Sample sample;
+    const auto add = [&] {
+        const receive::RobotState robot(sample);
+        const std::lock_guard lock(mutex_);
+        log_.add(robot.timestamp(), robot.runtimeState(), robot.outputIntRegister(kStepRegister).value_or(0),
+                 robot.outputIntRegister(script::kGateRegister).value_or(0));
+    };
+    for (bool isOver = false; !isOver;) {
+        const Result<void> next = samples_.next(sample, Deadline::after(kPoll));
+        if (next) {
+            add();
+        }
+        std::unique_lock lock(mutex_);
+        const auto hasOutcome = [this] { return outcome_.has_value(); };
+        // Without a receiver, next() returns at once.
+        isOver = next || next.error().code == ErrorCode::Timeout ? hasOutcome()
+                                                                 : changed_.wait_for(lock, kPoll, hasOutcome);
+    }
+    while (samples_.next(sample)) {
+        add();
+    }
+    const std::lock_guard lock(mutex_);
+    isEnded_ = true;
+    changed_.notify_all();
+}
+
+ProgramExecution::Status ProgramExecution::status() const {
+    const std::lock_guard lock(mutex_);
+    Status status;
+    status.step = isEnded_ ? 0 : log_.step();
+    status.lastStep = log_.lastStep();
+    status.failedStep = log_.failedStep();
+    status.isPaused = !isEnded_ && gate_.isPaused(log_);
+    status.seconds = log_.seconds();
+    status.timings = log_.timings();
+    status.state = isEnded_                              ? !*outcome_              ? State::Stopped
+                                                           : log_.failedStep() > 0 ? State::Failed
+                                                                                   : State::Completed
+                   : !log_.hasBegun()                    ? State::Starting
+                   : status.isPaused && log_.isWaiting() ? State::Waiting
+                                                         : State::Running;
+    return status;
+}
+
+bool ProgramExecution::isActive() const {
+    const std::lock_guard lock(mutex_);
+    return !isEnded_;
+}
+
+void ProgramExecution::sendGate() {
+    motion_.setGate(gate_.value());
+}
+
+void ProgramExecution::changeGate(void (RunGate::*change)(const StepLog&)) {
+    const std::lock_guard lock(mutex_);
+    (gate_.*change)(log_);
+    sendGate();
+}
+
+void ProgramExecution::pause() {
+    changeGate(&RunGate::pause);
+}
+
+void ProgramExecution::resume() {
+    changeGate(&RunGate::resume);
+}
+
+void ProgramExecution::stepOnce() {
+    changeGate(&RunGate::step);
+}
+
+void ProgramExecution::setEndsWithCycle(bool ends) {
+    const std::lock_guard lock(mutex_);
+    gate_.setEndsWithCycle(ends);
+    sendGate();
+}
+
+void ProgramExecution::stop() {
+    const std::lock_guard lock(mutex_);
+    isStopped_ = true;
+    motion_.cancel(control::StopCause::ApiCall);
+}
+
+Result<void> ProgramExecution::wait(const Deadline& deadline) const {
+    for (;;) {
+        // Not under the mutex, because the token may call a function that waits for other threads.
+        const bool hasExpired = deadline.hasExpired();
+        const auto poll = hasExpired ? 0ms : deadline.nextPoll();
+        std::unique_lock lock(mutex_);
+        if (changed_.wait_for(lock, poll, [this] { return isEnded_; })) {
+            const int failed = log_.failedStep();
+            return !*outcome_ || failed == 0
+                       ? *outcome_
+                       : Error{ErrorCode::ScriptError,
+                               ProgramText::tr("Step %1 failed and ended the program.").arg(failed),
+                               {}};
+        }
+        if (hasExpired) {
+            lock.unlock();
+            return Error{deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout,
+                         QStringLiteral("wait for the end of the program"),
+                         {}};
+        }
+    }
+}
+
+}  // namespace tiller::program

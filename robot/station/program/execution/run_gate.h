@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Pauses a running program before its steps, see script::StepGate.
+
+#include "robot/script/step_gate.h"
+#include "robot/station/program/execution/step_log.h"
+
+namespace tiller::program {
+
+/// log  of the running program
+class RunGate {
+public:
+    /// permitted  number of steps before the program pauses
+    explicit RunGate(std::int32_t permitted = script::StepGate::kUnlimited) : gate_{permitted, false} {}
+
+    const script::StepGate& value() const { return gate_; }
+
+    /// True after pause() or step(), and while the program waits at a breakpoint.
+    bool isPaused(const StepLog& log) const;
+    bool isAtBreakpoint(const StepLog& log) const;
+
+    void pause(const StepLog& log);   ///< The program pauses before its next step.
+    void resume(const StepLog& log);  ///< The program continues to the next breakpoint.
+    void step(const StepLog& log);    ///< A waiting program runs one step.
+    /// True: the program ends before the next iteration of its outermost endless loop.
+    void setEndsWithCycle(bool ends) { gate_.endsWithCycle = ends; }
+
+    friend bool operator==(const RunGate&, const RunGate&) = default;
+
+private:
+    script::StepGate gate_;
+};
+
+}  // namespace tiller::program
