@@ -271,4 +271,5 @@ PYBIND11_MODULE(_native, module) {
     own::defineServices(module);
     own::defineCollision(module);
     own::defineSimulator(module);
+    own::defineProgram(module);
 }

@@ -586,7 +586,7 @@ void defineControl(py::module_& module) {
         waited(seconds, [&](const Deadline& deadline) { return self->controller.takeControl(deadline); });
     });
     cls.def(
-        "release", [](NativeController& self) { self.controller.release(); }, py::call_guard<WaitingCall>());
+        "release", [](NativeController& self) { self.release(); }, py::call_guard<WaitingCall>());
     cls.def("stops", [](const NativeController& self) { return self.controller.stops(); });
     cls.def("is_busy", [](const NativeController& self) {
         const ControllerStatus status = self.controller.status();

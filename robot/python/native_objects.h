@@ -5,12 +5,14 @@
 
 #include <atomic>
 #include <memory>
+#include <mutex>
 #include <utility>
 
 #include "robot/control/controller.h"
 #include "robot/core/robot_model.h"
 #include "robot/python/native_support.h"
 #include "robot/receive/receiver.h"
+#include "robot/station/program/execution/program_execution.h"
 
 namespace tiller::python {
 
@@ -36,7 +38,30 @@ private:
 struct NativeController : ProcessOwned {
     NativeController(control::ControllerOptions options, SharedClock c)
         : clock(std::move(c)), controller(with(std::move(options), clock)) {}
-    ~NativeController() { controller.release(); }
+    ~NativeController() {
+        run_.reset();
+        controller.release();
+    }
+
+    /// The last started program; null if there is none. It continues without its handle.
+    std::shared_ptr<program::ProgramExecution> run() const {
+        const std::lock_guard lock(mutex_);
+        return run_;
+    }
+    void setRun(std::shared_ptr<program::ProgramExecution> run) {
+        const std::lock_guard lock(mutex_);
+        run_ = std::move(run);
+    }
+
+    /// Ends the program, if one is running, and releases control.
+    void release() {
+        if (const auto running = run()) {
+            constexpr std::chrono::seconds kLimit(5);
+            running->stop();
+            (void)running->wait(Deadline::after(kLimit));
+        }
+        controller.release();
+    }
 
     SharedClock clock;
     control::Controller controller;
@@ -49,6 +74,9 @@ private:
         }
         return options;
     }
+
+    mutable std::mutex mutex_;
+    std::shared_ptr<program::ProgramExecution> run_;
 };
 
 using ControllerClass = py::class_<NativeController, std::shared_ptr<NativeController>>;

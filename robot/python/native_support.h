@@ -124,5 +124,6 @@ void defineControl(py::module_& module);
 void defineSimulator(py::module_& module);
 void defineServices(py::module_& module);
 void defineCollision(py::module_& module);
+void defineProgram(py::module_& module);
 
 }  // namespace tiller::python

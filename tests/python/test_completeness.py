@@ -16,7 +16,8 @@ HEADERS = {"control/controller.h": ("Controller",), "control/motions.h": ("Motio
            "control/packet_loop.h": ("PacketLoop",), "io/outputs.h": ("Outputs",),
            "collision/collision_check.h": ("CollisionCheck",),
            "io/input_registers.h": ("InputRegisters",), "recording/recorder.h": ("Recorder",),
-           "receive/receiver.h": ("Receiver", "Subscription")}
+           "receive/receiver.h": ("Receiver", "Subscription"),
+           "station/program/execution/program_execution.h": ("ProgramExecution",)}
 
 
 class Missing(str):
@@ -100,6 +101,10 @@ TABLE = {
         "absentFields": "Sample.__contains__", "priority": Missing("tiller.doctor reports it"),
         "layout": "Sample.fields", "latest": "Robot.state", "waitForData": "Robot.wait_for_data",
         "ageNs": "Robot.data_age", "isFresh": "Robot.data_age", "subscribe": "Robot.samples"},
+    "ProgramExecution": {
+        "script": "Program.script", "status": "ProgramRun.state", "isActive": "ProgramRun.active", "pause": "ProgramRun.pause",
+        "resume": "ProgramRun.resume", "stepOnce": "ProgramRun.step_once", "setEndsWithCycle": "ProgramRun.finish_cycle",
+        "stop": "ProgramRun.stop", "wait": "ProgramRun.wait"},
     "Subscription": {
         "next": "Samples.__next__", "lost": "Samples.lost", "pending": "Samples.pending",
         "isValid": Missing("Samples is always valid")},

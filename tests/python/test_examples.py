@@ -12,7 +12,8 @@ import tiller
 FOLDER = os.path.join(os.environ["TILLER_SOURCE"], "robot", "examples", "python")
 SAYS = {"read": "RUNNING", "record": "rows, 0 packets lost", "move_and_wait": "ended by Completed", "jog": "rose ",
         "servo_circle": "cycles", "force": "force on the TCP", "outputs": "output 0 True", "several_robots": "is back",
-        "recover": "RUNNING NORMAL", "simulate": "PROTECTIVE_STOP", "drop_in": "[", "coroutines": "fastest 0.", "collisions": "table"}
+        "recover": "RUNNING NORMAL", "simulate": "PROTECTIVE_STOP", "drop_in": "[", "coroutines": "fastest 0.", "collisions": "table",
+        "program": "completed "}
 # If the computer is blocked for 100 ms, a held motion ends as intended.
 LATE = ("LinkLost", "EventLoopStalled", "DataStale", "Timeout", "not refreshed")
 ATTEMPTS = 5

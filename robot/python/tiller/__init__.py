@@ -22,14 +22,16 @@ from .errors import Error
 from .kinematics import Kinematics
 from .modes import ControlLoss, LimiterKind, RobotMode, RuntimeState, SafetyMode, StopCause
 from .motions import ForceMode, Jog, Move, PathMove, Plan, Progress, Stream
+from .program import Finding, Preview, Problem, Program, ProgramRun, Recovery, Step, StepField, StepKind, StepTiming
 from .receive import Condition, Recording, Sample, Samples, read_recording
 from .robot import ControlStatus, Cycle, LinkCounters, LoopReport, Robot
 from .services import Consent, Dashboard, Outputs, Registers, Service
 from .simulator import SimulatedState, Simulator
 
 __all__ = ["CollisionCheck", "Condition", "Consent", "ControlLoss", "ControlStatus", "Cycle", "Dashboard", "Error",
-           "ForceMode", "Jog", "JointLimits", "Joints", "Kinematics", "LimiterKind", "LinkCounters", "LoopReport",
-           "Move", "Outputs", "PathMove", "Plan", "Pose", "Progress", "Pulses", "Queries", "Recording", "Registers",
-           "Robot", "RobotMode", "RuntimeState", "SafetyMode", "Sample", "Samples", "Service", "SimulatedState",
-           "Simulator", "StopCause", "Stream", "Tool", "__version__", "collision", "doctor", "errors", "examine",
-           "kinematics", "read_recording"]
+           "Finding", "ForceMode", "Jog", "JointLimits", "Joints", "Kinematics", "LimiterKind", "LinkCounters",
+           "LoopReport", "Move", "Outputs", "PathMove", "Plan", "Pose", "Preview", "Problem", "Program", "ProgramRun",
+           "Progress", "Pulses", "Queries", "Recording", "Recovery", "Registers", "Robot", "RobotMode", "RuntimeState",
+           "SafetyMode", "Sample", "Samples", "Service", "SimulatedState", "Simulator", "Step", "StepField",
+           "StepKind", "StepTiming", "StopCause", "Stream", "Tool", "__version__", "collision", "doctor", "errors",
+           "examine", "kinematics", "read_recording"]

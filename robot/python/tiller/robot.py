@@ -206,6 +206,7 @@ class Robot:
         self._waiting: Callable[[], AbstractContextManager[Any]] = contextlib.nullcontext
         if simulator is not None:
             self._waiting = simulator.flowing
+        self._simulator = simulator
         clock = None if simulator is None else simulator._native.clock()
         port = 30004 + port_offset
         followed = [] if not fields else [*fields, *(field for field in _CONFIRMING if field not in fields)]
@@ -505,6 +506,17 @@ class Robot:
         """For handles. The bound method keeps the Robot alive, so that an uncaught exception and take_control() of
         another Robot find the active motion."""
         return self._waiting()
+
+    def _receiver_of(self, fields: Sequence[str], timeout: float | None) -> _native.Receiver:
+        """Another receiver with data. The caller lets virtual time advance."""
+        simulator = self._simulator
+        clock = None if simulator is None else simulator._native.clock()
+        receiver = _native.Receiver(self.address, 30004 + self._port_offset, 0.0, list(fields), 0, clock)
+        if simulator is not None:
+            simulator._native.follow(receiver)
+        receiver.start()
+        receiver.wait_for_data(timeout)
+        return receiver
 
     def _move(self, native: _native.Motion) -> Move:
         return Move(native, self._handle_waits)
