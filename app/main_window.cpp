@@ -532,6 +532,7 @@ void MainWindow::connectTools() {
     connect(tools_, &ToolsTab::frontWanted, this, [this] { showTab("tools"); });
     connect(program_, &ProgramTab::frontWanted, this, [this] { showTab("program"); });
     connect(program_, &ProgramTab::previewPathChanged, this, &MainWindow::showPaths);
+    connect(program_, &ProgramTab::runningStepChanged, plots_, &PlotDock::setStepLabel);
     program_->setRobot(*session_, holdPolicy_, [this] { return jog_->heldSpeed(); });
     connect(jog_, &JogColumn::speedChanged, program_, &ProgramTab::followSpeed);
     connect(tools_, &ToolsTab::pageChanged, this,

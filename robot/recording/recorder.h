@@ -7,8 +7,8 @@
 // names of ur_rtde recordings (actual_q_0 ... actual_q_5). The last column, `packages_lost`, is the number of
 // packages missing before this row (0 in a recording without gaps). Numbers are written as the shortest text
 // that converts back exactly, with a decimal point in all locales. Fields that the robot does not have are
-// empty; pandas reads them as NaN. Notes, warnings and errors of the log are in a second file, "a.notes.csv"
-// for "a.csv", with the columns row (number of rows before the note), utc, level, source and text.
+// empty; pandas reads them as NaN. Notes, steps of programs, and warnings and errors of the log are in a second file,
+// "a.notes.csv" for "a.csv", with the columns row (number of rows before the note), utc, level, source and text.
 //
 // Complete rows are written at least every half second. If the process is killed, less than a second of data
 // is lost, and the file ends with a complete row.

@@ -14,6 +14,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTreeWidget>
@@ -22,12 +23,15 @@
 
 #include "app/action_table.h"
 #include "program_samples.h"
+#include "robot/station/history/state_lane.h"
 #include "robot/station/program/program_edit.h"
 #include "tests/support/window_bench.h"
 #include "tests/ui/jog_fixture.h"
 #include "widgets/common/elided_label.h"
 #include "widgets/common/segmented_control.h"
 #include "widgets/hold/hold_to_run_button.h"
+#include "widgets/log/log_model.h"
+#include "widgets/plots/plot_dock.h"
 #include "widgets/program/program_model.h"
 #include "widgets/program/program_tab.h"
 #include "widgets/program/step_palette.h"
@@ -518,6 +522,47 @@ private Q_SLOTS:
         cell().advanceMs(1000);
         QVERIFY(tcpSpeed(cell()) < 0.001);
         QVERIFY2(way == "close" || status().startsWith("Stopped in step"), qPrintable(status()));
+    }
+
+    // The log contains the first run of each step; the lane of the plots and recordings contain every run.
+    void stepsAreInTheLogTheLaneAndRecordings() {
+        startMoves(false);
+        if (QTest::currentTestFailed()) {
+            return;
+        }
+        const QString path = bench_->folder.filePath("run.csv");
+        QSignalSpy began(&window().session(), &RobotSession::stepBegan);
+        window().session().recording().start(path);
+        QVERIFY(cell().advanceUntil([&] { return window().session().state().recording.active; }, 60'000));
+        QVERIFY(cell().advanceUntil([&] { return began.size() >= 4; }, 60'000));
+        window().session().stop(control::StopCause::StopButton);
+        cell().advanceMs(1000);
+        window().session().recording().stop();
+        QVERIFY(cell().advanceUntil([&] { return !window().session().state().recording.active; }, 60'000));
+
+        const auto* log = window().findChild<LogModel*>();
+        QStringList steps;
+        for (int row = log->rowCount() - 1; row >= 0; --row) {  // the newest entry is the first one
+            const QString text = log->index(row, LogModel::Text).data().toString();
+            steps << (text.startsWith("Step ") ? QStringList(text) : QStringList());
+        }
+        // Step 1, the loop itself, is shorter than the period of the packets.
+        QCOMPARE(steps, QStringList({"Step 2 (MoveL)", "Step 3 (MoveL)"}));
+
+        QStringList labels;
+        for (const LaneSegment& segment : window().findChild<PlotDock*>()->lane().segments()) {
+            labels << segment.label;
+        }
+        QVERIFY2(labels.count("Step 2 (MoveL)") >= 2, qPrintable(labels.join(", ")));
+        QVERIFY2(labels.contains("Step 3 (MoveL)"), qPrintable(labels.join(", ")));
+        QCOMPARE(labels.last(), QString("At standstill"));
+
+        QFile notes(bench_->folder.filePath("run.notes.csv"));
+        QVERIFY(notes.open(QIODevice::ReadOnly));
+        const QString recorded = QString::fromUtf8(notes.readAll());
+        QVERIFY2(recorded.contains("Step 2 (MoveL)") && recorded.contains("Step 3 (MoveL)"),
+                 qPrintable(recorded));
+        QVERIFY2(recorded.count("Step ") >= 3, qPrintable(recorded));
     }
 
     // Switching the tab or opening a dialog ends held motions, but not a program that runs without a held

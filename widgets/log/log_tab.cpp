@@ -153,6 +153,12 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
     connect(&session, &RobotSession::noteAdded, this, [this](const QString& text) {
         append(Severity::Info, tr("Note: %1").arg(text), Origin::Operator);
     });
+    // Only the first run of each step, so that a program with loops does not fill the log.
+    connect(&session, &RobotSession::stepBegan, this, [this](const QString& text, bool isFirst) {
+        if (isFirst) {
+            append(Severity::Info, text);
+        }
+    });
 }
 
 LogTab::~LogTab() = default;

@@ -857,6 +857,10 @@ void PlotDock::setJogLabel(const QString& label) {
     jogLabel_ = label;
 }
 
+void PlotDock::setStepLabel(const QString& label) {
+    stepLabel_ = label;
+}
+
 void PlotDock::take(const SampleBatch& batch) {
     feed_->take(batch);
     marks_->check();
@@ -878,7 +882,7 @@ void PlotDock::takeExtra(const SampleBatch& batch) {
 void PlotDock::followLane(const SessionState& state) {
     const double shown = feed_->plotTime(state.robotTime);
     if (state.hasData() && state.link != LinkState::Connecting) {
-        const LaneEntry entry = laneEntry(state, jogLabel_);
+        const LaneEntry entry = laneEntry(state, jogLabel_, stepLabel_);
         lane_->add(std::exchange(backAt_, {}).value_or(shown), entry.kind, entry.label);
         lane_->add(shown, entry.kind, entry.label);
     } else if (state.link == LinkState::Lost && state.sequence != 0) {

@@ -100,6 +100,8 @@ public:
 public Q_SLOTS:
     /// Sets the text in the lane for the held jog button, e.g. "X+" or "Wrist 2−". Empty if there is none.
     void setJogLabel(const QString& label);
+    /// Sets the text in the lane for the running step of a program. Empty if no program runs.
+    void setStepLabel(const QString& label);
     void setPaused(bool paused);
     /// Displays the force relative to its current value. Recorded and exported values remain unchanged.
     void setForceZeroed(bool zeroed);
@@ -202,6 +204,7 @@ private:
     QToolButton* record_ = nullptr;
     QToolButton* recordMenu_ = nullptr;
     QString jogLabel_;
+    QString stepLabel_;
     std::optional<double> backAt_;  ///< time at which data arrived again, not yet added to the lane [s]
     RecordingChoice choice_;
     QMap<QString, recording::TableFormat> tables_;  ///< as PlotLayout::tables

@@ -183,6 +183,8 @@ void ProgramTab::setRobot(RobotSession& session, HoldPolicy& policy, std::functi
     connect(runBar_, &RunBar::refused, this,
             [this](const QString& reason) { showStatus(tr("⚠ %1").arg(reason)); });
     connect(runBar_, &RunBar::runChanged, this, &ProgramTab::showRun);
+    connect(runBar_, &RunBar::stepBegan, this,
+            [this](int step, bool isFirst) { Q_EMIT session_->stepBegan(stepLabel(step), isFirst); });
     connect(runBar_, &RunBar::stopChanged, this, [this] {
         if (const QString text = offerContinuation(); !text.isEmpty()) {
             showStatus(text);
@@ -218,6 +220,8 @@ void ProgramTab::followSpeed() {
 void ProgramTab::showRun() {
     const program::ProgramRunner& runner = runBar_->runner();
     model_->setRun(&runner.script(), &runner.log());
+    Q_EMIT runningStepChanged(runner.isActive() && runner.log().step() > 0 ? stepLabel(runner.log().step())
+                                                                           : QString());
     if (runner.state() != program::ProgramRunner::State::Running) {
         wasWaiting_ = false;
         wasPausedOnRobot_ = false;
@@ -252,6 +256,13 @@ void ProgramTab::showEnd(const program::ProgramRunner& runner) {
     texts << runBar_->keepPlace();
     texts.removeAll(QString());
     showStatus(texts.join(QStringLiteral(" · ")));
+}
+
+QString ProgramTab::stepLabel(int step) const {
+    const program::ProgramRunner& runner = runBar_->runner();
+    return tr("Step %1 (%2)")
+        .arg(program::rowNumber(document_.project(), runner.script(), step))
+        .arg(program::stepName(runner.project(), runner.script(), step));
 }
 
 void ProgramTab::showRunningStep(const program::ProgramRunner& runner) {

@@ -64,6 +64,8 @@ Q_SIGNALS:
     void previewPathChanged();
     /// A program run has ended.
     void runEnded();
+    /// Label of the running step, e.g. "Step 3 (MoveL)"; empty if no program runs.
+    void runningStepChanged(const QString& label);
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -134,6 +136,7 @@ private:
     void showRun();
     void showEnd(const program::ProgramRunner& runner);
     void showRunningStep(const program::ProgramRunner& runner);
+    QString stepLabel(int step) const;
 
     /// A step selected by showNextProblem().
     struct Mark {

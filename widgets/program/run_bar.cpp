@@ -135,6 +135,7 @@ RunBar::RunBar(RobotSession& session, HoldPolicy& policy, const ProjectDocument&
     connect(from_, &QPushButton::clicked, this, &RunBar::toggleStartStep);
     connect(finish_, &QPushButton::toggled, &runner_, &program::ProgramRunner::setEndsWithCycle);
     connect(&runner_, &program::ProgramRunner::changed, this, &RunBar::showRun);
+    connect(&runner_, &program::ProgramRunner::stepBegan, this, &RunBar::stepBegan);
     connect(&session_, &RobotSession::stateChanged, this, &RunBar::follow);
     updateAvailability();
 }

@@ -77,6 +77,8 @@ Q_SIGNALS:
     void runChanged();
     /// The robot has lost power, or its outputs have changed, since the last run.
     void stopChanged();
+    /// See ProgramRunner::stepBegan().
+    void stepBegan(int step, bool isFirst);
 
 protected:
     /// Keeps the focus on a button that is disabled. Otherwise, Qt would move the focus to a field of the

@@ -64,7 +64,7 @@ bool hasHeader(QFile& file) {
 
 bool isCsvNote(int level, const QString& source) {
     constexpr int kWarning = 30;
-    return level >= kWarning || source == QLatin1String(kNoteSource);
+    return level >= kWarning || source == QLatin1String(kNoteSource) || source == QLatin1String(kStepSource);
 }
 
 QString csvNotesPath(const QString& recording) {

@@ -42,6 +42,8 @@ IncidentWatch::IncidentWatch(RobotSession& session, const QString& folder, QObje
             });
     connect(&session, &RobotSession::noteAdded, this,
             [this](const QString& text, qint64 utcNs) { box_.note(operatorNote(text, utcNs)); });
+    connect(&session, &RobotSession::stepBegan, this,
+            [this](const QString& text) { box_.note(stepNote(text)); });
 }
 
 // The destructor of the black box completes the current incident, so the worker must be destroyed first.

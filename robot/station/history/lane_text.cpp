@@ -79,7 +79,7 @@ LaneEntry motionEntry(bool moving) {
                   : LaneEntry{LaneKind::Idle, StateLaneText::tr("At standstill")};
 }
 
-LaneEntry laneEntry(const SessionState& state, const QString& jogLabel) {
+LaneEntry laneEntry(const SessionState& state, const QString& jogLabel, const QString& stepLabel) {
     if (!state.hasData()) {
         return noDataEntry();
     }
@@ -88,6 +88,9 @@ LaneEntry laneEntry(const SessionState& state, const QString& jogLabel) {
     }
     if (const auto hindered = hinderedEntry(state.robotMode, state.safetyMode)) {
         return *hindered;
+    }
+    if (!stepLabel.isEmpty()) {
+        return {state.moving ? LaneKind::Moving : LaneKind::Idle, stepLabel};
     }
     if (state.freedriveActive) {
         return {LaneKind::Moving, StateLaneText::tr("Freedrive")};

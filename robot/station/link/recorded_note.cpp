@@ -41,4 +41,9 @@ recording::RecordedNote operatorNote(const QString& text, std::int64_t utcNs) {
     return {utcNs, levelOf(Severity::Info), Text(recording::kNoteSource), text};
 }
 
+recording::RecordedNote stepNote(const QString& text) {
+    return {QDateTime::currentMSecsSinceEpoch() * kNsPerMs, levelOf(Severity::Info),
+            Text(recording::kStepSource), text};
+}
+
 }  // namespace tiller

@@ -231,6 +231,8 @@ Q_SIGNALS:
     /// The operator has added a note for a point in time. Recordings store it at that time.
     /// utcNs  this time [ns since 1970]
     void noteAdded(const QString& text, qint64 utcNs);
+    /// A step of a program has begun. Recordings store every step; the log shows the first run of each step.
+    void stepBegan(const QString& text, bool isFirst);
     /// The robot's service has replied to a command, or could not be reached.
     void commandDone(tiller::RobotCommand command, bool done);
     /// takeControl() would end a program of another client. If the operator agrees, call it again with

@@ -29,6 +29,8 @@ SessionRecording::SessionRecording(RobotSession& session, SessionBackend& backen
                      });
     QObject::connect(&session, &RobotSession::noteAdded, &session,
                      [this](const QString& text, qint64 utcNs) { keep(operatorNote(text, utcNs)); });
+    QObject::connect(&session, &RobotSession::stepBegan, &session,
+                     [this](const QString& text) { keep(stepNote(text)); });
 }
 
 void SessionRecording::keep(const recording::RecordedNote& note) {

@@ -295,9 +295,14 @@ void ProgramRunner::take(const SampleBatch& batch) {
     const auto before = shown();
     for (const receive::Sample& sample : batch.samples) {
         const receive::RobotState robot(sample);
+        const int step = log_.step();
         log_.add(robot.timestamp(), robot.runtimeState(), robot.outputIntRegister(kStepRegister).value_or(0),
                  robot.outputIntRegister(script::kGateRegister).value_or(0));
         endsByPause_ = endsByPause_ || (holding_ == control::Holding::Held && log_.isPausedOnRobot());
+        if (log_.step() > 0 && log_.step() != step) {
+            Q_EMIT stepBegan(log_.step(),
+                             log_.timings()[static_cast<std::size_t>(log_.step() - 1)].count == 1);
+        }
     }
     const bool begins = state_ == State::Sending && log_.hasBegun();
     if (begins) {

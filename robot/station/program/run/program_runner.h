@@ -136,6 +136,10 @@ public:
 
 Q_SIGNALS:
     void changed();
+    /// A step has begun, or the program waits before it.
+    /// step     number of the step
+    /// isFirst  true for its first run
+    void stepBegan(int step, bool isFirst);
 
 private:
     void take(const SampleBatch& batch);

@@ -326,8 +326,11 @@ private Q_SLOTS:
         QVERIFY(laneEntry(state, {}).kind == LaneKind::Moving);
         state.jogActive = true;
         QCOMPARE(laneEntry(state, "X+").label, QString("Jog X+"));
+        QCOMPARE(laneEntry(state, {}, "Step 3 (MoveL)").label, QString("Step 3 (MoveL)"));
+        QVERIFY(laneEntry(state, {}, "Step 3 (MoveL)").kind == LaneKind::Moving);
         state.safetyMode = SafetyMode::ProtectiveStop;
         QCOMPARE(laneEntry(state, "X+").label, QString("Protective stop"));
+        QCOMPARE(laneEntry(state, {}, "Step 3 (MoveL)").label, QString("Protective stop"));
         QVERIFY(laneEntry(state, {}).kind == LaneKind::Stopped);
         // If the data are late, the arm may be moving.
         state.quality.ageMs = 150;
