@@ -174,6 +174,8 @@ class TestCompleteness(unittest.TestCase):
                     continue
                 with self.subTest(call):
                     self.assertRegex(rows, rf"\| `{call}`")
+        for call in ("Program.run", "Program.start"):
+            self.assertRegex(rows, rf"\| `{call}`")
 
 
 if __name__ == "__main__":

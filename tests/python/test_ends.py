@@ -139,6 +139,14 @@ def endless(move):
     while True:
         move(back)
         back = not back
+def up_and_down(tiller, low):
+    program = tiller.Program("up and down")
+    program.add_waypoint("high", START)
+    program.add_waypoint("low", low)
+    section = program.add("loop", times=0)
+    for name in ("low", "high"):
+        program.add("moveL", inside=section, waypoint=name)
+    return program
 def loop(cycle):
     begin = time.monotonic()
     while True:
@@ -256,6 +264,8 @@ PYTHON_NATIVE = [
         "[2, 2, 0.1, 1, 1, 1])\nmode.__enter__()", 0.02),
     Row("Python", "run_function", "move = robot.run_function(BODY)"),
     Row("Python", "run_script", "robot.run_script(SCRIPT)"),
+    Row("Python", "Program.run", "up_and_down(tiller, robot.inverse_kinematics(lowered(0.2))).run(robot)"),
+    Row("Python", "Program.start", "run = up_and_down(tiller, robot.inverse_kinematics(lowered(0.2))).start(robot)"),
     Row("Python", "run_script, `unattended`", "robot.run_script(SCRIPT, unattended=True)",
         unattended=("SIGTERM", "SIGHUP", "SIGKILL", "lost link")),
 ]
