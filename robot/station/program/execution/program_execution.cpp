@@ -152,6 +152,11 @@ void ProgramExecution::monitor() {
         add();
     }
     const std::lock_guard lock(mutex_);
+    // At its own end, a program resets the register.
+    if (*outcome_ && log_.isCutShort()) {
+        outcome_ = Error{ErrorCode::Stopped, QStringLiteral("run the program"),
+                         QStringLiteral("the program was ended on the robot")};
+    }
     isEnded_ = true;
     changed_.notify_all();
 }
