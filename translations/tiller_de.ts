@@ -6403,6 +6403,33 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     </message>
 </context>
 <context>
+    <name>tiller::ImportReport</name>
+    <message>
+        <source>Import of “%1”</source>
+        <translation>Import von „%1“</translation>
+    </message>
+    <message>
+        <source>Steps: %1. Kept as URScript text: %2. Not imported: %3. New waypoints: %4.</source>
+        <translation>Schritte: %1. Als URScript-Text übernommen: %2. Nicht importiert: %3. Neue Wegpunkte: %4.</translation>
+    </message>
+    <message>
+        <source>Imported program</source>
+        <translation>Importiertes Programm</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Zeile</translation>
+    </message>
+    <message>
+        <source>Node or statement</source>
+        <translation>Knoten oder Anweisung</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+</context>
+<context>
     <name>tiller::IncidentWatch</name>
     <message>
         <source>protective stop</source>
@@ -13213,33 +13240,6 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     <message>
         <source>Practice: add “%1”</source>
         <translation>Übung: „%1“ hinzufügen</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::ImportReport</name>
-    <message>
-        <source>Import of “%1”</source>
-        <translation>Import von „%1“</translation>
-    </message>
-    <message>
-        <source>Steps: %1. Kept as URScript text: %2. Not imported: %3. New waypoints: %4.</source>
-        <translation>Schritte: %1. Als URScript-Text übernommen: %2. Nicht importiert: %3. Neue Wegpunkte: %4.</translation>
-    </message>
-    <message>
-        <source>Imported program</source>
-        <translation>Importiertes Programm</translation>
-    </message>
-    <message>
-        <source>Line</source>
-        <translation>Zeile</translation>
-    </message>
-    <message>
-        <source>Node or statement</source>
-        <translation>Knoten oder Anweisung</translation>
-    </message>
-    <message>
-        <source>Result</source>
-        <translation>Ergebnis</translation>
     </message>
 </context>
 </TS>

@@ -6399,6 +6399,33 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
     </message>
 </context>
 <context>
+    <name>tiller::ImportReport</name>
+    <message>
+        <source>Import of “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Steps: %1. Kept as URScript text: %2. Not imported: %3. New waypoints: %4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Imported program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Node or statement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tiller::IncidentWatch</name>
     <message>
         <source>protective stop</source>
@@ -13196,33 +13223,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
     </message>
     <message>
         <source>Practice: add “%1”</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>tiller::ImportReport</name>
-    <message>
-        <source>Import of “%1”</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Steps: %1. Kept as URScript text: %2. Not imported: %3. New waypoints: %4.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Imported program</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Line</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Node or statement</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Result</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -6403,6 +6403,33 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
     </message>
 </context>
 <context>
+    <name>tiller::ImportReport</name>
+    <message>
+        <source>Import of “%1”</source>
+        <translation>Importación de «%1»</translation>
+    </message>
+    <message>
+        <source>Steps: %1. Kept as URScript text: %2. Not imported: %3. New waypoints: %4.</source>
+        <translation>Pasos: %1. Conservados como texto URScript: %2. No importados: %3. Puntos de paso nuevos: %4.</translation>
+    </message>
+    <message>
+        <source>Imported program</source>
+        <translation>Programa importado</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Línea</translation>
+    </message>
+    <message>
+        <source>Node or statement</source>
+        <translation>Nodo o instrucción</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Resultado</translation>
+    </message>
+</context>
+<context>
     <name>tiller::IncidentWatch</name>
     <message>
         <source>protective stop</source>
@@ -13213,33 +13240,6 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     <message>
         <source>Practice: add “%1”</source>
         <translation>Ejercicio: añadir «%1»</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::ImportReport</name>
-    <message>
-        <source>Import of “%1”</source>
-        <translation>Importación de «%1»</translation>
-    </message>
-    <message>
-        <source>Steps: %1. Kept as URScript text: %2. Not imported: %3. New waypoints: %4.</source>
-        <translation>Pasos: %1. Conservados como texto URScript: %2. No importados: %3. Puntos de paso nuevos: %4.</translation>
-    </message>
-    <message>
-        <source>Imported program</source>
-        <translation>Programa importado</translation>
-    </message>
-    <message>
-        <source>Line</source>
-        <translation>Línea</translation>
-    </message>
-    <message>
-        <source>Node or statement</source>
-        <translation>Nodo o instrucción</translation>
-    </message>
-    <message>
-        <source>Result</source>
-        <translation>Resultado</translation>
     </message>
 </context>
 </TS>

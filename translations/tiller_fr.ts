@@ -6403,6 +6403,33 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
     </message>
 </context>
 <context>
+    <name>tiller::ImportReport</name>
+    <message>
+        <source>Import of “%1”</source>
+        <translation>Importation de « %1 »</translation>
+    </message>
+    <message>
+        <source>Steps: %1. Kept as URScript text: %2. Not imported: %3. New waypoints: %4.</source>
+        <translation>Étapes : %1. Conservées comme texte URScript : %2. Non importées : %3. Nouveaux points de passage : %4.</translation>
+    </message>
+    <message>
+        <source>Imported program</source>
+        <translation>Programme importé</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Ligne</translation>
+    </message>
+    <message>
+        <source>Node or statement</source>
+        <translation>Nœud ou instruction</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Résultat</translation>
+    </message>
+</context>
+<context>
     <name>tiller::IncidentWatch</name>
     <message>
         <source>protective stop</source>
@@ -13213,33 +13240,6 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     <message>
         <source>Practice: add “%1”</source>
         <translation>Exercice : ajouter « %1 »</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::ImportReport</name>
-    <message>
-        <source>Import of “%1”</source>
-        <translation>Importation de « %1 »</translation>
-    </message>
-    <message>
-        <source>Steps: %1. Kept as URScript text: %2. Not imported: %3. New waypoints: %4.</source>
-        <translation>Étapes : %1. Conservées comme texte URScript : %2. Non importées : %3. Nouveaux points de passage : %4.</translation>
-    </message>
-    <message>
-        <source>Imported program</source>
-        <translation>Programme importé</translation>
-    </message>
-    <message>
-        <source>Line</source>
-        <translation>Ligne</translation>
-    </message>
-    <message>
-        <source>Node or statement</source>
-        <translation>Nœud ou instruction</translation>
-    </message>
-    <message>
-        <source>Result</source>
-        <translation>Résultat</translation>
     </message>
 </context>
 </TS>

@@ -6394,6 +6394,33 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
     </message>
 </context>
 <context>
+    <name>tiller::ImportReport</name>
+    <message>
+        <source>Import of “%1”</source>
+        <translation>「%1」のインポート</translation>
+    </message>
+    <message>
+        <source>Steps: %1. Kept as URScript text: %2. Not imported: %3. New waypoints: %4.</source>
+        <translation>ステップ：%1。URScriptテキストとして保持：%2。インポートなし：%3。新しいウェイポイント：%4。</translation>
+    </message>
+    <message>
+        <source>Imported program</source>
+        <translation>インポートしたプログラム</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>行</translation>
+    </message>
+    <message>
+        <source>Node or statement</source>
+        <translation>ノードまたは文</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>結果</translation>
+    </message>
+</context>
+<context>
     <name>tiller::IncidentWatch</name>
     <message>
         <source>protective stop</source>
@@ -13171,33 +13198,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>Practice: add “%1”</source>
         <translation>練習：「%1」を追加</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::ImportReport</name>
-    <message>
-        <source>Import of “%1”</source>
-        <translation>「%1」のインポート</translation>
-    </message>
-    <message>
-        <source>Steps: %1. Kept as URScript text: %2. Not imported: %3. New waypoints: %4.</source>
-        <translation>ステップ：%1。URScriptテキストとして保持：%2。インポートなし：%3。新しいウェイポイント：%4。</translation>
-    </message>
-    <message>
-        <source>Imported program</source>
-        <translation>インポートしたプログラム</translation>
-    </message>
-    <message>
-        <source>Line</source>
-        <translation>行</translation>
-    </message>
-    <message>
-        <source>Node or statement</source>
-        <translation>ノードまたは文</translation>
-    </message>
-    <message>
-        <source>Result</source>
-        <translation>結果</translation>
     </message>
 </context>
 </TS>
