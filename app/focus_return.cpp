@@ -46,13 +46,14 @@ void FocusReturn::follow(QWidget* old, QWidget* now) {
     }
     // Queued, because the element is hidden or disabled only after the focus has moved.
     QMetaObject::invokeMethod(
-        this, [this, around] { leaveJogColumn(around); }, Qt::QueuedConnection);
+        this, [this, around, fell = QPointer<QWidget>(now)] { leaveJogColumn(around, fell); },
+        Qt::QueuedConnection);
 }
 
-void FocusReturn::leaveJogColumn(const QList<QPointer<QWidget>>& around) const {
+void FocusReturn::leaveJogColumn(const QList<QPointer<QWidget>>& around, const QWidget* fell) const {
     QWidget* now = QApplication::focusWidget();
-    if (now == nullptr || !jogColumn_.isAncestorOf(now) || canReturnTo(around.first())) {
-        return;  // the user moved the focus
+    if (now == nullptr || now != fell || canReturnTo(around.first())) {
+        return;  // the user moved the focus, or holds a button
     }
     for (const QPointer<QWidget>& area : around) {
         if (QWidget* next = canReturnTo(area) ? firstIn(*area) : nullptr; next != nullptr) {

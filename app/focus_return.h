@@ -19,7 +19,9 @@ public:
 
 private:
     void follow(QWidget* old, QWidget* now);
-    void leaveJogColumn(const QList<QPointer<QWidget>>& around) const;
+    /// around  the previous element and the elements around it, from the inside out
+    /// fell    the element that received the focus
+    void leaveJogColumn(const QList<QPointer<QWidget>>& around, const QWidget* fell) const;
 
     QWidget& jogColumn_;
 };

@@ -884,7 +884,8 @@ void MainWindow::keepLayout() {
 void MainWindow::closeEvent(QCloseEvent* event) {
     // A program that runs without hold-to-run continues until the window is really closed.
     stopMotion(program_->runsFreely() ? control::StopCause::DialogOpened : control::StopCause::WindowClosed);
-    if (!runningWork().isEmpty() && !closesAnyway_ && desktopEnds_.hasExpired()) {
+    const bool closesAnyway = std::exchange(closesAnyway_, false);
+    if (!runningWork().isEmpty() && !closesAnyway && desktopEnds_.hasExpired()) {
         askToEndWork(tr("Close window"), tr("This stops when you close the window."), tr("Stop and close"),
                      [this] {
                          closesAnyway_ = true;
@@ -898,12 +899,16 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     if (waypoints_->storePath()) {
         // Close the window after the path has been stored. Until then, all functions including STOP remain
         // available.
-        connect(waypoints_, &WaypointsTab::pathStored, this, &QWidget::close,
-                Qt::ConnectionType(Qt::QueuedConnection | Qt::SingleShotConnection));
+        connect(
+            waypoints_, &WaypointsTab::pathStored, this,
+            [this, closesAnyway] {
+                closesAnyway_ = closesAnyway;
+                close();
+            },
+            Qt::ConnectionType(Qt::QueuedConnection | Qt::SingleShotConnection));
         event->ignore();
         return;
     }
-    closesAnyway_ = false;
     // Without an answer, unsaved changes are stored on destruction and offered at the next start.
     if (desktopEnds_.hasExpired() && !files_->mayLeave(this)) {
         event->ignore();
@@ -935,6 +940,13 @@ QStringList MainWindow::runningWork() const {
         work << programText();
     }
     return work;
+}
+
+MainWindow::AskedProgram MainWindow::askedProgram() const {
+    const SessionState& state = session_->state();
+    return {state.hasData() ? std::optional(state.runtimeState) : std::nullopt,
+            session_->freeProgram().value_or(
+                state.runtimeState == RuntimeState::Stopped ? state.loadedProgram : state.runningProgram)};
 }
 
 /// Describes the program on the robot: that of this window, or that of another client.
@@ -978,6 +990,21 @@ void MainWindow::ask(const Question& words, const std::function<void(bool option
     }
     connect(accept, &QPushButton::clicked, session_.get(),
             [accepted, box] { accepted(box != nullptr && box->isChecked()); });
+    // The answer applies only to the program and robot in the question.
+    connect(session_.get(), &RobotSession::linkBegan, question, &QWidget::close);
+    connect(session_.get(), &RobotSession::stateChanged, question,
+            [this, question, isAboutProgram = words.text == programText(), asked = askedProgram()]() mutable {
+                const AskedProgram now = askedProgram();
+                if (!isAboutProgram || now == asked) {
+                    return;
+                }
+                if (asked.name.isEmpty() && now.state == asked.state) {
+                    asked = now;  // the name arrives later
+                    question->setText(programText());
+                } else {
+                    question->close();
+                }
+            });
     question->show();
     // Some window managers do not focus the dialog if another dialog has just been closed.
     question->raise();

@@ -177,6 +177,13 @@ private:
     void askToPerform(RobotCommand command);
     QStringList runningWork() const;
     QString programText() const;
+    /// The program that a question is about.
+    struct AskedProgram {
+        std::optional<RuntimeState> state;  ///< empty without data
+        QString name;
+        bool operator==(const AskedProgram&) const = default;
+    };
+    AskedProgram askedProgram() const;
     void askToEndWork(const QString& title, const QString& effect, const QString& accept,
                       const std::function<void()>& accepted);
     /// Changes the connection. Asks first if this would stop a recording or a program of this window.

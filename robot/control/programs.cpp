@@ -37,17 +37,21 @@ Error stopped(const QString& context) {
 }
 
 /// Ends a running user script and takes control again. Requires `taking`.
-Result<void> bringBack(Controller::Private& d) {
+/// hasEnded  the end of the script was observed
+Result<void> bringBack(Controller::Private& d, bool hasEnded) {
     // A separate deadline that only release() can shorten, because the script must not continue after an
     // error.
     const Deadline deadline = Deadline::after(milliseconds(5000));
     const UnderWay cancellable(d, deadline);
     const auto plays = [&d] { return d.loop.status().runtimeState == RuntimeState::Playing; };
     const auto isOver = [&] { return !d.link.isRunning() || !plays(); };
-    // If the script has ended and a program still runs, that program belongs to another client and must not be
-    // stopped.
-    if (d.program.scriptFeedback().stopped && d.link.isRunning() && plays() &&
-        !waitUntil(Deadline::after(milliseconds(500), deadline.token()), isOver)) {
+    // If the script has ended and a program still runs or is paused, that program belongs to another client and
+    // must not be stopped.
+    const auto isStopped = [&] {
+        return !d.link.isRunning() || d.loop.status().runtimeState == RuntimeState::Stopped;
+    };
+    if (hasEnded && !isStopped() &&
+        !waitUntil(Deadline::after(milliseconds(500), deadline.token()), isStopped)) {
         d.loop.abandonTaking();
         return Error{ErrorCode::NotInControl, QStringLiteral("run a script"),
                      QStringLiteral("a program of another client replaced the script")};
@@ -80,6 +84,7 @@ struct RunningScript {
     Motion motion;  ///< an ended motion if the script is unattended
     std::uint64_t epoch = 0;
     std::uint64_t played = 0;  ///< ControllerStatus::playing before the start
+    bool hasEnded = false;     ///< the robot reported the end of the script
 };
 
 /// Permits the motion of a script during the lifetime of the object.
@@ -114,7 +119,7 @@ Result<Motion> beginScript(Controller& controller, std::uint64_t epoch, const Sc
 }
 
 /// Waits for the start and then for the end of the script.
-Result<void> watchScript(Controller::Private& d, const RunningScript& run, const QString& context,
+Result<void> watchScript(Controller::Private& d, RunningScript& run, const QString& context,
                          const Deadline& deadline) {
     const Deadline begun = Deadline::after(milliseconds(5000), deadline.token());
     std::optional<Deadline> messageDeadline;
@@ -168,6 +173,7 @@ Result<void> watchScript(Controller::Private& d, const RunningScript& run, const
     };
     // An expired deadline also ends the script. It is reported as an error below.
     waitUntil(Deadline::never(), settled);
+    run.hasEnded = messageDeadline || d.program.scriptFeedback().stopped;
     if (bad.code == ErrorCode::None && d.loop.scriptState() == ScriptState::HeartbeatExpired) {
         bad = {ErrorCode::LinkLost, context,
                QStringLiteral("no heartbeat reached the robot for %1 ms, so the script was ended")
@@ -254,6 +260,7 @@ Result<void> Programs::runScript(const Text& program, const Deadline& deadline, 
         return ended;
     }
     Result<void> outcome;
+    bool hasEnded = false;
     {
         const ScriptPermission permission(d);
         script::ScriptClient client(d.options.host, d.program.primaryPort());
@@ -281,10 +288,11 @@ Result<void> Programs::runScript(const Text& program, const Deadline& deadline, 
         }
         if (outcome) {
             outcome = watchScript(d, run, context, deadline);
+            hasEnded = run.hasEnded;
         }
         run.motion.cancel(outcome ? StopCause::Completed : StopCause::ControlLost);
     }
-    if (auto back = bringBack(d); !back) {
+    if (auto back = bringBack(d, hasEnded); !back) {
         if (outcome) {
             return back;
         }

@@ -8,7 +8,7 @@ import numpy as np
 import tiller
 from tiller import errors
 
-PATIENCE = 60.0  # only for hanging tests
+TIMEOUT = 60.0  # only for hanging tests
 START = [-1.6, -1.7, -2.2, -0.8, 1.6, 0.0]
 TURNED = [-1.2, -1.7, -2.2, -0.8, 1.6, 0.0]
 
@@ -126,9 +126,9 @@ class TestRun(unittest.TestCase):
     def setUp(self):
         self.simulator = tiller.Simulator(virtual=True, start=START).start()
         self.addCleanup(self.simulator.stop)
-        self.robot = self.simulator.robot(timeout=PATIENCE)
+        self.robot = self.simulator.robot(timeout=TIMEOUT)
         self.addCleanup(self.robot.close)
-        self.robot.take_control(PATIENCE)
+        self.robot.take_control(TIMEOUT)
 
     def until(self, condition):
         for _ in range(10_000):
@@ -154,10 +154,10 @@ class TestRun(unittest.TestCase):
     def test_run_waits_for_the_end(self):
         program = moves()
         program.add("moveJ", waypoint="turned")
-        program.run(self.robot, PATIENCE)
+        program.run(self.robot, TIMEOUT)
         np.testing.assert_allclose(self.simulator.truth.q, TURNED, atol=2e-3)
         self.assertTrue(self.robot.in_control)
-        self.robot.move_j(START).wait(PATIENCE)  # control was taken again
+        self.robot.move_j(START).wait(TIMEOUT)  # control was taken again
 
     def test_the_handle_shows_the_step_and_pauses_between_steps(self):
         program = moves()
@@ -171,7 +171,7 @@ class TestRun(unittest.TestCase):
         run.resume()
         self.until(lambda: run.state == "waiting" and run.step == 3)
         run.resume()
-        run.wait(PATIENCE)
+        run.wait(TIMEOUT)
         self.assertEqual((run.state, run.active, run.step, run.failed_step), ("completed", False, 0, 0))
         # The loop itself is shorter than the period of the packets.
         self.assertEqual([step.count for step in run.timings[1:]], [2, 2, 2])
@@ -186,12 +186,12 @@ class TestRun(unittest.TestCase):
         np.testing.assert_allclose(self.simulator.truth.q, q, atol=1e-4)
         run.stop()
         with self.assertRaises(errors.Stopped):
-            run.wait(PATIENCE)
+            run.wait(TIMEOUT)
 
     def test_finish_cycle_ends_an_endless_program(self):
         run = self.started(moves(0))
         run.finish_cycle()
-        run.wait(PATIENCE)
+        run.wait(TIMEOUT)
         self.assertEqual(run.state, "completed")
         np.testing.assert_allclose(self.simulator.truth.q, START, atol=2e-3)
 
@@ -202,9 +202,9 @@ class TestRun(unittest.TestCase):
                 stop(run)
                 self.assert_brakes()
                 with self.assertRaises(errors.Stopped):
-                    run.wait(PATIENCE)
+                    run.wait(TIMEOUT)
                 self.assertEqual(run.state, "stopped")
-                self.robot.move_j(START).wait(PATIENCE)
+                self.robot.move_j(START).wait(TIMEOUT)
 
     def test_a_stop_during_the_simulation_prevents_the_start(self):
         receiver_of = self.robot._receiver_of
@@ -217,7 +217,7 @@ class TestRun(unittest.TestCase):
         self.robot._receiver_of = stopped
         run = moves(100).start(self.robot)
         with self.assertRaises(errors.Stopped):
-            run.wait(PATIENCE)
+            run.wait(TIMEOUT)
         self.assertEqual(run.state, "stopped")
         np.testing.assert_allclose(self.simulator.truth.q, START, atol=1e-4)
 
@@ -227,8 +227,8 @@ class TestRun(unittest.TestCase):
         self.assert_brakes()
         self.assertFalse(run.active)
         self.assertFalse(self.robot.in_control)
-        self.robot.take_control(PATIENCE)
-        self.robot.move_j(START).wait(PATIENCE)
+        self.robot.take_control(TIMEOUT)
+        self.robot.move_j(START).wait(TIMEOUT)
         run = self.started()
         self.robot.close()
         self.assert_brakes()
@@ -271,7 +271,7 @@ class TestRun(unittest.TestCase):
         program.add("fail", text="No part")
         run = program.start(self.robot)
         with self.assertRaisesRegex(errors.ScriptError, "Step 5"):
-            run.wait(PATIENCE)
+            run.wait(TIMEOUT)
         self.assertEqual((run.state, run.failed_step), ("failed", 5))
 
     def test_a_protective_stop_ends_the_program(self):
@@ -279,7 +279,7 @@ class TestRun(unittest.TestCase):
         self.simulator.fault("protective-stop")
         self.assert_brakes()
         with self.assertRaises(tiller.Error):
-            run.wait(PATIENCE)
+            run.wait(TIMEOUT)
         self.assertEqual(run.state, "stopped")
 
     def test_programs_that_do_not_fit_the_robot_are_refused(self):
@@ -307,7 +307,7 @@ class TestRun(unittest.TestCase):
         program = moves()
         last = program.add("moveJ", waypoint="turned")
         run = program.start(self.robot, from_step=last)
-        run.wait(PATIENCE)
+        run.wait(TIMEOUT)
         self.assertEqual([step.count for step in run.timings], [0, 0, 0, 0, 1])
 
 

@@ -158,7 +158,7 @@ private Q_SLOTS:
         QVERIFY2(reaches(RuntimeState::Playing), qPrintable(errors_.join('\n')));
         const auto* chip = window_->findChild<StateChip*>("controlChip");
         QTRY_VERIFY_WITH_TIMEOUT(chip->text().contains("Program running"), 60'000);
-        QVERIFY2(chip->toolTip().contains("wait.urp"), qPrintable(chip->toolTip()));
+        QTRY_VERIFY2_WITH_TIMEOUT(chip->toolTip().contains("wait.urp"), qPrintable(chip->toolTip()), 60'000);
         QTRY_VERIFY_WITH_TIMEOUT(!action("control.play")->isEnabled(), 60'000);
         QVERIFY(run("control.pause"));
         QVERIFY(reaches(RuntimeState::Paused));

@@ -530,7 +530,8 @@ bool PlotDock::isOpen(const QString& path, std::optional<double> moment) {
 double PlotDock::placeOf(const recording::Recording& file, double length,
                          std::optional<double> incident) const {
     const double newest = history().isEmpty() ? 0 : history().lastTime();
-    if (!incident && store_->hasRecordings()) {
+    const auto chosen = pages_->view().cursor(PlotView::Cursor::A);
+    if (!incident && !chosen && store_->hasRecordings()) {
         // Recordings of the same time keep their distance. Other recordings begin together, for comparison.
         const QString first = store_->recordings().constFirst();
         const SeriesBuffer& times = *store_->timesOf(first);
@@ -541,7 +542,7 @@ double PlotDock::placeOf(const recording::Recording& file, double length,
         return times.firstTime() + (overlap ? distance : 0);
     }
     if (!incident) {
-        return pages_->view().cursor(PlotView::Cursor::A).value_or(history().isEmpty() ? 0 : newest - length);
+        return chosen.value_or(history().isEmpty() ? 0 : newest - length);
     }
     const auto robot = file.facts().find("robot");
     const auto column = file.indexOf("timestamp");

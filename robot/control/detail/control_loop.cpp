@@ -118,14 +118,14 @@ void ControlLoop::setHook(CycleHook* hook) {
 }
 
 void ControlLoop::takeIn(const Feedback& data) {
-    if (takingAbandoned_.exchange(false, std::memory_order_acq_rel) &&
-        (status_.loss == ControlLoss::Taking || status_.loss == ControlLoss::OwnScript)) {
-        status_.loss = ControlLoss::ScriptStopped;
-    }
     if (const std::int32_t session = nextSession_.exchange(0, std::memory_order_acq_rel); session != 0) {
         session_ = session;
         endRequested_.store(false, std::memory_order_release);
         leave(ControlLoss::Taking, StopCause::ControlLost, data.hostNs);
+    }
+    if (takingAbandoned_.exchange(false, std::memory_order_acq_rel) &&
+        (status_.loss == ControlLoss::Taking || status_.loss == ControlLoss::OwnScript)) {
+        status_.loss = ControlLoss::ScriptStopped;
     }
     noteLook(data.hostNs);
     const std::int64_t sinceLast = data.hostNs - data_.hostNs;

@@ -208,6 +208,7 @@ Result<void> ControlProgram::restart(const QString& section, const QString& name
         return Error{ErrorCode::NotInControl, context, {}};
     }
     if (auto ended = end(ControlLoss::Taking, deadline); !ended) {
+        loop_.abandonTaking();
         return ended;
     }
     {
@@ -228,6 +229,8 @@ Result<void> ControlProgram::sendAgain(const QString& section, const Deadline& d
     loop_.expectSession(next);
     auto sent = upload(next, section, deadline);
     if (!sent) {
+        // The robot may start the program later. It must then end.
+        loop_.requestEnd(ControlLoss::ScriptStopped);
         loop_.abandonTaking();
     }
     return sent;

@@ -207,7 +207,8 @@ void SessionBackend::readControl() {
     using control::ControlLoss;
     const ControlLoss reported = state.programRuns && !status.fresh ? ControlLoss::DataStale : status.loss;
     // After another program has taken over, a lost connection is not a further loss of control.
-    const bool isTakenAway = loss == ControlLoss::ScriptStopped || loss == ControlLoss::EchoStalled;
+    const bool isTakenAway =
+        loss == ControlLoss::ScriptStopped || (loss == ControlLoss::EchoStalled && doubtEnded);
     loss = isTakenAway && reported == ControlLoss::LinkLost ? loss : reported;
     state.controlLoss = loss;
     state.controlInDoubt = isControlInDoubt();

@@ -34,7 +34,7 @@ namespace {
 
 const Pose kCorner(-0.2, -0.5, 0.1, 0, 0, 0);
 
-Pose beside(double x, double y, double z = 0) {
+Pose nextTo(double x, double y, double z = 0) {
     Pose pose = kCorner;
     pose.position += Eigen::Vector3d(x, y, z);
     return pose;
@@ -94,9 +94,9 @@ private Q_SLOTS:
         QTest::keyClick(tab_.get(), Qt::Key_T, Qt::ControlModifier | Qt::ShiftModifier);
         QVERIFY(teacher()->isVisible());
         QTest::keyClick(tab_.get(), Qt::Key_P);
-        feed(beside(0, 0.12));
+        feed(nextTo(0, 0.12));
         QTest::keyClick(tab_.get(), Qt::Key_P);
-        feed(beside(-0.08, 0.03));
+        feed(nextTo(-0.08, 0.03));
         QTest::keyClick(tab_.get(), Qt::Key_P);
         QVERIFY2(feedback().startsWith("Ready"), qPrintable(feedback()));
         QTest::keyClick(tab_.get(), Qt::Key_Return, Qt::ControlModifier);
@@ -113,15 +113,15 @@ private Q_SLOTS:
         click("frame.threePoints");
         auto* make = button("frame.teacher.make");
         click("frame.teacher.origin");
-        feed(beside(0.0123, 0));
+        feed(nextTo(0.0123, 0));
         QTRY_VERIFY2_WITH_TIMEOUT(feedback().contains("12.3 mm"), qPrintable(feedback()),
                                   60'000);  // distance of the tool tip at this time
         click("frame.teacher.onX");
         QVERIFY2(feedback().contains("only 12.3 mm") && feedback().contains("20 mm"), qPrintable(feedback()));
         QVERIFY(!make->isEnabled());
-        feed(beside(0.1, 0));
+        feed(nextTo(0.1, 0));
         QTest::keyClick(tab_.get(), Qt::Key_P);  // records the bad point again, not the next one
-        feed(beside(0.25, 0.004));
+        feed(nextTo(0.25, 0.004));
         QTRY_VERIFY2_WITH_TIMEOUT(feedback().contains("4.0 mm"), qPrintable(feedback()), 60'000);
         click("frame.teacher.towardsY");
         QVERIFY2(feedback().contains("collinear") && feedback().contains("only 4.0 mm"),
@@ -129,7 +129,7 @@ private Q_SLOTS:
         QVERIFY(!make->isEnabled());
         QTest::keyClick(tab_.get(), Qt::Key_Return, Qt::ControlModifier);
         QVERIFY(names().isEmpty());
-        feed(beside(0.02, 0.09));
+        feed(nextTo(0.02, 0.09));
         click("frame.teacher.towardsY");
         QVERIFY(make->isEnabled());
         click("frame.teacher.make");
@@ -156,10 +156,10 @@ private Q_SLOTS:
         feed(kCorner);
         click("frame.threePoints");
         click("frame.teacher.origin");
-        feed(beside(0.1, 0));
+        feed(nextTo(0.1, 0));
         click("frame.teacher.onX");
         QVERIFY(tab_->marks().empty());
-        feed(beside(0, 0.1));  // the tip is used as the third point
+        feed(nextTo(0, 0.1));  // the tip is used as the third point
         QTRY_COMPARE_WITH_TIMEOUT(tab_->marks().size(), std::size_t(1), 60'000);
         QVERIFY(tab_->marks()[0].selected);
         QVERIFY((tab_->marks()[0].T_base_frame.position - kCorner.position).norm() < 1e-12);
@@ -173,7 +173,7 @@ private Q_SLOTS:
         teachWithWaypoints(2);
         const Pose before = frame(0).T_base_frame;
         const Pose place = placeOf(0);
-        const Pose there = beside(0.03, 0, 0.04);
+        const Pose there = nextTo(0.03, 0, 0.04);
         feed(there);
         QTest::keyClick(tab_.get(), Qt::Key_U, Qt::ShiftModifier);
         QVERIFY(notice()->isVisible());
@@ -193,44 +193,44 @@ private Q_SLOTS:
     void touchUpFollowsTheArm() {
         teachWithWaypoints(1);
         const Pose before = frame(0).T_base_frame;
-        feed(beside(0.03, 0));
+        feed(nextTo(0.03, 0));
         click("frame.touchUp");
         QVERIFY2(notice()->text().contains("30.0 mm"), qPrintable(notice()->text()));
-        feed(beside(0.05, 0));
+        feed(nextTo(0.05, 0));
         QTRY_VERIFY2_WITH_TIMEOUT(notice()->text().contains("50.0 mm"), qPrintable(notice()->text()), 60'000);
-        SessionState moving = liveAt(beside(0.06, 0));
+        SessionState moving = liveAt(nextTo(0.06, 0));
         moving.moving = true;
         Q_EMIT session_->stateChanged(moving);
         click("notice.accept");
         QVERIFY(frame(0).T_base_frame == before);
         QVERIFY2(notice()->title().contains("moving"), qPrintable(notice()->title()));
-        feed(beside(0.03, 0));
+        feed(nextTo(0.03, 0));
         click("frame.touchUp");
-        feed(beside(0.07, 0));
+        feed(nextTo(0.07, 0));
         click("notice.accept");
-        QVERIFY(frame(0).T_base_frame == beside(0.07, 0));
+        QVERIFY(frame(0).T_base_frame == nextTo(0.07, 0));
     }
 
     // A frame from three recorded points does not depend on the current position.
     void touchUpFromThreePointsKeepsThePoints() {
         teachWithWaypoints(1);
         action("touchUpThreePoints")->trigger();
-        for (const Pose& pose : {beside(0.01, 0), beside(0.01, 0.1), beside(-0.1, 0)}) {
+        for (const Pose& pose : {nextTo(0.01, 0), nextTo(0.01, 0.1), nextTo(-0.1, 0)}) {
             feed(pose);
             QTest::keyClick(tab_.get(), Qt::Key_P);
         }
         click("frame.teacher.make");
         const QString text = notice()->text();
-        feed(beside(0.5, 0));
+        feed(nextTo(0.5, 0));
         QTest::qWait(150);
         QCOMPARE(notice()->text(), text);
         click("notice.accept");
-        QVERIFY((frame(0).T_base_frame.position - beside(0.01, 0).position).norm() < 1e-12);
+        QVERIFY((frame(0).T_base_frame.position - nextTo(0.01, 0).position).norm() < 1e-12);
     }
 
     void touchUpReportsUnreachableWaypoints() {
         teachWithWaypoints(1);
-        feed(beside(2, 0));
+        feed(nextTo(2, 0));
         click("frame.touchUp");
         QVERIFY2(notice()->text().contains("out of reach"), qPrintable(notice()->text()));
         click("notice.dismiss");
@@ -240,7 +240,7 @@ private Q_SLOTS:
     void touchUpFromThreePointsAsksToo() {
         teachWithWaypoints(1);
         action("touchUpThreePoints")->trigger();
-        for (const Pose& pose : {beside(0.01, 0), beside(0.01, 0.1), beside(-0.1, 0)}) {
+        for (const Pose& pose : {nextTo(0.01, 0), nextTo(0.01, 0.1), nextTo(-0.1, 0)}) {
             feed(pose);
             QTest::keyClick(tab_.get(), Qt::Key_P);
         }
@@ -269,7 +269,7 @@ private Q_SLOTS:
         auto* editor = table()->findChild<QLineEdit*>("frame.editor");
         QVERIFY(editor != nullptr);
         QTest::keyClicks(editor, "TUPray");  // letters that are shortcuts in other places
-        feed(beside(0.1, 0));                // the table keeps updating
+        feed(nextTo(0.1, 0));                // the table keeps updating
         QTest::keyClick(editor, Qt::Key_Return);
         QTRY_COMPARE_WITH_TIMEOUT(names(), QStringList({"TUPray"}), 60'000);
         document_->undoStack().undo();
@@ -352,7 +352,7 @@ private Q_SLOTS:
     }
 
     void theTableFollowsTheUnits() {
-        feed(beside(0, 0, 0.0254));
+        feed(nextTo(0, 0, 0.0254));
         tab_->teachFromTcp();
         feed(kCorner);
         auto* details = tab_->findChild<FrameDetails*>("frame.details");
