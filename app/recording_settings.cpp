@@ -205,7 +205,7 @@ void RecordingSettings::showExample() {
     }
     const QString file =
         QFileInfo(recordingPath(typed, tr("Lab UR5e"), QDateTime::currentDateTime())).fileName();
-    example_->setText(problem.isEmpty() ? tr("Example: %1. {date}, {time}, {robot} and {number} are "
+    example_->setText(problem.isEmpty() ? tr("Example: %1. {date}, {time}, {robot}, {number} are "
                                              "placeholders. Existing files are never overwritten.")
                                               .arg(file)
                                         : QStringLiteral("▲ ") + problem);

@@ -12860,7 +12860,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Labor-UR5e</translation>
     </message>
     <message>
-        <source>Example: %1. {date}, {time}, {robot} and {number} are placeholders. Existing files are never overwritten.</source>
+        <source>Example: %1. {date}, {time}, {robot}, {number} are placeholders. Existing files are never overwritten.</source>
         <translation>Beispiel: %1. {date}, {time}, {robot} und {number} sind Platzhalter. Vorhandene Dateien werden nie überschrieben.</translation>
     </message>
     <message numerus="yes">

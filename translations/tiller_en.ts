@@ -12844,7 +12844,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Example: %1. {date}, {time}, {robot} and {number} are placeholders. Existing files are never overwritten.</source>
+        <source>Example: %1. {date}, {time}, {robot}, {number} are placeholders. Existing files are never overwritten.</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">

@@ -12860,7 +12860,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>UR5e del laboratorio</translation>
     </message>
     <message>
-        <source>Example: %1. {date}, {time}, {robot} and {number} are placeholders. Existing files are never overwritten.</source>
+        <source>Example: %1. {date}, {time}, {robot}, {number} are placeholders. Existing files are never overwritten.</source>
         <translation>Ejemplo: %1. {date}, {time}, {robot} y {number} son marcadores. Los archivos existentes nunca se sobrescriben.</translation>
     </message>
     <message numerus="yes">

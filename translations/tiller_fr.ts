@@ -12860,7 +12860,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>UR5e du labo</translation>
     </message>
     <message>
-        <source>Example: %1. {date}, {time}, {robot} and {number} are placeholders. Existing files are never overwritten.</source>
+        <source>Example: %1. {date}, {time}, {robot}, {number} are placeholders. Existing files are never overwritten.</source>
         <translation>Exemple : %1. {date}, {time}, {robot} et {number} sont des champs remplacés. Les fichiers existants ne sont jamais écrasés.</translation>
     </message>
     <message numerus="yes">

@@ -12819,7 +12819,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>実験室の UR5e</translation>
     </message>
     <message>
-        <source>Example: %1. {date}, {time}, {robot} and {number} are placeholders. Existing files are never overwritten.</source>
+        <source>Example: %1. {date}, {time}, {robot}, {number} are placeholders. Existing files are never overwritten.</source>
         <translation>例：%1。{date}、{time}、{robot}、{number} は自動で置き換わります。既存のファイルは上書きされません。</translation>
     </message>
     <message numerus="yes">

@@ -12819,7 +12819,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>实验室 UR5e</translation>
     </message>
     <message>
-        <source>Example: %1. {date}, {time}, {robot} and {number} are placeholders. Existing files are never overwritten.</source>
+        <source>Example: %1. {date}, {time}, {robot}, {number} are placeholders. Existing files are never overwritten.</source>
         <translation>例如 %1。{date}、{time}、{robot} 和 {number} 是占位符。已有的文件绝不会被覆盖。</translation>
     </message>
     <message numerus="yes">

@@ -119,7 +119,11 @@ public:
             if (everyTick) {
                 everyTick();
             }
-            robot.waitForInputPackages(inputs + 1, Deadline::after(std::chrono::milliseconds(20)));
+            // In control, the controller replies to each package. Watchdogs use robot time, which must not run ahead
+            // of a late control thread.
+            const bool answers = controller->status().inControl;
+            robot.waitForInputPackages(inputs + 1,
+                                       Deadline::after(std::chrono::milliseconds(answers ? 100 : 20)));
         }
         caller.join();
         return *result;

@@ -421,10 +421,12 @@ private Q_SLOTS:
                     return setup.useExternalSensor({0.2, {0, 0, 0}, {0, 0, 0}}, d);
                 }).ok());
         QVERIFY(setup.setExternalWrench({}).ok());
-        QVERIFY(with([&](const Deadline& d) { return setup.useOwnSensor(d); }).ok());
+        const auto own = with([&](const Deadline& d) { return setup.useOwnSensor(d); });
+        QVERIFY2(own.ok(), why(own));
         QVERIFY(with([&](const Deadline& d) { return setup.useExternalSensorLegacy({}, d); }).ok());
         QVERIFY(setup.setExternalWrench({}).ok());
-        QVERIFY(with([&](const Deadline& d) { return setup.useOwnSensor(d); }).ok());
+        const auto ownAgain = with([&](const Deadline& d) { return setup.useOwnSensor(d); });
+        QVERIFY2(ownAgain.ok(), why(ownAgain));
         QVERIFY(cell.controller->status().inControl);
     }
 
