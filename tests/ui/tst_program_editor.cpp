@@ -604,7 +604,8 @@ private Q_SLOTS:
             return;
         }
         QStringList log;
-        connect(&window().session(), &RobotSession::message, this,
+        const QObject listener;  // disconnects before the end of the log's lifetime
+        connect(&window().session(), &RobotSession::message, &listener,
                 [&](Severity, const QString& text) { log << text; });
         window().openProject(file);
         QCOMPARE(document().project().programs.size(), std::size_t(1));
