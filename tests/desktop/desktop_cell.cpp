@@ -7,6 +7,7 @@
 #include <QElapsedTimer>
 #include <QFile>
 #include <QFileInfo>
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QRegularExpression>
 #include <QStandardPaths>
@@ -272,19 +273,38 @@ bool DesktopCell::setLayout(const QString& layout) {
     return setter.waitForFinished(kStartMs) && setter.exitCode() == 0;
 }
 
-Place DesktopCell::place(const QString& name) {
-    Place place;
+QByteArray DesktopCell::ask(const QString& request) {
     if (!places_ || places_->state() != QLocalSocket::ConnectedState) {
-        return place;
+        return {};
     }
     places_->readAll();
-    places_->write(QStringLiteral("widget %1\n").arg(name).toUtf8());
+    places_->write(request.toUtf8() + '\n');
     while (!places_->canReadLine()) {
         if (!places_->waitForReadyRead(kWaitTimeoutMs)) {
-            return place;
+            return {};
         }
     }
-    const QJsonObject told = QJsonDocument::fromJson(places_->readLine()).object();
+    return places_->readLine().trimmed();
+}
+
+QString DesktopCell::surroundingsText() {
+    const auto widget = [](const QJsonObject& described) {
+        return QStringLiteral("%1 '%2'%3")
+            .arg(described["type"].toString(), described["name"].toString(),
+                 described["active"].toBool() ? " active" : "");
+    };
+    QStringList windows;
+    for (const QJsonValue& window : QJsonDocument::fromJson(ask("windows")).array()) {
+        windows.append(widget(window.toObject()));
+    }
+    return QStringLiteral("windows: %1; focus: %2; reason: %3; selected: %4")
+        .arg(windows.join(", "), widget(QJsonDocument::fromJson(ask("focus")).object()),
+             place("limiterLine").toolTip, QString::fromUtf8(ask("checked")));
+}
+
+Place DesktopCell::place(const QString& name) {
+    Place place;
+    const QJsonObject told = QJsonDocument::fromJson(ask("widget " + name)).object();
     place.found = !told.isEmpty();
     place.visible = told["visible"].toBool();
     place.enabled = told["enabled"].toBool();

@@ -90,6 +90,9 @@ public:
     bool setLayout(const QString& layout);
     /// Returns the position of a widget with this objectName, as reported by the application.
     Place place(const QString& name);
+    /// Describes the open windows, the focus, the limiter and the selected choices, for the report of a
+    /// failure.
+    QString surroundingsText();
     bool until(const std::function<bool()>& condition, int ms = kWaitTimeoutMs);
     bool untilShown(const QString& name) {
         return until([&] { return place(name).visible; });
@@ -113,6 +116,8 @@ public:
 
 private:
     bool fail(const QString& what);
+    /// Sends a request to the window and returns the answer; empty if there is none.
+    QByteArray ask(const QString& request);
     bool startDisplay();
     bool startController();
     bool startProgram();

@@ -388,7 +388,7 @@ CellOutcome MatrixTrial::run(const MatrixCell& cell) {
     const bool runsAway = outcome.kind == CellOutcome::Kind::GoesOn;
     if (!moved && outcome.kind == CellOutcome::Kind::Stood) {
         outcome.kind = other.isEmpty() ? CellOutcome::Kind::DidNotMove : CellOutcome::Kind::OtherKeys;
-        outcome.note = other;
+        outcome.note = other.isEmpty() ? cell_->surroundingsText() : other;
     }
     hand.letGoOfAll();
     if (key.preparation == "hand") {

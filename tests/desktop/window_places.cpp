@@ -8,6 +8,7 @@
 //   widget NAME    the first widget with this objectName; visible widgets have priority
 //   windows        all open windows; the active one is marked
 
+#include <QAbstractButton>
 #include <QApplication>
 #include <QComboBox>
 #include <QGenericPlugin>
@@ -62,6 +63,34 @@ QByteArray openWindows() {
     return QJsonDocument(windows).toJson(QJsonDocument::Compact);
 }
 
+QByteArray focusWidget() {
+    const QWidget* focus = QApplication::focusWidget();
+    return QJsonDocument(focus == nullptr ? QJsonObject() : describe(*focus)).toJson(QJsonDocument::Compact);
+}
+
+/// The selected buttons, e.g. the choices of the jog column.
+QByteArray checkedButtons() {
+    QJsonArray names;
+    const QWidgetList all = QApplication::allWidgets();
+    for (const QWidget* widget : all) {
+        const auto* button = qobject_cast<const QAbstractButton*>(widget);
+        if (button != nullptr && button->isVisible() && button->isChecked()) {
+            names.append(button->objectName() + ' ' + button->text());
+        }
+    }
+    return QJsonDocument(names).toJson(QJsonDocument::Compact);
+}
+
+QByteArray answerTo(const QStringList& words) {
+    if (words.first() == "checked") {
+        return checkedButtons();
+    }
+    if (words.first() == "widget") {
+        return lookFor(words.last());
+    }
+    return words.first() == "focus" ? focusWidget() : openWindows();
+}
+
 class WindowPlaces : public QObject {
 public:
     explicit WindowPlaces(const QString& socket) {
@@ -73,7 +102,7 @@ public:
                 while (peer->canReadLine()) {
                     const QStringList words =
                         QString::fromUtf8(peer->readLine()).trimmed().split(QLatin1Char(' '));
-                    peer->write((words.first() == "widget" ? lookFor(words.last()) : openWindows()) + '\n');
+                    peer->write(answerTo(words) + '\n');
                 }
             });
         });
