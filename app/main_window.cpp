@@ -227,6 +227,7 @@ MainWindow::~MainWindow() {
     // The session is destroyed last, but its last signals must be emitted while all other parts exist.
     session_->shutDown();
     lessons_.reset();
+    focusReturn_.reset();  // refers to the jog column, which is deleted below
     delete keyboard_;
     delete devices_;
     delete popup_;
