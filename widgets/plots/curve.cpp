@@ -26,6 +26,20 @@ constexpr std::size_t kAhead = 12;
 constexpr std::int64_t kCoarse = 3;
 constexpr Curve::Column kEmptyColumn = {kNowhere, kNowhere, kNowhere, kNowhere};
 
+/// Returns the smallest distance between two indices with values; the maximum if there are fewer than two.
+template <typename HasValue>
+std::int64_t closestValues(std::int64_t begin, std::int64_t end, const HasValue& hasValue) {
+    std::int64_t closest = std::numeric_limits<std::int64_t>::max();
+    std::int64_t last = -1;
+    for (std::int64_t i = begin; i < end && closest > 1; ++i) {
+        if (hasValue(i)) {
+            closest = last >= 0 ? std::min(closest, i - last) : closest;
+            last = i;
+        }
+    }
+    return closest;
+}
+
 }  // namespace
 
 void Curve::sample(const SeriesBuffer& history, int column, const ColumnGrid& grid) {
@@ -49,9 +63,19 @@ void Curve::sample(const SeriesBuffer& history, int column, const ColumnGrid& gr
     }
 }
 
+std::int64_t Curve::longestLine(std::int64_t closest) const {
+    constexpr std::int64_t kInterruption = 3;
+    constexpr std::int64_t kLongest = std::numeric_limits<std::int64_t>::max();
+    return missing_ == Missing::Bridged || closest == kLongest ? kLongest : kInterruption * closest;
+}
+
 void Curve::sampleEnvelope(const SeriesBuffer& history, int column, const ColumnGrid& grid) {
     fetchEnvelope(history, column, grid);
     const std::size_t none = envelope_.size();
+    const std::int64_t longest =
+        longestLine(closestValues(0, static_cast<std::int64_t>(none), [this](std::int64_t i) {
+            return !envelope_[static_cast<std::size_t>(i)].isEmpty();
+        }));
     std::size_t last = none;  // previous column with values
     bool gap = false;
     for (std::size_t i = 0; i < envelope_.size(); ++i) {
@@ -59,6 +83,7 @@ void Curve::sampleEnvelope(const SeriesBuffer& history, int column, const Column
         if (envelope_[i].isEmpty()) {
             continue;
         }
+        gap = gap || (last != none && static_cast<std::int64_t>(i - last) > longest);
         range_.add(envelope_[i]);
         const double middle = (envelope_[i].min + envelope_[i].max) / 2;
         columns_[i] = {middle, middle, envelope_[i].min, envelope_[i].max};
@@ -125,7 +150,9 @@ void Curve::samplePoints(const SeriesBuffer& history, int column, std::int64_t b
     // Use positions relative to the integer time raster, so that the position of a sample in its column
     // remains exactly equal while the view moves.
     const auto origin = static_cast<double>(raster_);
-    bool any = false;
+    const std::int64_t longest = longestLine(
+        closestValues(begin, end, [&](std::int64_t i) { return !std::isnan(history.value(column, i)); }));
+    std::int64_t last = -1;  // previous sample with a value
     bool gap = false;
     double x0 = 0;
     double y0 = 0;
@@ -135,14 +162,15 @@ void Curve::samplePoints(const SeriesBuffer& history, int column, std::int64_t b
         if (std::isnan(y)) {
             continue;
         }
+        gap = gap || (last >= 0 && i - last > longest);
         range_.add(y);
         const double x = history.time(i) / width_ - origin;
-        if (any && !gap) {
+        if (last >= 0 && !gap) {
             addLine(x0, y0, x, y);
         } else {
             addLine(x, y, x, y);
         }
-        any = true;
+        last = i;
         gap = false;
         x0 = x;
         y0 = y;

@@ -34,7 +34,13 @@ public:
         }
     };
 
-    explicit Curve(int signal) : signal_(signal) {}
+    /// Treatment of samples without a value between two samples with one.
+    enum class Missing {
+        Bridged,   ///< draws a line: a field may be sampled less often than others in the same table
+        Undefined  ///< draws no line over an interruption: a computed signal has no result there
+    };
+
+    explicit Curve(int signal, Missing missing = Missing::Bridged) : signal_(signal), missing_(missing) {}
 
     int signal() const { return signal_; }
     /// Sets colour, width and dash pattern. Dashes run along the time axis and move with the curve.
@@ -73,7 +79,13 @@ private:
     void samplePoints(const SeriesBuffer& history, int column, std::int64_t begin, std::int64_t end);
     void addLine(double x0, double y0, double x1, double y1);
 
+    /// Returns the largest distance between two values that a line connects. Undefined values interrupt the
+    /// curve, but an input that is sampled less often does not.
+    /// closest  smallest distance between two values
+    std::int64_t longestLine(std::int64_t closest) const;
+
     int signal_;
+    Missing missing_;
     QPen pen_;
     // Dash pattern of the pen [columns]: lengths of dashes and gaps, alternating.
     std::vector<double> dashes_;

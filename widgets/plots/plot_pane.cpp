@@ -66,7 +66,8 @@ PlotPane::PlotPane(QGraphicsScene& scene, const SignalStore& store, std::vector<
         series->setName(curveLabel(store_, shown_, signal));
         chart_->addSeries(series);
         legend_.push_back(series);
-        curves_.push_back(std::make_unique<Curve>(signal));
+        curves_.push_back(std::make_unique<Curve>(
+            signal, store_.isDerived(signal) ? Curve::Missing::Undefined : Curve::Missing::Bridged));
     }
     sheet_ = new CurveRaster(curves_, chart_.get());
     sheet_->setZValue(10);

@@ -332,7 +332,8 @@ public:
         }
         try {
             const double result = parser_.Eval();
-            return std::isfinite(result) ? result : kNoResult;
+            // The history stores floats, so a larger result would become infinite.
+            return std::abs(result) <= std::numeric_limits<float>::max() ? result : kNoResult;
         } catch (const mu::Parser::exception_type&) {
             return kNoResult;  // some muParser versions throw on division by zero
         }

@@ -28,8 +28,8 @@ struct Drawn {
     QImage image;
 
     Drawn(const SeriesBuffer& history, double t0, double span, int columns, double low, double high,
-          const QPen& pen) {
-        curves.push_back(std::make_unique<Curve>(0));
+          const QPen& pen, Curve::Missing missing = Curve::Missing::Bridged) {
+        curves.push_back(std::make_unique<Curve>(0, missing));
         curves[0]->setPen(pen);
         CurveRaster sheet(curves, nullptr);
         const double width = span / columns;
@@ -149,6 +149,39 @@ private Q_SLOTS:
                     QVERIFY(drawn.rowsOf(0));
                 }
             }
+        }
+    }
+
+    // The square root of a negative value is undefined, and a line there would show values that do not exist.
+    void undefinedValuesInterruptTheCurve_data() {
+        QTest::addColumn<double>("span");
+        QTest::addColumn<int>("every");
+        for (const double span : {4.0, 40.0}) {
+            for (const int every : {1, 20}) {
+                QTest::addRow("%g s, every %d", span, every) << span << every;
+            }
+        }
+    }
+    void undefinedValuesInterruptTheCurve() {
+        QFETCH(double, span);
+        QFETCH(int, every);
+        SeriesBuffer history(1);
+        std::array<float, 1> row{};
+        const int samples = static_cast<int>(span / 0.002);
+        for (int i = 0; i < samples; ++i) {
+            const bool isDefined = i < samples / 4 || i >= samples / 2;
+            row[0] = isDefined && i % every == 0 ? 5.0F : std::numeric_limits<float>::quiet_NaN();
+            history.append(i * 0.002, row);
+        }
+        const QPen pen(Qt::red, 2);
+        const Drawn derived(history, 0, span, 400, 0, 10, pen, Curve::Missing::Undefined);
+        const Drawn field(history, 0, span, 400, 0, 10, pen);
+        for (const int x : {10, 50, 90, 210, 300, 390}) {
+            QVERIFY2(derived.rowsOf(x) && field.rowsOf(x), qPrintable(QString::number(x)));
+        }
+        for (const int x : {110, 150, 190}) {
+            QVERIFY2(!derived.rowsOf(x), qPrintable(QString::number(x)));
+            QVERIFY2(field.rowsOf(x), qPrintable(QString::number(x)));
         }
     }
 

@@ -40,6 +40,17 @@ class TestDerivedSignal : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    // An infinite value would make the scale of a plot unusable.
+    void resultsThatTheHistoryCannotStoreAreMissing() {
+        Source s;
+        s.add(100);
+        const int huge = *s.store.derive("h = 1e30 * actual_q_1 * 1e10");
+        const int large = *s.store.derive("l = 1e30 * actual_q_1");
+        s.add(100);
+        QVERIFY(std::isnan(s.at(huge, 0.3)));
+        QVERIFY(s.at(large, 0.3) > 1e30);
+        QVERIFY(std::isnan(s.at(*s.store.derive("z = 1 / (actual_q_1 - 2)"), 0.3)));
+    }
     void expressionsAreComputedForPastAndNewData() {
         Source s;
         s.add(5000);
