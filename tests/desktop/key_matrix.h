@@ -71,8 +71,6 @@ QString nameOf(CellOutcome::Kind kind);
 class MatrixTrial {
 public:
     CellOutcome run(const MatrixCell& cell);
-    /// Starts another display, controller and window with the next run.
-    void restart() { cell_.reset(); }
     /// The reason why there is no workplace.
     QString what() const { return what_; }
 

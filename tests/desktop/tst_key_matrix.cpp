@@ -156,17 +156,10 @@ private Q_SLOTS:
         QStringList failures;
         QElapsedTimer time;
         time.start();
-        // If the window ignores the keys, a new window shows the results of the other cells.
-        constexpr int kPermittedRestarts = 1;
-        int restarts = 0;
         for (const MatrixCell& cell : cells) {
             CellOutcome outcome = trial.run(cell);
             for (int again = 0; again < furtherRuns(outcome); ++again) {
                 qInfo("%s, once more", qPrintable(line(cell, outcome)));
-                if (again == 2 && restarts < kPermittedRestarts) {
-                    ++restarts;
-                    trial.restart();
-                }
                 outcome = trial.run(cell);
             }
             if (isFailure(outcome)) {

@@ -3,11 +3,39 @@
 // report nothing while the server is frozen, and keep working when the server exits.
 #include <QRegularExpression>
 #include <QTest>
+#include <atomic>
 #include <csignal>
 
 #include "robot/core/clock.h"
 #include "tests/desktop/desktop_test.h"
 #include "widgets/hold/xcb_key_state_probe.h"
+
+#include <dlfcn.h>
+#include <poll.h>
+#include <xcb/xcb.h>
+#include <xcb/xcbext.h>
+
+namespace {
+
+std::atomic<bool> delaysNextPoll{false};
+std::atomic<int> delayedPolls{0};
+
+}  // namespace
+
+// Replaces the function of the library in this program. On request, it returns without a reply only after the reply
+// has arrived, as if the thread had been interrupted.
+extern "C" int xcb_poll_for_reply(xcb_connection_t* link, unsigned int request, void** reply,
+                                  xcb_generic_error_t** error) {
+    static const auto original =
+        reinterpret_cast<decltype(&xcb_poll_for_reply)>(dlsym(RTLD_NEXT, "xcb_poll_for_reply"));
+    const int hasReply = original(link, request, reply, error);
+    if (hasReply == 0 && delaysNextPoll.exchange(false)) {
+        ++delayedPolls;
+        pollfd data{xcb_get_file_descriptor(link), POLLIN, 0};
+        ::poll(&data, 1, -1);
+    }
+    return hasReply;
+}
 
 using namespace tiller;
 using namespace tiller::test;
@@ -86,6 +114,22 @@ private Q_SLOTS:
         QCOMPARE(witness.leftButton().askedNs, 0);
         witness.want(true);
         QVERIFY(fresh(witness, 0).askedNs > 0);
+    }
+
+    // Otherwise, every press is refused until the window is restarted.
+    void repliesThatArriveBetweenTwoReadsAreNotLost() {
+        XcbKeyStateProbe probe;
+        QVERIFY(QTest::qWaitFor([&] { return probe.isThere(); }, kWaitTimeoutMs));
+        XHand hand(QString::fromLatin1(display_));
+        hand.grabServer();
+        probe.query();
+        QVERIFY(QTest::qWaitFor([&] { return probe.waitingNs() > 0; }, kWaitTimeoutMs));
+        const int before = delayedPolls;
+        delaysNextPoll = true;
+        probe.query();  // wakes the thread before the replies arrive
+        QVERIFY(QTest::qWaitFor([&] { return delayedPolls > before; }, kWaitTimeoutMs));
+        hand.ungrabServer();
+        QVERIFY(QTest::qWaitFor([&] { return probe.waitingNs() == 0; }, kWaitTimeoutMs));
     }
 
     void aFrozenServerBlocksNoCaller() {

@@ -50,7 +50,11 @@ bool KeyRepeat::intercepts(QObject& receiver, QEvent& event) {
         return true;
     }
     // The press of a repetition directly follows its release. Any other key event shows that the key was
-    // released.
+    // released. Exception: a further release of the same key, after a repetition whose press is missing.
+    if (release_ != nullptr &&
+        !(event.type() == QEvent::KeyRelease && PhysicalKeys::codeOf(key) == release_->code)) {
+        release_->isRepeat = false;
+    }
     deliver();
     return event.type() == QEvent::KeyRelease && receiver.isWindowType() &&
            delays(static_cast<QWindow&>(receiver), key);

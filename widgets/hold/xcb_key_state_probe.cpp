@@ -58,7 +58,6 @@ public:
 
     void ask(std::int64_t nowNs) {
         askedNs_ = nowNs;
-        pointerTaken_ = keysTaken_ = false;
         pointerRequest_ = xcb_query_pointer(link_, root_).sequence;
         keysRequest_ = xcb_query_keymap(link_).sequence;
         xcb_flush(link_);
@@ -71,11 +70,13 @@ public:
         if (!isAsking()) {
             return false;
         }
-        pointerTaken_ = pointerTaken_ || taken(link_, pointerRequest_, pointer_);
-        keysTaken_ = keysTaken_ || taken(link_, keysRequest_, keys_);
-        if (!pointerTaken_ || !keysTaken_) {
+        // The second reply first. The library reads the connection in each call, so if the replies arrived
+        // between two calls, the second call would put the first reply into the library's queue, and the
+        // thread would wait for data that it has already read.
+        if (!taken(link_, keysRequest_, keys_)) {
             return false;
         }
+        taken(link_, pointerRequest_, pointer_);  // replies arrive in the order of the requests
         askedNs_ = 0;
         button = pointer_ != nullptr && (pointer_->mask & XCB_BUTTON_MASK_1) != 0;
         for (std::size_t code = 0; code < keys.size(); ++code) {
@@ -90,8 +91,6 @@ private:
     std::int64_t askedNs_ = 0;
     unsigned int pointerRequest_ = 0;
     unsigned int keysRequest_ = 0;
-    bool pointerTaken_ = false;
-    bool keysTaken_ = false;
     Owned<xcb_query_pointer_reply_t> pointer_;
     Owned<xcb_query_keymap_reply_t> keys_;
 };
@@ -178,7 +177,7 @@ void XcbKeyStateProbe::run() {
     there_ = true;
     std::int64_t nextNs = 0;
     while (!quit_) {
-        int timeoutMs = -1;
+        int timeoutMs = link.isAsking() ? kAskMs : -1;
         if (!link.isAsking() && (wanted_ || once_)) {
             const std::int64_t now = clock.nowNs();
             if (once_.exchange(false) || now >= nextNs) {

@@ -166,6 +166,18 @@ private Q_SLOTS:
         QCOMPARE(c.widget.received, (QStringList{"press", "release", "press"}));
     }
 
+    // The key was released and pressed again before the server replied.
+    void aSecondPressWithItsOwnTimeDeliversTheReleaseFirst() {
+        Cell c;
+        c.send(QEvent::KeyPress, 100);
+        c.send(QEvent::KeyRelease, 760);
+        c.clock.advanceNs(kNsPerMs);
+        c.probe.reply(true);
+        c.pass(1);
+        c.send(QEvent::KeyPress, 763);
+        QCOMPARE(c.widget.received, (QStringList{"press", "release", "press"}));
+    }
+
     void theReleaseAfterARepetitionWithoutAPressIsDelivered() {
         Cell c;
         c.send(QEvent::KeyPress, 100);
