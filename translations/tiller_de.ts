@@ -9913,6 +9913,10 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <source>Stopped: %1 (%2)</source>
         <translation>Gestoppt: %1 (%2)</translation>
     </message>
+    <message>
+        <source>Not stopped: the arm moves (%1). Press STOP again.</source>
+        <translation>Nicht angehalten: Der Arm bewegt sich (%1). Drücken Sie erneut STOP.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RobotiqLink</name>

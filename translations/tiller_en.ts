@@ -9900,6 +9900,10 @@ Release the button to stop the arm.</source>
         <source>Stopped: %1 (%2)</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Not stopped: the arm moves (%1). Press STOP again.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::RobotiqLink</name>

@@ -9913,6 +9913,10 @@ Suelte el botón para detener el brazo.</translation>
         <source>Stopped: %1 (%2)</source>
         <translation>Parado: %1 (%2)</translation>
     </message>
+    <message>
+        <source>Not stopped: the arm moves (%1). Press STOP again.</source>
+        <translation>No se ha parado: el brazo se mueve (%1). Pulse STOP de nuevo.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RobotiqLink</name>

@@ -9913,6 +9913,10 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <source>Stopped: %1 (%2)</source>
         <translation>Arrêté : %1 (%2)</translation>
     </message>
+    <message>
+        <source>Not stopped: the arm moves (%1). Press STOP again.</source>
+        <translation>Non arrêté : le bras bouge (%1). Appuyez de nouveau sur STOP.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RobotiqLink</name>

@@ -9888,6 +9888,10 @@ Release the button to stop the arm.</source>
         <source>Stopped: %1 (%2)</source>
         <translation>停止: %1 (%2)</translation>
     </message>
+    <message>
+        <source>Not stopped: the arm moves (%1). Press STOP again.</source>
+        <translation>停止していません：アームが動いています (%1)。もう一度 STOP を押してください。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RobotiqLink</name>

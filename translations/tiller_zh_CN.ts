@@ -9888,6 +9888,10 @@ Release the button to stop the arm.</source>
         <source>Stopped: %1 (%2)</source>
         <translation>已停止：%1（%2）</translation>
     </message>
+    <message>
+        <source>Not stopped: the arm moves (%1). Press STOP again.</source>
+        <translation>未停止：机械臂在运动（%1）。请再次按 STOP。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RobotiqLink</name>

@@ -738,9 +738,16 @@ void RobotSession::reportChanges() {
     }
     if (state.unmeasuredStop.count > d_->unmeasuredSeen) {
         d_->unmeasuredSeen = state.unmeasuredStop.count;
-        Q_EMIT message(Severity::Warning, tr("Stopped: %1 (%2)")
-                                              .arg(causeWords(state.unmeasuredStop.cause, state.safety()),
-                                                   texts::unmeasuredText(state.unmeasuredStop.reason)));
+        const control::UnmeasuredStop& stop = state.unmeasuredStop;
+        const QString cause = causeWords(stop.cause, state.safety());
+        if (stop.reason == control::UnmeasuredStop::Reason::DataGap && state.isFresh() && state.moving) {
+            // The stop did not reach the robot, e.g. because the connection was interrupted.
+            Q_EMIT message(Severity::Error,
+                           tr("Not stopped: the arm moves (%1). Press STOP again.").arg(cause));
+        } else {
+            Q_EMIT message(Severity::Warning,
+                           tr("Stopped: %1 (%2)").arg(cause, texts::unmeasuredText(stop.reason)));
+        }
     }
     if (state.link != d_->linkSeen) {
         if (state.link == LinkState::Live && d_->linkSeen != LinkState::Stale) {

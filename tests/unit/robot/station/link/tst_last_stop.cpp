@@ -98,6 +98,16 @@ struct Bench {
         cell.robot.silence(false);
     }
 
+    /// Advances the session without waiting for packets, because none arrive.
+    void passWithoutData(int ms) {
+        for (int t = 0; t < ms; t += 2) {
+            clock.advanceNs(2 * kNsPerMs);
+            cell.robot.step();
+            QTest::qWait(1);
+            session.refresh();
+        }
+    }
+
 private:
     RobotSession::MotionId id_ = 0;
 };
@@ -206,6 +216,32 @@ private Q_SLOTS:
         bench.cell.advanceMs(200);
         QCOMPARE(bench.state().lastStop.count, before);
         QVERIFY(!bench.state().lastStopSeen);
+    }
+
+    // The program of another client moves the arm, and STOP is pressed while the robot cannot be reached.
+    void aStopThatDidNotArriveIsNotReportedAsAStop() {
+        QStringList messages;  // must outlive the session, which reports its end in the destructor
+        Bench bench;
+        QObject::connect(&bench.session, &RobotSession::message, &bench.session,
+                         [&](Severity, const QString& text) { messages << text; });
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.runOtherProgram());
+        messages.clear();
+        QVERIFY(bench.cell.robot.inject("link lost").ok());
+        bench.session.stop(StopCause::StopButton);
+        const Deadline limit = patience();
+        while (messages.filter("could not be stopped").isEmpty() && !limit.hasExpired()) {
+            bench.passWithoutData(50);
+        }
+        QVERIFY2(messages.join('\n').contains("could not be stopped"), qPrintable(messages.join('\n')));
+        QVERIFY(bench.cell.robot.inject("link back").ok());
+        QVERIFY(bench.within([&] { return bench.state().isFresh() && bench.state().moving; }));
+        QVERIFY(bench.within([&] { return bench.state().unmeasuredStop.count == 1; }));
+        bench.cell.advanceMs(200);
+        QVERIFY(bench.state().moving);
+        const QString all = messages.join('\n');
+        QVERIFY2(!all.contains("Stopped: "), qPrintable(all));
+        QVERIFY2(all.contains("the arm moves"), qPrintable(all));
     }
 
     void aSafetyStopOfAnotherProgramIsTheLastStop_data() { addSafetyRows(); }
