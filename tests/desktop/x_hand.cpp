@@ -271,6 +271,18 @@ XHand::WindowId XHand::activeWindow() const {
     return d_->usable() ? d_->property("_NET_ACTIVE_WINDOW") : 0;
 }
 
+bool XHand::isUnmanaged(const QPoint& place) const {
+    int x = 0;
+    int y = 0;
+    Window topmost = 0;
+    XWindowAttributes attributes{};
+    return d_->usable() &&
+           XTranslateCoordinates(d_->display, d_->root(), d_->root(), place.x(), place.y(), &x, &y,
+                                 &topmost) != 0 &&
+           topmost != 0 && XGetWindowAttributes(d_->display, topmost, &attributes) != 0 &&
+           attributes.override_redirect != 0;
+}
+
 int XHand::desktop() const {
     return d_->usable() ? int(d_->property("_NET_CURRENT_DESKTOP")) : 0;
 }

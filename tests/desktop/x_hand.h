@@ -104,6 +104,8 @@ public:
     void iconify(WindowId window);
     void switchDesktop(int number);
     WindowId activeWindow() const;
+    /// True if the topmost window at this place is not managed by the window manager, e.g. a tool tip.
+    bool isUnmanaged(const QPoint& place) const;
     int desktop() const;
     int desktopCount() const;
 

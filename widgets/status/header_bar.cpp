@@ -17,6 +17,7 @@
 #include "robot/station/text/texts.h"
 #include "widgets/common/state_chip.h"
 #include "widgets/common/theme.h"
+#include "widgets/common/window_stacking.h"
 #include "widgets/status/simulation_chip.h"
 #include "widgets/status/speed_chip.h"
 #include "widgets/status/stop_button.h"
@@ -26,6 +27,7 @@ namespace tiller {
 namespace {
 
 constexpr int kLinkPeriodMs = 500;      // update interval of values that change with every packet
+constexpr int kStackingMs = 30;         // window managers do not report when they change the order of windows
 constexpr double kOrdinaryCap = 0.250;  // [m/s]; the header shows a higher speed limit
 constexpr int kBannerHeight = 28;
 constexpr int kNarrowBelow = 1900;
@@ -166,6 +168,9 @@ HeaderBar::HeaderBar(HeaderPort port, QWidget* parent)
     linkPace_.setSingleShot(true);
     linkPace_.setInterval(kLinkPeriodMs);
     connect(&linkPace_, &QTimer::timeout, this, &HeaderBar::showLink);
+    stacking_.setInterval(kStackingMs);
+    connect(&stacking_, &QTimer::timeout, this, &HeaderBar::stackStopAbove);
+    connect(qApp, &QGuiApplication::applicationStateChanged, this, &HeaderBar::stackStopAbove);
     places_.setSingleShot(true);
     places_.setInterval(kKeepPlacesMs);
     connect(&places_, &QTimer::timeout, this, &HeaderBar::letPlacesGo);
@@ -383,6 +388,31 @@ void HeaderBar::offerStopAbove() {
     stopAbove_->setKeysStop(state_.keysStop());
     placeStopAbove();
     stopAbove_->show();
+    stacking_.start();
+    stackStopAbove();
+}
+
+void HeaderBar::stackStopAbove() {
+    if (!stopAbove_) {
+        stacking_.stop();
+        return;
+    }
+    // The display server puts windows of this type in front of all others. There, the button would cover the window of
+    // another program, e.g. STOP of another robot.
+    // QWidget::winId() is outdated here, because Qt has created the native window again.
+    const QWidget* dialog = stopAbove_->parentWidget();
+    switch (stackDirectlyAbove({window()->windowHandle(), dialog->window()->windowHandle()},
+                               *stopAbove_->windowHandle())) {
+        case Stacking::Done:
+            stopAbove_->show();
+            break;
+        case Stacking::NoneVisible:
+            stopAbove_->hide();
+            break;
+        case Stacking::Unsupported:
+            stopAbove_->setVisible(QGuiApplication::applicationState() != Qt::ApplicationInactive);
+            break;
+    }
 }
 
 void HeaderBar::placeStopAbove() {

@@ -76,6 +76,7 @@ protected:
 private:
     void offerStopAbove();
     void placeStopAbove();
+    void stackStopAbove();
     void takeStep();
     void showStep();
     void offerStep(bool visible, bool enabled);
@@ -114,8 +115,9 @@ private:
     StateChip* lastStop_;
     StopButton* stop_;
     /// STOP button above a modal dialog that blocks this window, at the same position as the blocked button.
-    QPointer<StopButton> stopAbove_;
-    QLabel* cap_;  ///< the banner below the bar; hidden unless the speed limit was raised
+    QPointer<StopButton> stopAbove_;  ///< covers STOP while a dialog blocks the window
+    QTimer stacking_;                 ///< active while stopAbove_ exists
+    QLabel* cap_;                     ///< the banner below the bar; hidden unless the speed limit was raised
 };
 
 }  // namespace tiller
