@@ -137,6 +137,15 @@ QSize startSize() {
     return screen == nullptr ? kStart : kStart.boundedTo(screen->availableSize() - QSize(16, 48));
 }
 
+/// Moves the focus to the list or tree of a page. Without this, Qt would move it to the button that was used last,
+/// e.g. "Run", which reacts to Return.
+void focusPage(QWidget& page) {
+    const QList<QAbstractItemView*> views = page.findChildren<QAbstractItemView*>();
+    const auto view = std::ranges::find_if(
+        views, [](const QAbstractItemView* each) { return each->isVisible() && each->isEnabled(); });
+    (view != views.end() ? static_cast<QWidget*>(*view) : &page)->setFocus(Qt::OtherFocusReason);
+}
+
 }  // namespace
 
 MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* parent)
@@ -285,6 +294,7 @@ void MainWindow::buildDocks() {
 
 void MainWindow::showEvent(QShowEvent* event) {
     QMainWindow::showEvent(event);
+    windowHandle()->installEventFilter(this);
     // Restore the layout only now. Otherwise, floating panels would be shown before the window.
     if (!std::exchange(layoutRestored_, true)) {
         if (const int width = settings_.arrangement().jogWidth; width > 0) {
@@ -343,7 +353,11 @@ void MainWindow::fillTabs() {
     }
     connect(tabs_, &QTabBar::currentChanged, this, [this](int index) {
         stopMotion(control::StopCause::SelectionChanged);
+        const bool hasFocus = pages_->isAncestorOf(QApplication::focusWidget());
         pages_->setCurrentIndex(index);
+        if (hasFocus) {
+            focusPage(*pages_->currentWidget());
+        }
         tabs_->updateGeometry();  // the title of the selected tab is bold and therefore needs more space
         showPaths();
     });
@@ -874,6 +888,14 @@ void MainWindow::changeEvent(QEvent* event) {
     }
 }
 
+bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+    // Some window managers, e.g. metacity, restore a window without reporting its new state.
+    if (watched == windowHandle() && event->type() == QEvent::Expose && windowHandle()->isExposed()) {
+        setUpdatesEnabled(true);
+    }
+    return QMainWindow::eventFilter(watched, event);
+}
+
 void MainWindow::keepLayout() {
     layoutTimer_.stop();
     settings_.setWindowGeometry(saveGeometry());
@@ -1137,6 +1159,11 @@ void MainWindow::addProjectActions() {
          tr("Converts a project for another robot model, keeping either the poses or the joint positions."),
          {},
          [this] { fit_->ask(); }});
+    actions_->add({"project.changedFile",
+                   tr("Project file changed…"),
+                   tr("Asks again what to do if another window or program has changed the project file."),
+                   {},
+                   [this] { files_->askAboutFile(); }});
     actions_->add({"project.saveAs", tr("Save project as…"),
                    tr("Saves the project to a different file, and saves all further changes to that file "
                       "automatically."),

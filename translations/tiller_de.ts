@@ -9447,6 +9447,10 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <source>%1 already exists. Choose another name for the new project.</source>
         <translation>%1 existiert bereits. Wählen Sie einen anderen Namen für das neue Projekt.</translation>
     </message>
+    <message>
+        <source>The project file was not changed by another program.</source>
+        <translation>Die Projektdatei wurde von keinem anderen Programm geändert.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectFit</name>
@@ -12622,6 +12626,14 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     <message>
         <source>A program is running. Stop the program before you open another project.</source>
         <translation>Ein Programm läuft. Halten Sie das Programm an, bevor Sie ein anderes Projekt öffnen.</translation>
+    </message>
+    <message>
+        <source>Project file changed…</source>
+        <translation>Projektdatei geändert…</translation>
+    </message>
+    <message>
+        <source>Asks again what to do if another window or program has changed the project file.</source>
+        <translation>Fragt erneut, was geschehen soll, wenn ein anderes Fenster oder Programm die Projektdatei geändert hat.</translation>
     </message>
 </context>
 <context>

@@ -9434,6 +9434,10 @@ Release the button to stop the arm.</source>
         <source>%1 already exists. Choose another name for the new project.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The project file was not changed by another program.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectFit</name>
@@ -12605,6 +12609,14 @@ Jog the arm to a position and press “Teach here” (T).</source>
     </message>
     <message>
         <source>A program is running. Stop the program before you open another project.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Project file changed…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asks again what to do if another window or program has changed the project file.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -9447,6 +9447,10 @@ Suelte el botón para detener el brazo.</translation>
         <source>%1 already exists. Choose another name for the new project.</source>
         <translation>%1 ya existe. Elija otro nombre para el proyecto nuevo.</translation>
     </message>
+    <message>
+        <source>The project file was not changed by another program.</source>
+        <translation>Ningún otro programa ha cambiado el archivo del proyecto.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectFit</name>
@@ -12622,6 +12626,14 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     <message>
         <source>A program is running. Stop the program before you open another project.</source>
         <translation>Se está ejecutando un programa. Pare el programa antes de abrir otro proyecto.</translation>
+    </message>
+    <message>
+        <source>Project file changed…</source>
+        <translation>Archivo de proyecto cambiado…</translation>
+    </message>
+    <message>
+        <source>Asks again what to do if another window or program has changed the project file.</source>
+        <translation>Pregunta de nuevo qué hacer si otra ventana u otro programa ha cambiado el archivo del proyecto.</translation>
     </message>
 </context>
 <context>

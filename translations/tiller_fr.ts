@@ -9447,6 +9447,10 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <source>%1 already exists. Choose another name for the new project.</source>
         <translation>%1 existe déjà. Choisissez un autre nom pour le nouveau projet.</translation>
     </message>
+    <message>
+        <source>The project file was not changed by another program.</source>
+        <translation>Aucun autre programme n’a modifié le fichier du projet.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectFit</name>
@@ -12622,6 +12626,14 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     <message>
         <source>A program is running. Stop the program before you open another project.</source>
         <translation>Un programme est en cours d’exécution. Arrêtez-le avant d’ouvrir un autre projet.</translation>
+    </message>
+    <message>
+        <source>Project file changed…</source>
+        <translation>Fichier de projet modifié…</translation>
+    </message>
+    <message>
+        <source>Asks again what to do if another window or program has changed the project file.</source>
+        <translation>Demande de nouveau que faire si une autre fenêtre ou un autre programme a modifié le fichier du projet.</translation>
     </message>
 </context>
 <context>

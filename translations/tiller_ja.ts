@@ -9425,6 +9425,10 @@ Release the button to stop the arm.</source>
         <source>%1 already exists. Choose another name for the new project.</source>
         <translation>%1 は既に存在します。新しいプロジェクトに別の名前を選択してください。</translation>
     </message>
+    <message>
+        <source>The project file was not changed by another program.</source>
+        <translation>プロジェクトファイルは他のプログラムによって変更されていません。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectFit</name>
@@ -12581,6 +12585,14 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>A program is running. Stop the program before you open another project.</source>
         <translation>プログラムが実行中です。別のプロジェクトを開く前にプログラムを停止してください。</translation>
+    </message>
+    <message>
+        <source>Project file changed…</source>
+        <translation>プロジェクトファイルの変更…</translation>
+    </message>
+    <message>
+        <source>Asks again what to do if another window or program has changed the project file.</source>
+        <translation>別のウィンドウやプログラムがプロジェクトファイルを変更した場合の処理を、もう一度確認します。</translation>
     </message>
 </context>
 <context>

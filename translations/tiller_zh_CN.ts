@@ -9425,6 +9425,10 @@ Release the button to stop the arm.</source>
         <source>%1 already exists. Choose another name for the new project.</source>
         <translation>%1 已存在。请为新项目选择其他名称。</translation>
     </message>
+    <message>
+        <source>The project file was not changed by another program.</source>
+        <translation>项目文件未被其他程序更改。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectFit</name>
@@ -12581,6 +12585,14 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>A program is running. Stop the program before you open another project.</source>
         <translation>程序正在运行。打开其他项目前请先停止程序。</translation>
+    </message>
+    <message>
+        <source>Project file changed…</source>
+        <translation>项目文件已更改…</translation>
+    </message>
+    <message>
+        <source>Asks again what to do if another window or program has changed the project file.</source>
+        <translation>如果其他窗口或程序更改了项目文件，再次询问如何处理。</translation>
     </message>
 </context>
 <context>

@@ -11,6 +11,7 @@
 #include "tests/support/go_on_until.h"
 #include "tests/support/window_bench.h"
 #include "tests/ui/jog_fixture.h"
+#include "tests/unit/robot/station/program/program_samples.h"
 #include "widgets/common/notice_bar.h"
 #include "widgets/project/undoable_document.h"
 #include "widgets/tools/payload_page.h"
@@ -222,6 +223,46 @@ private Q_SLOTS:
         arm.setFocus(Qt::TabFocusReason);
         QCoreApplication::processEvents();
         QVERIFY(arm.hasFocus());
+    }
+
+    // Return on a button that was used before would start a program, and Return on “Arm keyboard” would arm it.
+    void aClickOnATabFocusesNoButton_data() {
+        QTest::addColumn<bool>("hasPrograms");
+        QTest::newRow("empty project") << false;
+        QTest::newRow("sample project") << true;
+    }
+    void aClickOnATabFocusesNoButton() {
+        QFETCH(bool, hasPrograms);
+        QVERIFY(QTest::qWaitForWindowActive(&window()));
+        if (hasPrograms) {
+            document().setProject(program::sampleProject());
+            project::ProgramList programs;
+            programs.append(program::trayProgram(document().project()));
+            document().changePrograms(programs, "open");
+        }
+        auto& tabs = bench_->find<QTabBar>("tabs");
+        auto& panel = bench_->find<QWidget>("tabsDock");
+        for (int from = 0; from < tabs.count(); ++from) {
+            for (int to = 0; to < tabs.count(); ++to) {
+                QTest::mouseClick(&tabs, Qt::LeftButton, {}, tabs.tabRect(from).center());
+                const QList<QPushButton*> buttons = panel.findChildren<QPushButton*>();
+                for (QPushButton* button : buttons) {
+                    if (button->isVisible() && button->isEnabled()) {
+                        button->setFocus();
+                    }
+                }
+                QTest::mouseClick(&tabs, Qt::LeftButton, {}, tabs.tabRect(to).center());
+                QTest::mouseClick(&tabs, Qt::LeftButton, {}, tabs.tabRect(from).center());
+                QCoreApplication::processEvents();
+                const QWidget* focus = QApplication::focusWidget();
+                const QString names = QStringLiteral("%1, %2: %3")
+                                          .arg(tabs.tabText(from), tabs.tabText(to),
+                                               focus != nullptr ? focus->objectName() : "none");
+                QVERIFY2(focus == nullptr || panel.isAncestorOf(focus), qPrintable(names));
+                QVERIFY2(from == to || qobject_cast<const QAbstractButton*>(focus) == nullptr,
+                         qPrintable(names));
+            }
+        }
     }
 };
 

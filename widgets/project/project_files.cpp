@@ -108,8 +108,27 @@ void ProjectFiles::onChangedByOther() {
                          .cause = QLatin1String(kForeign)});
 }
 
+bool ProjectFiles::postponesAnswer() {
+    isAnswerPostponed_ = refusesToReplace();
+    return isAnswerPostponed_;
+}
+
+void ProjectFiles::askAboutFile() {
+    switch (store_.obstacle()) {
+        case ProjectStore::Obstacle::None:
+            Q_EMIT message(Severity::Info, tr("The project file was not changed by another program."));
+            break;
+        case ProjectStore::Obstacle::OpenElsewhere:
+            onOpenElsewhere();
+            break;
+        case ProjectStore::Obstacle::ChangedByOther:
+            onChangedByOther();
+            break;
+    }
+}
+
 void ProjectFiles::takeOver() {
-    if (refusesToReplace()) {
+    if (postponesAnswer()) {
         return;
     }
     Q_EMIT noticeResolved(QLatin1String(kElsewhere));
@@ -119,7 +138,7 @@ void ProjectFiles::takeOver() {
 }
 
 void ProjectFiles::reload() {
-    if (refusesToReplace()) {
+    if (postponesAnswer()) {
         return;
     }
     if (const Result<void> loaded = store_.reload(); !loaded) {
@@ -284,6 +303,9 @@ bool ProjectFiles::refusesToReplace() {
 
 void ProjectFiles::endRefusal() {
     Q_EMIT noticeResolved(QLatin1String(kRefused));
+    if (std::exchange(isAnswerPostponed_, false) && store_.obstacle() != ProjectStore::Obstacle::None) {
+        askAboutFile();
+    }
     store_.checkFile();  // a save of another window may not have been shown
 }
 

@@ -46,6 +46,8 @@ public:
     bool mayReplace(QWidget* over);
     /// The project may be replaced again, so the message of mayReplace() no longer applies.
     void endRefusal();
+    /// Asks again what to do with a project file that another window has open or another program has changed.
+    void askAboutFile();
     /// Saves unsaved changes. If saving is not possible, asks whether to discard the changes.
     /// over  parent window of the question
     /// Returns  false if the user cancelled
@@ -66,6 +68,8 @@ private:
     void warn(const QString& title, const Error& error, const QString& cause);
     void onOpenElsewhere();
     void onChangedByOther();
+    /// True if an answer about the file must wait because the project must not be replaced now.
+    bool postponesAnswer();
     void takeOver();
     void reload();
     void keepBoth();
@@ -74,6 +78,7 @@ private:
     QString startingPlace() const;
 
     ProjectStore store_;
+    bool isAnswerPostponed_ = false;
 };
 
 /// The folder for new projects, "Tiller" in the user's documents folder. It may not exist yet.

@@ -391,6 +391,27 @@ private Q_SLOTS:
         QCOMPARE(resolved.value(0).value(0).toString(), notice_->cause);
     }
 
+    // Without a second question, the changed file could not be shown any more.
+    void aRefusedReloadIsAskedAgain() {
+        files_->open(path_);
+        document_->insertWaypoints(0, {named("mine")}, "Teach");
+        QVERIFY(files_->store().saveNow().ok());
+        QVERIFY(project::saveProject(path_, project::Project()).ok());
+        QTRY_VERIFY_WITH_TIMEOUT(files_->store().obstacle() == ProjectStore::Obstacle::ChangedByOther,
+                                 60'000);
+        QVERIFY(notice_ && notice_->otherAccepted);
+        files_->store().setReplaceGuard([] { return QStringLiteral("A program is running."); });
+        const auto reload = notice_->otherAccepted;
+        reload();
+        QCOMPARE(notice_->text, QStringLiteral("A program is running."));
+        files_->store().setReplaceGuard([] { return QString(); });
+        files_->endRefusal();
+        QVERIFY(notice_->otherAccepted);
+        const auto again = notice_->otherAccepted;
+        again();
+        QVERIFY(document_->waypoints().isEmpty());
+    }
+
     void newProjectsAreSavedInTheDocumentsFolder() {
         QVERIFY2(projectFolder().endsWith("/Tiller"), qPrintable(projectFolder()));
         QVERIFY2(!projectFolder().contains("/."), qPrintable(projectFolder()));
