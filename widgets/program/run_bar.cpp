@@ -162,16 +162,21 @@ void RunBar::setPreview(const program::ProgramScript& script,
     updateAvailability();
 }
 
+bool RunBar::isPreviewedInFull() const {
+    return preview_ && previewed_.text == script_.text &&
+           program::runsEveryStep(document_.project(), previewed_, *preview_);
+}
+
 program::SpeedLimits RunBar::limits() const {
     const HeldSpeed held = heldSpeed_();
-    const bool isPreviewed = preview_ && previewed_.text == script_.text;
-    return program::heldLimits(held.tcp, held.joint, session_.state(), isPreviewed ? &*preview_ : nullptr);
+    return program::heldLimits(held.tcp, held.joint, session_.state(),
+                               isPreviewedInFull() ? &*preview_ : nullptr);
 }
 
 program::RunPlan RunBar::plan(const program::SpeedLimits& limits) const {
     program::RunPlan plan =
         program::planRun(document_.project(), program_, session_.state(), limits, startStep_);
-    if (preview_ && preview_->completed && !preview_->isEndless && previewed_.text == script_.text) {
+    if (isPreviewedInFull() && preview_->completed && !preview_->isEndless) {
         plan.expected = program::slowedDuration(*preview_, limits, session_.state().speedFraction);
     }
     return plan;

@@ -86,6 +86,8 @@ protected:
     bool focusNextPrevChild(bool next) override;
 
 private:
+    /// True if the preview of the current script ran every step that moves the arm or takes time.
+    bool isPreviewedInFull() const;
     program::SpeedLimits limits() const;
     program::RunPlan plan(const program::SpeedLimits& limits) const;
     JointPositions start() const;

@@ -13,6 +13,7 @@
 #include "robot/station/link/obstacles.h"
 #include "robot/station/program/program_edit.h"
 #include "robot/station/program/program_text.h"
+#include "robot/station/program/step_kind.h"
 #include "robot/station/text/texts.h"
 
 namespace tiller::program {
@@ -130,6 +131,22 @@ RunPlan planRun(const project::Project& project, const QUuid& program, const Ses
 
 bool isAtStart(const Preview& preview, const SessionState& state) {
     return !preview.path.empty() && isAt(preview.path.front().q, state);
+}
+
+bool runsEveryStep(const project::Project& project, const ProgramScript& script, const Preview& preview) {
+    for (std::size_t i = 0; i < script.steps.size(); ++i) {
+        const project::Program* program = project.programs.find(script.steps[i].program);
+        const project::ProgramStep* step =
+            program != nullptr ? findStep(program->steps, script.steps[i].step) : nullptr;
+        const StepKind* kind = step != nullptr ? findStepKind(step->kind) : nullptr;
+        // Sections take as long as their steps.
+        const bool counts = kind == nullptr || (!kind->isSection && (kind->moves || kind->takesTime));
+        const bool wasRun = i < preview.timings.size() && preview.timings[i].count > 0;
+        if (counts && !wasRun) {
+            return false;
+        }
+    }
+    return true;
 }
 
 SpeedLimits heldLimits(double tool, double joint, const SessionState& state, const Preview* preview) {

@@ -30,11 +30,16 @@ struct RunPlan {
     SpeedLimits limits;   ///< speed limits of the moves
 };
 
+/// True if the preview ran each step that moves the arm or takes time. Branches that it did not run may contain
+/// faster and longer moves.
+/// script  of the preview
+bool runsEveryStep(const project::Project& project, const ProgramScript& script, const Preview& preview);
+
 /// Speed limits of a hold-to-run program, at which neither TCP nor elbow exceeds `tool` in a joint move.
 /// tool     [m/s]
 /// joint    [rad/s]
-/// preview  of the same script, from the current arm position; the limit then applies to its joint moves.
-///          Null: the limit applies to any joint move and is much lower
+/// preview  of the same script, from the current arm position, see runsEveryStep(); the limit then applies to its
+///          joint moves. Null: the limit applies to any joint move and is much lower
 SpeedLimits heldLimits(double tool, double joint, const SessionState& state, const Preview* preview);
 
 /// The first collision of the preview as a sentence; empty without a collision.

@@ -970,6 +970,25 @@ private Q_SLOTS:
         QVERIFY2(fastest >= kTool * (previewed ? 0.85 : 0.1), qPrintable(QString::number(fastest)));
     }
 
+    // The joint moves of a branch that the preview did not run may need a lower limit.
+    void aPreviewOfOneBranchDoesNotRunEveryStep() {
+        RunBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        const auto previewOf = [&](const std::vector<project::ProgramStep>& steps) {
+            bench.setSteps(steps);
+            PreviewOptions options;
+            options.start = bench.session.state().q;
+            return previewProgram(bench.project, bench.plan().script, {}, options);
+        };
+        const auto runsAll = [&](const Preview& preview) {
+            return preview.completed && runsEveryStep(bench.project, bench.plan().script, preview);
+        };
+        const project::ProgramStep move = step("moveJ", {{"waypoint", waypointId(bench.project, "pick")}});
+        QVERIFY(runsAll(previewOf({move, step("comment", {{"text", "x"}})})));
+        QVERIFY(runsAll(previewOf({step("if", {{"condition", "True"}}, {move})})));
+        QVERIFY(!runsAll(previewOf({bench.move("place"), step("if", {{"condition", "False"}}, {move})})));
+    }
+
     void aCollisionOfThePreviewIsNamed() {
         RunBench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
