@@ -800,6 +800,7 @@ void RobotSession::reportExternalProgram() {
     if (!state.foreignProgramRuns() && !freeProgram()) {
         d_->changesConfirmed = false;
     }
+    d_->takeoverReported = d_->takeoverReported && state.control != ControlState::InControl;
     if (!state.isFresh()) {
         return;
     }
@@ -810,10 +811,12 @@ void RobotSession::reportExternalProgram() {
     }
     d_->externalRunSeen = runs;
     if (runs) {
-        Q_EMIT message(d_->isTakenOver() ? Severity::Warning : Severity::Info,
-                       d_->isTakenOver() ? tr("A program of another client has taken over the robot, and "
-                                              "control was lost. Taking control again ends that program.")
-                                         : tr("A program of another client is running on the robot."),
+        // Only the first program after a loss of control has taken over.
+        const bool hasTakenOver = d_->isTakenOver() && !std::exchange(d_->takeoverReported, true);
+        Q_EMIT message(hasTakenOver ? Severity::Warning : Severity::Info,
+                       hasTakenOver ? tr("A program of another client has taken over the robot, and "
+                                         "control was lost. Taking control again ends that program.")
+                                    : tr("A program of another client is running on the robot."),
                        Origin::Robot);
     } else if (state.runtimeState == RuntimeState::Paused && state.control != ControlState::InControl) {
         Q_EMIT message(Severity::Info, tr("The program on the robot is paused."), Origin::Robot);

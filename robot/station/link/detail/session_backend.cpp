@@ -63,7 +63,7 @@ void SessionBackend::read() {
         state.monitorOnly = monitorOnly;
         state.recording = recordingState;
         movedBefore = false;
-        externalRunSeen = externalExists = changesConfirmed = readySeen = false;
+        externalRunSeen = takeoverReported = externalExists = changesConfirmed = readySeen = false;
         externalEndNs.reset();
         readNs = 0;
         stalledNs.reset();

@@ -162,6 +162,12 @@ private Q_SLOTS:
         QVERIFY(bench.within([&] { return messages.filter("taken over").size() == 1; }));
         QVERIFY2(bench.state().controlReason.contains("taken over"), qPrintable(bench.state().controlReason));
         QCOMPARE(messages.filter("another client is running").size(), 1);
+        // A later program has taken nothing over.
+        QVERIFY(bench.send(QStringLiteral("stop program\n")) &&
+                bench.within([&] { return !bench.state().foreignProgramRuns(); }));
+        QVERIFY(bench.sendMovingProgram());
+        QVERIFY(bench.within([&] { return messages.filter("another client is running").size() == 2; }));
+        QCOMPARE(messages.filter("taken over").size(), 1);
     }
 
     void theLogNamesTheEndOfProgramsOfOtherClients() {
