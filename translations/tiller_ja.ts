@@ -8067,7 +8067,7 @@ Press “Measure…” to measure the payload with the arm.</source>
     </message>
     <message>
         <source>Pause</source>
-        <translation>停止</translation>
+        <translation>一時停止</translation>
     </message>
     <message>
         <source>Resume</source>
