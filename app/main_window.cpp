@@ -994,7 +994,7 @@ void MainWindow::ask(const Question& words, const std::function<void(bool option
     stopMotion(control::StopCause::DialogOpened);
     QWidget* front = QApplication::activeWindow();
     auto* question = new QMessageBox(words.icon, words.title, words.text, QMessageBox::NoButton,
-                                     front != nullptr ? front : this);
+                                     front != nullptr && front->isVisible() ? front : this);
     question->setObjectName(words.name);
     question->setAttribute(Qt::WA_DeleteOnClose);
     question->setInformativeText(words.effect);

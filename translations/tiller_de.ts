@@ -3264,6 +3264,19 @@
         <source>Step %1 failed and ended the program.</source>
         <translation>Schritt %1 ist fehlgeschlagen und hat das Programm beendet.</translation>
     </message>
+    <message>
+        <source>%1 to %2</source>
+        <comment>step numbers</comment>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>step %1</source>
+        <translation>Schritt %1</translation>
+    </message>
+    <message>
+        <source>steps %1</source>
+        <translation>Schritte %1</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -9259,6 +9272,10 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <source>Step %1 (%2)</source>
         <translation>Schritt %1 (%2)</translation>
     </message>
+    <message>
+        <source>Simulated: the program takes %1 s. No problems found. Not run: %2.</source>
+        <translation>Simuliert: Das Programm dauert %1 s. Keine Probleme gefunden. Nicht ausgeführt: %2.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectDocument</name>
@@ -10161,6 +10178,18 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     <message>
         <source>The program is paused on the robot. Resume it on the teach pendant.</source>
         <translation>Das Programm ist auf dem Roboter pausiert. Setzen Sie es am Teach-Pendant fort.</translation>
+    </message>
+    <message>
+        <source>Run program</source>
+        <translation>Programm ausführen</translation>
+    </message>
+    <message>
+        <source>The preview did not run %1, so collisions and other problems in these steps are unknown. Test them with Run (hold), or set the inputs and preview the program again.</source>
+        <translation>Die Vorschau hat nicht alle Schritte ausgeführt (%1). Kollisionen und andere Probleme in diesen Schritten sind nicht bekannt. Testen Sie sie mit „Starten (halten)“, oder setzen Sie die Eingänge und starten Sie die Vorschau erneut.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
     </message>
 </context>
 <context>

@@ -3264,6 +3264,19 @@
         <source>Step %1 failed and ended the program.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1 to %2</source>
+        <comment>step numbers</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>step %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>steps %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -9246,6 +9259,10 @@ Release the button to stop the arm.</source>
         <source>Step %1 (%2)</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Simulated: the program takes %1 s. No problems found. Not run: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectDocument</name>
@@ -10147,6 +10164,18 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>The program is paused on the robot. Resume it on the teach pendant.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The preview did not run %1, so collisions and other problems in these steps are unknown. Test them with Run (hold), or set the inputs and preview the program again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -3264,6 +3264,19 @@
         <source>Step %1 failed and ended the program.</source>
         <translation>El paso %1 ha fallado y ha terminado el programa.</translation>
     </message>
+    <message>
+        <source>%1 to %2</source>
+        <comment>step numbers</comment>
+        <translation>%1 a %2</translation>
+    </message>
+    <message>
+        <source>step %1</source>
+        <translation>paso %1</translation>
+    </message>
+    <message>
+        <source>steps %1</source>
+        <translation>pasos %1</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -9259,6 +9272,10 @@ Suelte el botón para detener el brazo.</translation>
         <source>Step %1 (%2)</source>
         <translation>Paso %1 (%2)</translation>
     </message>
+    <message>
+        <source>Simulated: the program takes %1 s. No problems found. Not run: %2.</source>
+        <translation>Simulado: el programa dura %1 s. No se han encontrado problemas. No ejecutado: %2.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectDocument</name>
@@ -10161,6 +10178,18 @@ Suelte el botón para detener el brazo.</translation>
     <message>
         <source>The program is paused on the robot. Resume it on the teach pendant.</source>
         <translation>El programa está en pausa en el robot. Reanúdelo en la consola portátil.</translation>
+    </message>
+    <message>
+        <source>Run program</source>
+        <translation>Ejecutar programa</translation>
+    </message>
+    <message>
+        <source>The preview did not run %1, so collisions and other problems in these steps are unknown. Test them with Run (hold), or set the inputs and preview the program again.</source>
+        <translation>La vista previa no ha ejecutado todos los pasos (%1). Se desconocen las colisiones y otros problemas en ellos. Pruébelos con “Ejecutar (mantener)”, o ajuste las entradas y repita la vista previa.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
     </message>
 </context>
 <context>

@@ -3264,6 +3264,19 @@
         <source>Step %1 failed and ended the program.</source>
         <translation>L’étape %1 a échoué et a mis fin au programme.</translation>
     </message>
+    <message>
+        <source>%1 to %2</source>
+        <comment>step numbers</comment>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>step %1</source>
+        <translation>étape %1</translation>
+    </message>
+    <message>
+        <source>steps %1</source>
+        <translation>étapes %1</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -9259,6 +9272,10 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <source>Step %1 (%2)</source>
         <translation>Étape %1 (%2)</translation>
     </message>
+    <message>
+        <source>Simulated: the program takes %1 s. No problems found. Not run: %2.</source>
+        <translation>Simulé : le programme dure %1 s. Aucun problème trouvé. Non exécuté : %2.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectDocument</name>
@@ -10161,6 +10178,18 @@ Relâchez le bouton pour arrêter le bras.</translation>
     <message>
         <source>The program is paused on the robot. Resume it on the teach pendant.</source>
         <translation>Le programme est en pause sur le robot. Reprenez-le sur le pupitre.</translation>
+    </message>
+    <message>
+        <source>Run program</source>
+        <translation>Exécuter le programme</translation>
+    </message>
+    <message>
+        <source>The preview did not run %1, so collisions and other problems in these steps are unknown. Test them with Run (hold), or set the inputs and preview the program again.</source>
+        <translation>L’aperçu n’a pas exécuté toutes les étapes (%1). Les collisions et autres problèmes dans ces étapes sont inconnus. Testez-les avec « Lancer (maintenir) », ou réglez les entrées et relancez l’aperçu.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
     </message>
 </context>
 <context>

@@ -3264,6 +3264,19 @@
         <source>Step %1 failed and ended the program.</source>
         <translation>ステップ%1が失敗し、プログラムが終了しました。</translation>
     </message>
+    <message>
+        <source>%1 to %2</source>
+        <comment>step numbers</comment>
+        <translation>%1～%2</translation>
+    </message>
+    <message>
+        <source>step %1</source>
+        <translation>ステップ %1</translation>
+    </message>
+    <message>
+        <source>steps %1</source>
+        <translation>ステップ %1</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -9239,6 +9252,10 @@ Release the button to stop the arm.</source>
         <source>Step %1 (%2)</source>
         <translation>ステップ%1（%2）</translation>
     </message>
+    <message>
+        <source>Simulated: the program takes %1 s. No problems found. Not run: %2.</source>
+        <translation>シミュレーション：プログラムの所要時間は %1 秒です。問題はありません。未実行：%2。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectDocument</name>
@@ -10136,6 +10153,18 @@ Release the button to stop the arm.</source>
     <message>
         <source>The program is paused on the robot. Resume it on the teach pendant.</source>
         <translation>プログラムはロボット側で一時停止中です。ティーチペンダントで再開してください。</translation>
+    </message>
+    <message>
+        <source>Run program</source>
+        <translation>プログラムの実行</translation>
+    </message>
+    <message>
+        <source>The preview did not run %1, so collisions and other problems in these steps are unknown. Test them with Run (hold), or set the inputs and preview the program again.</source>
+        <translation>プレビューで実行されていないステップがあります（%1）。これらのステップの衝突などの問題は確認されていません。「実行 (長押し)」で試すか、入力を設定してもう一度プレビューしてください。</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
     </message>
 </context>
 <context>

@@ -3264,6 +3264,19 @@
         <source>Step %1 failed and ended the program.</source>
         <translation>步骤 %1 失败并结束了程序。</translation>
     </message>
+    <message>
+        <source>%1 to %2</source>
+        <comment>step numbers</comment>
+        <translation>%1 至 %2</translation>
+    </message>
+    <message>
+        <source>step %1</source>
+        <translation>步骤 %1</translation>
+    </message>
+    <message>
+        <source>steps %1</source>
+        <translation>步骤 %1</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -9239,6 +9252,10 @@ Release the button to stop the arm.</source>
         <source>Step %1 (%2)</source>
         <translation>步骤 %1（%2）</translation>
     </message>
+    <message>
+        <source>Simulated: the program takes %1 s. No problems found. Not run: %2.</source>
+        <translation>仿真：程序用时 %1 秒。未发现问题。未运行：%2。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectDocument</name>
@@ -10136,6 +10153,18 @@ Release the button to stop the arm.</source>
     <message>
         <source>The program is paused on the robot. Resume it on the teach pendant.</source>
         <translation>程序已在机器人上暂停。请在示教器上恢复。</translation>
+    </message>
+    <message>
+        <source>Run program</source>
+        <translation>运行程序</translation>
+    </message>
+    <message>
+        <source>The preview did not run %1, so collisions and other problems in these steps are unknown. Test them with Run (hold), or set the inputs and preview the program again.</source>
+        <translation>预览未运行%1，因此这些步骤中的碰撞和其他问题未知。请用“运行（按住）”测试，或设置输入后重新预览。</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
     </message>
 </context>
 <context>

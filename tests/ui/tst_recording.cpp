@@ -35,6 +35,7 @@
 #include "widgets/common/empty_state.h"
 #include "widgets/plots/plot_dock.h"
 #include "widgets/project/undoable_document.h"
+#include "widgets/status/preflight_page.h"
 #include "widgets/status/status_line.h"
 
 using namespace tiller;
@@ -187,6 +188,19 @@ private Q_SLOTS:
             QTRY_VERIFY_WITH_TIMEOUT(bench.window.findChild<QMessageBox*>("endQuestion") == nullptr, 60'000);
             QVERIFY2(active() && bench.window.session().state().link == LinkState::Live, action);
         }
+
+        // The page with the check closes when its button Connect is clicked, and the question must not close with it.
+        bench.window.actions().find("robot.check")->trigger();
+        auto* page = bench.window.findChild<PreflightPage*>();
+        QVERIFY(page != nullptr && QTest::qWaitForWindowActive(page));
+        auto* key = page->findChild<QPushButton*>("preflightConnect");
+        key->setEnabled(true);
+        QTest::mouseClick(key, Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.window.findChild<PreflightPage*>() == nullptr, 60'000);
+        question = bench.window.findChild<QMessageBox*>("endQuestion");
+        QVERIFY(question != nullptr && question->isVisible() && active());
+        QTest::keyClick(question, Qt::Key_Escape);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.window.findChild<QMessageBox*>("endQuestion") == nullptr, 60'000);
 
         const auto end = [&] {
             QVERIFY(!bench.window.close());

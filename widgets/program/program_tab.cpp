@@ -677,6 +677,9 @@ void ProgramTab::preview() {
     if (runBar_ != nullptr && runBar_->startStep()) {
         options.start = runBar_->startStep()->q;
     }
+    if (runBar_ != nullptr) {
+        options.inputs = runBar_->inputs();
+    }
     runner_.start(document_.project(), script_, scriptOptions(), options,
                   [this, text = script_.text](const program::Preview& done) {
                       QMetaObject::invokeMethod(this, [this, done, text] {
@@ -703,8 +706,12 @@ void ProgramTab::showPreview(const program::Preview& preview) {
     }
     showKey_->setVisible(!marks_.empty());
     const QString duration = QLocale().toString(preview.duration, 'f', 1);
+    const std::vector<int> notRun = program::stepsNotRun(document_.project(), previewed_, preview);
     showStatus(
-        preview.isGood() && preview.isEndless
+        preview.isGood() && !notRun.empty()
+            ? tr("Simulated: the program takes %1 s. No problems found. Not run: %2.")
+                  .arg(duration, program::stepNumbersText(notRun))
+        : preview.isGood() && preview.isEndless
             ? tr("Simulated: two cycles of the endless program take %1 s. No problems found.").arg(duration)
         : preview.isGood()
             ? tr("Simulated: the program takes %1 s. No problems found.").arg(duration)

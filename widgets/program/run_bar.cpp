@@ -2,6 +2,8 @@
 #include "widgets/program/run_bar.h"
 
 #include <QHBoxLayout>
+#include <QMessageBox>
+#include <QPushButton>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -164,7 +166,7 @@ void RunBar::setPreview(const program::ProgramScript& script,
 
 bool RunBar::isPreviewedInFull() const {
     return preview_ && previewed_.text == script_.text &&
-           program::runsEveryStep(document_.project(), previewed_, *preview_);
+           program::stepsNotRun(document_.project(), previewed_, *preview_).empty();
 }
 
 program::SpeedLimits RunBar::limits() const {
@@ -230,9 +232,50 @@ void RunBar::run(std::int32_t permitted) {
     planned.obstacle = program::obstacleWithoutHold(planned.obstacle, planned.script.text, session_.state(),
                                                     preview_ ? &*preview_ : nullptr, previewed_.text);
     isHeld_ = false;
+    if (planned.obstacle.isEmpty() && !isPreviewedInFull() && confirmedScript_ != planned.script.text) {
+        askToRun(permitted, planned.script.text);
+        return;
+    }
+    confirmedScript_.clear();
     if (const auto begun = runner_.start(planned, control::Holding::Free, permitted); !begun) {
         Q_EMIT refused(reasonOf(begun.error()));
     }
+}
+
+void RunBar::askToRun(std::int32_t permitted, const QString& script) {
+    const QString steps =
+        program::stepNumbersText(program::stepsNotRun(document_.project(), previewed_, *preview_));
+    auto* question = new QMessageBox(
+        QMessageBox::Question, tr("Run program"),
+        tr("The preview did not run %1, so collisions and other problems in these steps are unknown. Test "
+           "them with Run (hold), or set the inputs and preview the program again.")
+            .arg(steps),
+        QMessageBox::NoButton, window());
+    question->setObjectName(QStringLiteral("program.notSimulated"));
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    QPushButton* accept = question->addButton(tr("Run"), QMessageBox::AcceptRole);
+    accept->setObjectName(QStringLiteral("program.notSimulated.run"));
+    QPushButton* keep = question->addButton(tr("Cancel"), QMessageBox::RejectRole);
+    question->setDefaultButton(keep);
+    question->setEscapeButton(keep);
+    // The program may have been changed in the meantime. It is then refused, or the question is asked again.
+    connect(accept, &QPushButton::clicked, this, [this, permitted, script] {
+        confirmedScript_ = script;
+        run(permitted);
+    });
+    question->open();
+}
+
+std::vector<program::InputChange> RunBar::inputs() const {
+    std::vector<program::InputChange> inputs;
+    const SessionState& state = session_.state();
+    constexpr int kChannels = 18;
+    for (int channel = 0; channel < kChannels && state.isFresh(); ++channel) {
+        if (((state.digitalInputs >> channel) & 1U) != 0) {
+            inputs.push_back({0, channel, true});
+        }
+    }
+    return inputs;
 }
 
 void RunBar::pauseOrResume() {

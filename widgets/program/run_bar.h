@@ -55,6 +55,8 @@ public:
     void setSelectedStep(const QUuid& step);
     /// The step at which the program starts; empty for the beginning of the program.
     const std::optional<program::StartStep>& startStep() const { return startStep_; }
+    /// The inputs of the connected robot that are on, for a preview.
+    std::vector<program::InputChange> inputs() const;
     void clearStartStep();
     /// After a held run was stopped in a step that can continue where the arm is, makes it the first step of
     /// the next run. After a completed run, the next run starts from the beginning again. Call this when a run
@@ -86,6 +88,8 @@ protected:
     bool focusNextPrevChild(bool next) override;
 
 private:
+    /// Asks before a run without hold whose preview did not run all steps of this script.
+    void askToRun(std::int32_t permitted, const QString& script);
     /// True if the preview of the current script ran every step that moves the arm or takes time.
     bool isPreviewedInFull() const;
     program::SpeedLimits limits() const;
@@ -114,6 +118,7 @@ private:
     bool isHeld_ = false;  ///< true if releasing the button ends the current run
     QUuid program_;
     program::ProgramScript script_;
+    QString confirmedScript_;  ///< may run although the preview did not run every step
     program::ProgramScript previewed_;
     std::optional<program::Preview> preview_;
     QUuid selected_;

@@ -181,8 +181,8 @@ PreflightPage::PreflightPage(const doctor::Patient& patient, QWidget* parent)
     connect(again_, &QPushButton::clicked, this, &PreflightPage::examine);
     connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
     connect(connect_, &QPushButton::clicked, this, [this] {
+        accept();  // before a question that the request may cause, because it would close with this page
         Q_EMIT connectRequested();
-        accept();
     });
     examine();
 }

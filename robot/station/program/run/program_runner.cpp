@@ -133,20 +133,41 @@ bool isAtStart(const Preview& preview, const SessionState& state) {
     return !preview.path.empty() && isAt(preview.path.front().q, state);
 }
 
-bool runsEveryStep(const project::Project& project, const ProgramScript& script, const Preview& preview) {
-    for (std::size_t i = 0; i < script.steps.size(); ++i) {
+std::vector<int> stepsNotRun(const project::Project& project, const ProgramScript& script,
+                             const Preview& preview) {
+    std::vector<int> numbers;
+    for (int number = 1; number <= static_cast<int>(script.steps.size()); ++number) {
+        const auto i = static_cast<std::size_t>(number - 1);
+        // Steps before the first step of the run have no lines.
+        const bool hasLines = std::ranges::find(script.stepOfLine, number) != script.stepOfLine.end();
+        if (!hasLines || (i < preview.timings.size() && preview.timings[i].count > 0)) {
+            continue;
+        }
         const project::Program* program = project.programs.find(script.steps[i].program);
         const project::ProgramStep* step =
             program != nullptr ? findStep(program->steps, script.steps[i].step) : nullptr;
         const StepKind* kind = step != nullptr ? findStepKind(step->kind) : nullptr;
         // Sections take as long as their steps.
-        const bool counts = kind == nullptr || (!kind->isSection && (kind->moves || kind->takesTime));
-        const bool wasRun = i < preview.timings.size() && preview.timings[i].count > 0;
-        if (counts && !wasRun) {
-            return false;
+        if (kind == nullptr || (!kind->isSection && (kind->moves || kind->takesTime))) {
+            numbers.push_back(number);
         }
     }
-    return true;
+    return numbers;
+}
+
+QString stepNumbersText(const std::vector<int>& numbers) {
+    QStringList parts;
+    for (std::size_t i = 0; i < numbers.size();) {
+        std::size_t last = i;
+        while (last + 1 < numbers.size() && numbers[last + 1] == numbers[last] + 1) {
+            ++last;
+        }
+        parts << (last == i ? QString::number(numbers[i])
+                            : ProgramText::tr("%1 to %2", "step numbers").arg(numbers[i]).arg(numbers[last]));
+        i = last + 1;
+    }
+    const QString list = parts.join(QStringLiteral(", "));
+    return numbers.size() == 1 ? ProgramText::tr("step %1").arg(list) : ProgramText::tr("steps %1").arg(list);
 }
 
 SpeedLimits heldLimits(double tool, double joint, const SessionState& state, const Preview* preview) {

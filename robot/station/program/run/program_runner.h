@@ -30,15 +30,19 @@ struct RunPlan {
     SpeedLimits limits;   ///< speed limits of the moves
 };
 
-/// True if the preview ran each step that moves the arm or takes time. Branches that it did not run may contain
-/// faster and longer moves.
+/// Numbers of the steps that move the arm or take time, and that the preview did not run, e.g. because they are in
+/// another branch. Such steps may contain faster and longer moves, and their problems are unknown.
 /// script  of the preview
-bool runsEveryStep(const project::Project& project, const ProgramScript& script, const Preview& preview);
+std::vector<int> stepsNotRun(const project::Project& project, const ProgramScript& script,
+                             const Preview& preview);
+
+/// A list of step numbers, e.g. "step 2" or "steps 5 to 9, 12".
+QString stepNumbersText(const std::vector<int>& numbers);
 
 /// Speed limits of a hold-to-run program, at which neither TCP nor elbow exceeds `tool` in a joint move.
 /// tool     [m/s]
 /// joint    [rad/s]
-/// preview  of the same script, from the current arm position, see runsEveryStep(); the limit then applies to its
+/// preview  of the same script, from the current arm position, see stepsNotRun(); the limit then applies to its
 ///          joint moves. Null: the limit applies to any joint move and is much lower
 SpeedLimits heldLimits(double tool, double joint, const SessionState& state, const Preview* preview);
 

@@ -4,6 +4,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QTest>
 
@@ -156,6 +157,37 @@ class TestRunBar : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    // A branch that the preview did not run may collide.
+    void aRunWithStepsThatWereNotPreviewedNeedsAnAnswer() {
+        TabBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        std::vector<project::ProgramStep> steps = bench.moves({"pick"});
+        steps.push_back(program::step("if", {{"condition", "DI0"}}, bench.moves({"place"})));
+        bench.setProgram(steps);
+        QVERIFY(bench.preview());
+        QVERIFY2(bench.status().contains("Not run: step 3"), qPrintable(bench.status()));
+        QVERIFY(bench.moveToStart());
+        bench.cell.advanceMs(20);
+        bench.run().click();
+        auto* question = bench.tab.findChild<QMessageBox*>("program.notSimulated");
+        QVERIFY(question != nullptr && question->text().contains("step 3"));
+        QVERIFY(!bench.runner().isActive());
+        QTest::keyClick(question, Qt::Key_Escape);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.tab.findChild<QMessageBox*>("program.notSimulated") == nullptr,
+                                 kLongMs);
+        QVERIFY(!bench.runner().isActive());
+        bench.run().click();
+        QTest::mouseClick(bench.tab.findChild<QPushButton*>("program.notSimulated.run"), Qt::LeftButton);
+        QVERIFY(bench.runner().isActive());
+        QVERIFY(bench.awaitEnd());
+        // The preview uses the inputs of the robot.
+        bench.cell.robot.setDigitalInput(0, true);
+        QVERIFY(bench.cell.advanceUntil([&] { return (bench.session.state().digitalInputs & 1U) != 0; },
+                                        kLongMs));
+        bench.find<QPushButton>("program.preview").click();
+        QTRY_VERIFY_WITH_TIMEOUT(bench.status().endsWith("No problems found."), kLongMs);
+    }
+
     // Keys for the run must not change the selected step.
     void theFocusOfADisabledButtonDoesNotMoveToAField() {
         TabBench bench;
