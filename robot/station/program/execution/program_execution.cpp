@@ -9,6 +9,7 @@
 #include "robot/kinematics/arm_kinematics.h"
 #include "robot/receive/robot_state.h"
 #include "robot/rtde/fields.h"
+#include "robot/station/program/execution/start_conditions.h"
 #include "robot/station/program/program_text.h"
 
 namespace tiller::program {
@@ -18,7 +19,6 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr double kCheckedTime = 600;  // [s]
-constexpr double kSameTcp = 1e-4;     // [m]
 constexpr double kSamePlace = 0.02;   // [m]; a calibrated arm differs from its model by a few millimetres
 
 /// True for findings that make a run on the robot unsafe. A missing input is not dangerous, because it can only end a
@@ -40,12 +40,7 @@ QString mismatch(const project::Project& project, const ProgramScript& script,
                "the robot first.")
                 .arg(QLatin1String(model.name));
     }
-    if (script.tcp && !((script.tcp->position - robot.tcpOffset().position).norm() < kSameTcp)) {
-        return ProgramText::tr(
-            "The TCP of the robot differs from the TCP of the program's waypoints. Set the active TCP of the "
-            "project, or use a TCP section.");
-    }
-    return {};
+    return script.tcp && !isSameTcp(*script.tcp, robot.tcpOffset()) ? otherTcpText() : QString();
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "robot/kinematics/arm_kinematics.h"
 #include "robot/receive/robot_state.h"
 #include "robot/station/link/obstacles.h"
+#include "robot/station/program/execution/start_conditions.h"
 #include "robot/station/program/program_edit.h"
 #include "robot/station/program/program_text.h"
 #include "robot/station/program/step_kind.h"
@@ -20,21 +21,9 @@ namespace tiller::program {
 
 namespace {
 
-constexpr double kSameTcp = 1e-4;       // [m]
-constexpr double kSameRotation = 1e-3;  // [rad]
-constexpr double kAtStart = 0.01;       // [rad] for each joint
 /// A hold-to-run program may take this multiple of the expected duration before the button must be pressed
 /// again.
 constexpr double kSlower = 1.5;
-
-bool isSameTcp(const Pose& a, const Pose& b) {
-    return (a.position - b.position).norm() < kSameTcp &&
-           (a.transform().linear() - b.transform().linear()).norm() < kSameRotation;
-}
-
-bool isAt(const JointPositions& q, const SessionState& state) {
-    return (q.values - state.q.values).cwiseAbs().maxCoeff() < kAtStart;
-}
 
 /// Upper bound of the TCP or elbow speed in a joint move in which the fastest joint rotates at 1 rad/s [m]. A
 /// joint moves the TCP at most by its distance from the axis, which is at most the length of all following
@@ -71,10 +60,6 @@ double leverOf(const Preview& preview, const SessionState& state) {
         }
     }
     return lever;
-}
-
-QString notAtStart() {
-    return ProgramText::tr("Move the arm to the start position first.");
 }
 
 }  // namespace
@@ -120,17 +105,15 @@ RunPlan planRun(const project::Project& project, const QUuid& program, const Ses
                             .arg(QLatin1String(robotModel(*project.robot).name),
                                  QLatin1String(robotModel(state.model).name));
     } else if (plan.script.tcp && !isSameTcp(*plan.script.tcp, state.tcpOffset)) {
-        plan.obstacle = ProgramText::tr(
-            "The TCP of the robot differs from the TCP of the program's waypoints. Set the active TCP of the "
-            "project, or use a TCP section.");
-    } else if (start && !isAt(start->q, state)) {
-        plan.obstacle = notAtStart();
+        plan.obstacle = otherTcpText();
+    } else if (start && !isAtStart(start->q, state.q)) {
+        plan.obstacle = notAtStartText();
     }
     return plan;
 }
 
 bool isAtStart(const Preview& preview, const SessionState& state) {
-    return !preview.path.empty() && isAt(preview.path.front().q, state);
+    return !preview.path.empty() && isAtStart(preview.path.front().q, state.q);
 }
 
 std::vector<int> stepsNotRun(const project::Project& project, const ProgramScript& script,
@@ -194,7 +177,7 @@ QString obstacleWithoutHold(const QString& obstacle, const QString& script, cons
     if (!preview->isGood()) {
         return ProgramText::tr("The preview found problems. Fix them, then preview the program again.");
     }
-    return isAtStart(*preview, state) ? QString() : notAtStart();
+    return isAtStart(*preview, state) ? QString() : notAtStartText();
 }
 
 double slowedDuration(const Preview& preview, const SpeedLimits& limits, double speedFraction) {
