@@ -10,6 +10,7 @@
 #include "app/cli_program.h"
 #include "app/termination.h"
 #include "robot/control/controller.h"
+#include "robot/core/wait_until.h"
 #include "robot/receive/receiver.h"
 #include "robot/station/program/execution/program_execution.h"
 #include "robot/station/program/preview/preview.h"
@@ -199,8 +200,7 @@ int refuse(const LoadedProgram& loaded, bool json) {
     return kFailed;
 }
 
-int runOnRobot(LoadedProgram loaded, const QString& address, int portOffset,
-               const program::PreviewOptions& given) {
+int runOnRobot(LoadedProgram loaded, const QString& address, int portOffset, program::PreviewOptions given) {
     receive::ReceiverOptions receiverOptions;
     receiverOptions.host = address;
     receiverOptions.port = static_cast<std::uint16_t>(rtde::kPort + portOffset);
@@ -214,14 +214,6 @@ int runOnRobot(LoadedProgram loaded, const QString& address, int portOffset,
         return complain(first.error().toString(), kFailed);
     }
     loaded.options.version = receiver.version();
-    const program::CheckedProgram checked =
-        program::checkForRobot(loaded.project, loaded.program, loaded.options, given, *first);
-    if (!checked.obstacles.isEmpty()) {
-        for (const QString& obstacle : checked.obstacles) {
-            complain(obstacle, kFailed);
-        }
-        return kFailed;
-    }
     control::ControllerOptions controllerOptions;
     controllerOptions.host = address;
     controllerOptions.portOffset = portOffset;
@@ -233,8 +225,32 @@ int runOnRobot(LoadedProgram loaded, const QString& address, int portOffset,
     if (const auto taken = controller.takeControl(Deadline::after(5s)); !taken) {
         return complain(taken.error().toString(), kFailed);
     }
+    // The arm may still be braking if a program of another client was running. It then stays at the checked position.
+    const bool isStill = waitUntil(Deadline::after(5s), [&] { return !controller.status().moving; });
+    const auto sample = receiver.subscribe().next(Deadline::after(5s));
+    if (!isStill || !sample) {
+        return complain(isStill ? sample.error().toString() : QStringLiteral("the arm does not stop"),
+                        kFailed);
+    }
+    const std::uint64_t stops = controller.stops();
+    bool isInterrupted = false;
+    given.isCancelled = [&isInterrupted] {
+        isInterrupted = isInterrupted || waitForTermination(0ms);
+        return isInterrupted;
+    };
+    const program::CheckedProgram checked =
+        program::checkForRobot(loaded.project, loaded.program, loaded.options, given, *sample);
+    if (isInterrupted) {
+        return complain(QStringLiteral("interrupted before the start of the program"), kFailed);
+    }
+    if (!checked.obstacles.isEmpty()) {
+        for (const QString& obstacle : checked.obstacles) {
+            complain(obstacle, kFailed);
+        }
+        return kFailed;
+    }
     loaded.script = checked.script;
-    program::ProgramExecution execution(controller, receiver.subscribe(), checked.script);
+    program::ProgramExecution execution(controller, receiver.subscribe(), checked, {}, stops);
     const Deadline limit = Deadline::after(std::chrono::duration<double>(given.timeLimit));
     bool isLate = false;
     int shown = 0;
@@ -354,10 +370,11 @@ const Command& runProgramCommand() {
              {"json", "", "prints one JSON object instead of text"}},
         .notes =
             "A run on a robot moves the arm without asking, at the programmed speeds. Keep clear of the arm. "
-            "Ctrl+C, the end of this command and a lost connection stop the run. The run is refused if a "
-            "simulated run of the first ten minutes finds a collision or a stop, or if the robot and the "
-            "project have different robot models.\nExit code: 0 the program ended without findings, 1 the "
-            "program failed or had findings, 2 invalid arguments.",
+            "Ctrl+C, the end of this command and a lost connection stop the run. The command takes control, "
+            "which stops any other program, and then checks the program from the position of the arm. The "
+            "run is refused if a simulated run of the first ten minutes finds a collision or a stop, or if "
+            "the robot and the project have different robot models.\nExit code: 0 the program ended without "
+            "findings, 1 the program failed or had findings, 2 invalid arguments.",
         .run = runProgram};
     return kCommand;
 }

@@ -429,7 +429,7 @@ public:
         refuseWhileRunning(*controller);  // another thread may have started a program during the simulation
         const std::shared_ptr<RunParts> parts(
             new RunParts{receiver, ProgramExecution(controller->controller, receiver->receiver.subscribe(),
-                                                    checked.script, pauses, stops)});
+                                                    checked, pauses, stops)});
         const std::shared_ptr<ProgramExecution> execution(parts, &parts->execution);
         controller->setRun(execution);
         return std::make_unique<NativeRun>(controller, execution);

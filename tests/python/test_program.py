@@ -221,6 +221,15 @@ class TestRun(unittest.TestCase):
         self.assertEqual(run.state, "stopped")
         np.testing.assert_allclose(self.simulator.truth.q, START, atol=1e-4)
 
+    def test_an_arm_that_moves_during_the_simulation_does_not_run(self):
+        self.robot.move_j(TURNED)
+        self.until(lambda: float(np.abs(self.simulator.truth.qd).max()) > 0.3)
+        run = moves(100).start(self.robot)
+        with self.assertRaisesRegex(errors.Stopped, "Move the arm to the start position first."):
+            run.wait(TIMEOUT)
+        self.assertEqual(run.state, "stopped")
+        self.assert_brakes()
+
     def test_release_and_close_stop_the_program(self):
         run = self.started()
         self.robot.release()

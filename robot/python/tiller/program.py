@@ -146,8 +146,9 @@ class ProgramRun:
     def wait(self, timeout: float | None = None) -> None:
         """Waits until the program has ended and control has been taken again. timeout [s]; None: no limit.
 
-        Raises Timeout (the program continues), ScriptError if a step failed, Stopped (with the cause), UnsafeState,
-        LinkLost, NotInControl. On Ctrl+C the arm stops and KeyboardInterrupt is raised.
+        Raises Timeout (the program continues), ScriptError if a step failed, Stopped (with the cause, or because the
+        arm had moved since the simulation of Program.start()), UnsafeState, LinkLost, NotInControl. On
+        Ctrl+C the arm stops and KeyboardInterrupt is raised.
         """
         try:
             with self._waiting():

@@ -139,6 +139,18 @@ private Q_SLOTS:
         QVERIFY((simulator_->truth().digitalOutputs & 4U) != 0);
     }
 
+    // The check begins at the position at which the command stops the arm.
+    void runsAfterTheMotionOfAnotherClient() {
+        script::ScriptClient other(simulator_->listenAddress(), simulator_->ports().primary);
+        QVERIFY(other.connect(test::patience()).ok());
+        QVERIFY(
+            other.send("movej([-1.6, -1.7, -2.2, -0.8, 1.6, 3], a=2, v=0.5)\n", test::patience()).ok());
+        QTRY_VERIFY_WITH_TIMEOUT(simulator_->truth().qd.values.cwiseAbs().maxCoeff() > 0.4,
+                                 kProcessTimeoutMs);
+        const Answer answer = run({"run", path(), "--robot", address_, "--program", "short"});
+        QVERIFY2(answer.code == 0, qPrintable(answer.out + answer.err));
+    }
+
     void aStopOnTheRobotIsAFailure() {
         QProcess process;
         process.start(QStringLiteral(TILLER_CLI),

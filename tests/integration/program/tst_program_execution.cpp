@@ -6,7 +6,9 @@
 
 #include "program_samples.h"
 #include "robot/control/controller.h"
+#include "robot/control/motions.h"
 #include "robot/receive/receiver.h"
+#include "robot/script/script_client.h"
 #include "robot/simulator/simulator.h"
 #include "robot/station/program/execution/program_execution.h"
 #include "tests/support/waiting.h"
@@ -79,6 +81,10 @@ struct ExecutionBench {
     CheckedProgram check(PreviewOptions preview = {}) const {
         return checkForRobot(project, program, {}, preview, receiver.latest());
     }
+    bool isMoving() const { return robot.truth().tcpSpeed.linear.norm() > 0.05; }
+    bool isAt(const JointPositions& q) const {
+        return (robot.truth().q.values - q.values).cwiseAbs().maxCoeff() < 1e-3;
+    }
 };
 
 }  // namespace
@@ -87,6 +93,42 @@ class TestProgramExecution : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    void aCheckedProgramRuns() {
+        ExecutionBench bench;
+        const auto up = bench.bringUp();
+        QVERIFY2(up.ok(), why(up).constData());
+        const CheckedProgram checked = bench.check();
+        QCOMPARE(checked.obstacles, QStringList());
+        ProgramExecution execution(bench.controller, bench.receiver.subscribe(), checked);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.isMoving(), 60'000);
+        QVERIFY(execution.isActive());
+    }
+
+    // The path from another position has not been checked.
+    void anArmThatMovedAfterTheCheckIsNotMoved() {
+        ExecutionBench bench;
+        const auto up = bench.bringUp();
+        QVERIFY2(up.ok(), why(up).constData());
+        const CheckedProgram checked = bench.check();
+        QCOMPARE(checked.obstacles, QStringList());
+        JointPositions moved = bench.robot.truth().q;
+        moved.values[0] += 0.05;
+        auto move = control::Motions(bench.controller).moveJ(moved, {});
+        QVERIFY2(move.ok(), why(move).constData());
+        const auto there = move->wait(patience());
+        QVERIFY2(there.ok(), why(there).constData());
+
+        ProgramExecution execution(bench.controller, bench.receiver.subscribe(), checked);
+        const Result<void> ended = execution.wait(patience());
+        QVERIFY(!ended.ok());
+        QCOMPARE(ended.error().code, ErrorCode::Stopped);
+        QVERIFY2(ended.error().toString().contains("Move the arm to the start position first."),
+                 why(ended).constData());
+        QVERIFY(execution.status().state == ProgramExecution::State::Stopped);
+        QVERIFY(bench.isAt(moved));
+        QVERIFY(bench.controller.status().inControl);
+    }
+
     // A rotated TCP changes the path of the waypoints as much as a shifted one.
     void aProgramForAnotherTcpIsRefused_data() {
         QTest::addColumn<Pose>("tcp");
@@ -107,6 +149,21 @@ private Q_SLOTS:
         const CheckedProgram checked = bench.check();
         QCOMPARE(checked.obstacles.size(), 1);
         QVERIFY2(checked.obstacles.front().contains("TCP"), qPrintable(checked.obstacles.front()));
+    }
+
+    // Without samples, the arm position is unknown.
+    void aProgramDoesNotStartWithoutSamples() {
+        ExecutionBench bench;
+        const auto up = bench.bringUp();
+        QVERIFY2(up.ok(), why(up).constData());
+        const CheckedProgram checked = bench.check();
+        const JointPositions q = bench.robot.truth().q;
+        bench.receiver.stop();
+        ProgramExecution execution(bench.controller, bench.receiver.subscribe(), checked);
+        const Result<void> ended = execution.wait(patience());
+        QVERIFY(!ended.ok());
+        QVERIFY2(ended.error().toString().contains("position of the arm"), why(ended).constData());
+        QVERIFY(bench.isAt(q));
     }
 };
 

@@ -59,7 +59,7 @@ CheckedProgram checkForRobot(const project::Project& project, const QUuid& progr
                              const ScriptOptions& options, const PreviewOptions& preview,
                              const receive::Sample& sample) {
     const receive::RobotState robot(sample);
-    CheckedProgram checked{writeScript(project, program, options), {}};
+    CheckedProgram checked{writeScript(project, program, options), robot.q(), {}};
     for (const ProgramProblem& problem : checked.script.problems) {
         checked.obstacles.append(problem.number > 0
                                      ? ProgramText::tr("Step %1: %2").arg(problem.number).arg(problem.text)
@@ -73,7 +73,7 @@ CheckedProgram checkForRobot(const project::Project& project, const QUuid& progr
         return checked;
     }
     PreviewOptions limited = preview;
-    limited.start = robot.q();
+    limited.start = checked.start;
     limited.timeLimit = std::min(preview.timeLimit, kCheckedTime);
     for (const Finding& finding : previewProgram(project, checked.script, options, limited).findings) {
         if (isDangerous(finding)) {
@@ -85,15 +85,17 @@ CheckedProgram checkForRobot(const project::Project& project, const QUuid& progr
 }
 
 ProgramExecution::ProgramExecution(control::Controller& controller, receive::Subscription samples,
-                                   ProgramScript script, const QSet<QUuid>& breakpoints,
+                                   CheckedProgram checked, const QSet<QUuid>& breakpoints,
                                    std::optional<std::uint64_t> stops)
     : controller_(controller)
     , samples_(std::move(samples))
-    , script_(std::move(script))
+    , script_(std::move(checked.script))
+    , start_(checked.start)
     , log_(static_cast<int>(script_.steps.size())) {
-    monitor_ = std::thread(&ProgramExecution::monitor, this);
+    // Copies the subscription before the monitor reads from it.
     runner_ = std::thread(&ProgramExecution::run, this, script_.gatedText(breakpoints),
-                          stops.value_or(controller.stops()));
+                          stops.value_or(controller.stops()), samples_);
+    monitor_ = std::thread(&ProgramExecution::monitor, this);
 }
 
 ProgramExecution::~ProgramExecution() {
@@ -103,21 +105,46 @@ ProgramExecution::~ProgramExecution() {
     monitor_.join();
 }
 
-void ProgramExecution::run(const QString& text, std::uint64_t stops) {
+/// Requires that the arm is still at the checked position. Waits for a new sample.
+Result<void> ProgramExecution::checkPosition(receive::Subscription& position) const {
+    receive::Sample sample;
+    while (position.next(sample)) {
+    }
+    if (const auto next = position.next(sample, Deadline::after(2s, token_)); !next) {
+        return Error{
+            ErrorCode::LinkLost,
+            ProgramText::tr("The position of the arm is unknown because no robot data arrive. Check the "
+                            "connection to the robot."),
+            next.error().toString()};
+    }
+    return isAtStart(start_, receive::RobotState(sample).q())
+               ? Result<void>()
+               : Error{ErrorCode::Stopped, notAtStartText(), {}};
+}
+
+void ProgramExecution::run(const QString& text, std::uint64_t stops, receive::Subscription position) {
+    Result<void> atStart;
     control::ScriptTerms terms;
     terms.stops = stops;
     terms.gate = script::StepGate();
-    terms.starting = [this](const control::Motion& motion) {
+    terms.starting = [&](const control::Motion& motion) {
+        const Result<void> checked = checkPosition(position);  // not under the mutex, because it waits
         const std::lock_guard lock(mutex_);
         if (isStopped_) {
+            return false;
+        }
+        if (!checked) {
+            atStart = checked;
             return false;
         }
         motion_ = motion;
         motion_.setGate(gate_.value());  // the gate may have changed since the start
         return true;
     };
-    const Result<void> outcome =
-        control::Programs(controller_).runScript(text, Deadline::never(token_), terms);
+    Result<void> outcome = control::Programs(controller_).runScript(text, Deadline::never(token_), terms);
+    if (!atStart) {
+        outcome = atStart;
+    }
     const std::lock_guard lock(mutex_);
     outcome_ = outcome;
     changed_.notify_all();

@@ -30,6 +30,7 @@ std::vector<std::string> executionFields();
 /// A script for the connected robot.
 struct CheckedProgram {
     ProgramScript script;
+    JointPositions start;   ///< checked position of the arm [rad]
     QStringList obstacles;  ///< why the program must not run; empty if it may run
 };
 
@@ -67,14 +68,14 @@ public:
         std::vector<StepTiming> timings;  ///< one per step; step number 1 is at index 0
     };
 
-    /// Starts the program. Both threads end with the object.
+    /// Starts the program, unless the arm has left the checked position. Both threads end with the object.
     /// controller   in control; must outlive the object
     /// samples      with executionFields()
-    /// script       of checkForRobot(), without obstacles
+    /// checked      of checkForRobot(), without obstacles
     /// breakpoints  steps before which the program pauses
     /// stops        Controller::stops() when the user requested the run. After a further stop, the program does not
     ///              start. None: now
-    ProgramExecution(control::Controller& controller, receive::Subscription samples, ProgramScript script,
+    ProgramExecution(control::Controller& controller, receive::Subscription samples, CheckedProgram checked,
                      const QSet<QUuid>& breakpoints = {}, std::optional<std::uint64_t> stops = {});
     /// Stops the program. Blocks: until the control program runs again, or for a few seconds without a connection
     ~ProgramExecution();
@@ -93,12 +94,13 @@ public:
     void stop();  ///< Ends the program. The arm brakes. Blocks: never
 
     /// Waits for the end of the program and until the control program runs again.
-    /// Errors   Timeout, Cancelled (the program continues); ScriptError if a step failed; those of
-    ///          control::Programs::runScript()
+    /// Errors   Timeout, Cancelled (the program continues); ScriptError if a step failed; Stopped if the arm was not at
+    ///          the checked position; those of control::Programs::runScript()
     Result<void> wait(const Deadline& deadline) const;
 
 private:
-    void run(const QString& text, std::uint64_t stops);
+    void run(const QString& text, std::uint64_t stops, receive::Subscription position);
+    Result<void> checkPosition(receive::Subscription& position) const;
     void monitor();
     void changeGate(void (RunGate::*change)(const StepLog&));
     void sendGate();
@@ -106,6 +108,7 @@ private:
     control::Controller& controller_;
     receive::Subscription samples_;
     const ProgramScript script_;
+    const JointPositions start_;
     const CancelToken token_;
     mutable std::mutex mutex_;
     mutable std::condition_variable changed_;
