@@ -3277,6 +3277,18 @@
         <source>steps %1</source>
         <translation>Schritte %1</translation>
     </message>
+    <message>
+        <source>The position of the arm is unknown because no robot data arrive. Check the connection to the robot.</source>
+        <translation>Die Position des Arms ist unbekannt, weil keine Roboterdaten ankommen. Prüfen Sie die Verbindung zum Roboter.</translation>
+    </message>
+    <message>
+        <source>It is unknown whether the program completed, because robot data were missing at its end. Check the workpiece.</source>
+        <translation>Es ist unbekannt, ob das Programm vollständig war, weil am Ende Roboterdaten fehlten. Prüfen Sie das Werkstück.</translation>
+    </message>
+    <message>
+        <source>Last known step: %1 (%2). %3</source>
+        <translation>Letzter bekannter Schritt: %1 (%2). %3</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>

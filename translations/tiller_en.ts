@@ -3277,6 +3277,18 @@
         <source>steps %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The position of the arm is unknown because no robot data arrive. Check the connection to the robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is unknown whether the program completed, because robot data were missing at its end. Check the workpiece.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last known step: %1 (%2). %3</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>

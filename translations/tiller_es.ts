@@ -3277,6 +3277,18 @@
         <source>steps %1</source>
         <translation>pasos %1</translation>
     </message>
+    <message>
+        <source>The position of the arm is unknown because no robot data arrive. Check the connection to the robot.</source>
+        <translation>La posición del brazo es desconocida porque no llegan datos del robot. Compruebe la conexión con el robot.</translation>
+    </message>
+    <message>
+        <source>It is unknown whether the program completed, because robot data were missing at its end. Check the workpiece.</source>
+        <translation>No se sabe si el programa terminó por completo, porque faltaron datos del robot al final. Compruebe la pieza.</translation>
+    </message>
+    <message>
+        <source>Last known step: %1 (%2). %3</source>
+        <translation>Último paso conocido: %1 (%2). %3</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>

@@ -3277,6 +3277,18 @@
         <source>steps %1</source>
         <translation>étapes %1</translation>
     </message>
+    <message>
+        <source>The position of the arm is unknown because no robot data arrive. Check the connection to the robot.</source>
+        <translation>La position du bras est inconnue, car aucune donnée du robot n&apos;arrive. Vérifiez la connexion au robot.</translation>
+    </message>
+    <message>
+        <source>It is unknown whether the program completed, because robot data were missing at its end. Check the workpiece.</source>
+        <translation>On ignore si le programme s&apos;est exécuté jusqu&apos;au bout, car des données du robot manquaient à la fin. Vérifiez la pièce.</translation>
+    </message>
+    <message>
+        <source>Last known step: %1 (%2). %3</source>
+        <translation>Dernière étape connue : %1 (%2). %3</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>

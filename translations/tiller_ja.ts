@@ -3277,6 +3277,18 @@
         <source>steps %1</source>
         <translation>ステップ %1</translation>
     </message>
+    <message>
+        <source>The position of the arm is unknown because no robot data arrive. Check the connection to the robot.</source>
+        <translation>ロボットのデータが届かないため、アームの位置が不明です。ロボットとの接続を確認してください。</translation>
+    </message>
+    <message>
+        <source>It is unknown whether the program completed, because robot data were missing at its end. Check the workpiece.</source>
+        <translation>終了時にロボットのデータが欠落していたため、プログラムが完了したかどうか不明です。ワークを確認してください。</translation>
+    </message>
+    <message>
+        <source>Last known step: %1 (%2). %3</source>
+        <translation>最後に確認されたステップ: %1 (%2)。%3</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>

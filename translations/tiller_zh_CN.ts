@@ -3277,6 +3277,18 @@
         <source>steps %1</source>
         <translation>步骤 %1</translation>
     </message>
+    <message>
+        <source>The position of the arm is unknown because no robot data arrive. Check the connection to the robot.</source>
+        <translation>未收到机器人数据，机械臂的位置未知。请检查与机器人的连接。</translation>
+    </message>
+    <message>
+        <source>It is unknown whether the program completed, because robot data were missing at its end. Check the workpiece.</source>
+        <translation>程序结束时缺少机器人数据，无法确定程序是否完成。请检查工件。</translation>
+    </message>
+    <message>
+        <source>Last known step: %1 (%2). %3</source>
+        <translation>最后已知的步骤：%1（%2）。%3</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>

@@ -151,6 +151,23 @@ private Q_SLOTS:
         QVERIFY2(checked.obstacles.front().contains("TCP"), qPrintable(checked.obstacles.front()));
     }
 
+    // A halt resets the state of the program on the robot like its own end.
+    void aHaltWithoutSamplesIsNotTheEndOfTheProgram() {
+        ExecutionBench bench;
+        const auto up = bench.bringUp();
+        QVERIFY2(up.ok(), why(up).constData());
+        ProgramExecution execution(bench.controller, bench.receiver.subscribe(), bench.check());
+        QTRY_VERIFY_WITH_TIMEOUT(bench.isMoving() && execution.status().lastStep > 0, 60'000);
+        bench.receiver.stop();
+        script::ScriptClient pendant(bench.robot.listenAddress(), bench.robot.ports().primary);
+        QVERIFY(pendant.connect(patience()).ok());
+        QVERIFY(pendant.send("stop program\n", patience()).ok());
+        const Result<void> ended = execution.wait(patience());
+        QVERIFY(!ended.ok());
+        QVERIFY2(ended.error().toString().contains("unknown whether"), why(ended).constData());
+        QVERIFY(execution.status().state == ProgramExecution::State::Stopped);
+    }
+
     // Without samples, the arm position is unknown.
     void aProgramDoesNotStartWithoutSamples() {
         ExecutionBench bench;

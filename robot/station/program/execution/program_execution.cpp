@@ -178,6 +178,10 @@ void ProgramExecution::monitor() {
     if (*outcome_ && log_.isCutShort()) {
         outcome_ = Error{ErrorCode::Stopped, QStringLiteral("run the program"),
                          QStringLiteral("the program was ended on the robot")};
+    } else if (*outcome_ && !log_.hasEnded() && log_.failedStep() == 0) {
+        outcome_ = Error{
+            ErrorCode::LinkLost, QStringLiteral("run the program"),
+            QStringLiteral("it is unknown whether the program completed, because robot data were missing")};
     }
     isEnded_ = true;
     changed_.notify_all();

@@ -369,6 +369,7 @@ void ProgramRunner::finish(const Result<control::MotionProgress>& progress) {
     } else {
         end_ = log_.failedStep() > 0 ? End::StepFailed
                : log_.isCutShort()   ? End::StoppedOnRobot
+               : !log_.hasEnded()    ? End::Unknown
                                      : End::Completed;
     }
     state_ = State::Ended;
@@ -402,6 +403,12 @@ QString ProgramRunner::endText(const project::Project& now) const {
         case End::StoppedOnRobot:
             reason = ProgramText::tr("ended on the robot (pendant, another client or halt)");
             break;
+        case End::Unknown:
+            reason = ProgramText::tr(
+                "It is unknown whether the program completed, because robot data were missing at its end. "
+                "Check the workpiece.");
+            return step > 0 ? ProgramText::tr("Last known step: %1 (%2). %3").arg(step).arg(name, reason)
+                            : reason;
         case End::PausedOnRobot:
             reason = ProgramText::tr("paused on the robot");
             break;

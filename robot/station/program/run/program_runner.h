@@ -89,6 +89,7 @@ public:
         Completed,
         StepFailed,
         Stopped,
+        Unknown,         ///< robot data were missing at the end
         StoppedOnRobot,  ///< ended by the pendant or another client
         PausedOnRobot,   ///< held, and ended because the pendant or another client paused it
         Replaced,        ///< by a program of another client

@@ -294,6 +294,22 @@ private Q_SLOTS:
         QCOMPARE(bench.runner.end(), ProgramRunner::End::Completed);
     }
 
+    // A halt resets the state of the program on the robot like its own end.
+    void anEndWithoutSamplesIsUnknown() {
+        RunBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.setSteps({bench.move("pick"), bench.move("place"), bench.move("pick")});
+        QVERIFY(bench.begin(Holding::Free));
+        QVERIFY(bench.reachStep(2));
+        QObject::disconnect(&bench.session, &RobotSession::samplesReceived, &bench.runner, nullptr);
+        QVERIFY(bench.sendFromOutside("stop program\n"));
+        QVERIFY(bench.awaitEnd());
+        QCOMPARE(bench.runner.end(), ProgramRunner::End::Unknown);
+        const QString text = bench.runner.endText(bench.project);
+        QVERIFY2(text.contains("step: 2 (MoveL)") && text.contains("unknown whether"), qPrintable(text));
+        QVERIFY(!bench.runner.isStoppedInLastStep());
+    }
+
     void aProgramThatEndsItselfIsComplete() {
         RunBench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
