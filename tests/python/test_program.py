@@ -122,6 +122,15 @@ class TestSimulated(unittest.TestCase):
         self.assertEqual(len(marks[0].reasons), 4)
 
 
+def raising(error):
+    """For the context in which a handle waits."""
+
+    def waiting():
+        raise error
+
+    return waiting
+
+
 class TestRun(unittest.TestCase):
     def setUp(self):
         self.simulator = tiller.Simulator(virtual=True, start=START).start()
@@ -259,16 +268,26 @@ class TestRun(unittest.TestCase):
             run.wait(0.0)
         self.assertTrue(run.active)  # a timeout of wait() does not end the program
 
-        class Interrupted(Exception):
-            pass
+        # A TimeoutError of other code, e.g. of a signal handler, is not the timeout of wait().
+        for error in (InterruptedError, TimeoutError):
+            with self.subTest(error.__name__):
+                interrupted = tiller.ProgramRun(run._native, (), raising(error))
+                with self.assertRaises(error):
+                    interrupted.wait()
+                self.assert_brakes()
+                run = self.started()
+        run.stop()
 
-        def waiting():
-            raise Interrupted
-
-        interrupted = tiller.ProgramRun(run._native, (), waiting)
-        with self.assertRaises(Interrupted):
-            interrupted.wait()
-        self.assert_brakes()
+    def test_an_exception_while_waiting_stops_a_motion(self):
+        for error in (InterruptedError, TimeoutError):
+            with self.subTest(error.__name__):
+                move = self.robot.move_j(TURNED)
+                self.until(lambda: float(np.abs(self.simulator.truth.qd).max()) > 0.3)
+                with self.assertRaises(error):
+                    tiller.Move(move._native, raising(error)).wait()
+                self.assert_brakes()
+                self.assertFalse(move.active)
+                self.robot.move_j(START).wait(TIMEOUT)
 
     def test_the_timeout_of_run_stops_the_arm(self):
         with self.assertRaises(errors.Timeout):

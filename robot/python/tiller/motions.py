@@ -13,7 +13,7 @@ from typing import Any, Literal, Union
 from . import _native
 from ._arguments import checked
 from ._values import Floats, Joints, Pose, floats, joint_positions, one_of, pose_numbers
-from .errors import Error, InvalidArgument, Stopped
+from .errors import Error, InvalidArgument, Stopped, Timeout
 from .modes import LimiterKind, StopCause
 
 Waiting = Callable[[], AbstractContextManager[Any]]
@@ -78,7 +78,7 @@ class Move:
         try:
             with self._waiting():
                 self._native.wait(timeout)
-        except TimeoutError:
+        except Timeout:
             raise
         except BaseException:
             self._native.cancel()

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from . import _native
 from ._arguments import checked
 from ._values import ZEROS, Array, Floats, Joints, Pose, floats, joint_positions, pose_numbers
+from .errors import Timeout
 from .motions import Waiting
 from .robot import Robot
 
@@ -153,7 +154,7 @@ class ProgramRun:
         try:
             with self._waiting():
                 self._native.wait(timeout)
-        except TimeoutError:
+        except Timeout:
             raise
         except BaseException:
             self._native.stop()
@@ -379,7 +380,7 @@ class Program:
         run = self._started(robot, from_step, (), 5.0)
         try:
             run.wait(timeout)
-        except TimeoutError:
+        except Timeout:
             run.stop()
             raise
 
