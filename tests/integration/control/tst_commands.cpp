@@ -82,19 +82,30 @@ private Q_SLOTS:
     }
 
     // The other client's program must not be stopped without a question, and the error must name the cause.
+    void aProgramThatReplacesAScriptKeepsRunning_data() {
+        QTest::addColumn<QString>("then");
+        QTest::addColumn<RuntimeState>("expected");
+        QTest::newRow("running") << QString() << RuntimeState::Playing;
+        QTest::newRow("paused") << QStringLiteral("pause program\n") << RuntimeState::Paused;
+    }
     void aProgramThatReplacesAScriptKeepsRunning() {
+        QFETCH(const QString, then);
+        QFETCH(const RuntimeState, expected);
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         int ticks = 0;
+        script::ScriptClient other(cell.robot.listenAddress(), cell.robot.ports().primary);
         cell.everyTick = [&] {
             if (++ticks == 300) {
-                script::ScriptClient other(cell.robot.listenAddress(), cell.robot.ports().primary);
                 QVERIFY(other.connect(Deadline::never()).ok());
                 QVERIFY(other
                             .send("def other():\n  while True:\n    set_digital_out(3, True)\n    sync()\n  "
                                   "end\nend\n",
                                   Deadline::never())
                             .ok());
+            }
+            if (ticks == 320 && !then.isEmpty()) {
+                QVERIFY(other.send(then, Deadline::never()).ok());
             }
         };
         const auto ran = cell.during([&] {
@@ -106,8 +117,47 @@ private Q_SLOTS:
             return waitUntil(Deadline::after(std::chrono::minutes(1)),
                              [&] { return cell.controller->status().loss == ControlLoss::ScriptStopped; });
         }));
-        QCOMPARE(cell.robot.truth().runtimeState, RuntimeState::Playing);
+        QCOMPARE(cell.robot.truth().runtimeState, expected);
         QVERIFY((cell.robot.truth().digitalOutputs & 8U) != 0);
+        QVERIFY(!cell.controller->status().inControl);
+    }
+
+    // The secondary interface does not report the end of a program, only the data do.
+    void aProgramThatFollowsAScriptKeepsRunning() {
+        Cell cell;
+        ControllerOptions options;
+        options.host = cell.robot.listenAddress();
+        options.primaryPort = cell.robot.ports().secondary;
+        options.rtdePort = cell.robot.ports().rtde;
+        options.clock = &cell.clock;
+        options.priority = 0;
+        cell.controller = std::make_unique<Controller>(options);
+        QVERIFY(cell.takeControl().ok());
+        int stopped = 0;
+        bool wasPlaying = false;
+        cell.everyTick = [&] {
+            const bool plays = cell.robot.truth().runtimeState == RuntimeState::Playing;
+            wasPlaying = wasPlaying || (plays && (cell.robot.truth().digitalOutputs & 16U) != 0);
+            if (wasPlaying && !plays && ++stopped == 10) {
+                // The controller waits in real time. It must observe the end before the next program starts.
+                std::this_thread::sleep_for(std::chrono::milliseconds(100));
+                script::ScriptClient other(cell.robot.listenAddress(), cell.robot.ports().primary);
+                QVERIFY(other.connect(Deadline::never()).ok());
+                QVERIFY(other.send("def other():\n  while True:\n    sync()\n  end\nend\n", Deadline::never())
+                            .ok());
+            }
+        };
+        const auto ran = cell.during([&] {
+            return Programs(*cell.controller)
+                .runScript("def short():\n  set_digital_out(4, True)\n  sleep(0.2)\nend\n",
+                           Deadline::never());
+        });
+        QVERIFY(stopped >= 10);
+        QCOMPARE(ran.error().code, ErrorCode::NotInControl);
+        QVERIFY2(ran.error().controllerMessage.contains("another client"), why(ran));
+        cell.everyTick = {};
+        QVERIFY(cell.step(500));
+        QCOMPARE(cell.robot.truth().runtimeState, RuntimeState::Playing);
         QVERIFY(!cell.controller->status().inControl);
     }
 
