@@ -120,7 +120,6 @@ void ControlLoop::setHook(CycleHook* hook) {
 void ControlLoop::takeIn(const Feedback& data) {
     if (const std::int32_t session = nextSession_.exchange(0, std::memory_order_acq_rel); session != 0) {
         session_ = session;
-        endRequested_.store(false, std::memory_order_release);
         leave(ControlLoss::Taking, StopCause::ControlLost, data.hostNs);
     }
     if (takingAbandoned_.exchange(false, std::memory_order_acq_rel) &&

@@ -113,8 +113,9 @@ public:
     void permitFinish();
     /// True if the robot has received this permission.
     bool isFinishPermitted() const { return finishReceived_.load(std::memory_order_acquire); }
-    /// Accepts only the program with this session, from the next tick on.
+    /// Accepts only the program with this session, from the next tick on. Withdraws earlier requests to end a program.
     void expectSession(std::int32_t session) {
+        endRequested_.store(false, std::memory_order_release);
         takingAbandoned_.store(false, std::memory_order_release);
         nextSession_.store(session, std::memory_order_release);
     }

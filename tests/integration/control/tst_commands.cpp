@@ -161,6 +161,49 @@ private Q_SLOTS:
         QVERIFY(!cell.controller->status().inControl);
     }
 
+    // The robot receives the control program after the upload has been reported as failed.
+    void aControlProgramThatStartsLateEnds() {
+        Cell cell;
+        bool fails = false;
+        QString late;
+        const auto send = [&](const QString& program) {
+            script::ScriptClient client(cell.robot.listenAddress(), cell.robot.ports().primary);
+            const auto connected = client.connect(patience());
+            return connected ? client.send(program, patience()) : connected;
+        };
+        ControllerOptions options;
+        options.host = cell.robot.listenAddress();
+        options.primaryPort = cell.robot.ports().primary;
+        options.rtdePort = cell.robot.ports().rtde;
+        options.clock = &cell.clock;
+        options.priority = 0;
+        options.deliver = [&](const QString& program, const Deadline&) -> Result<void> {
+            if (fails) {
+                late = program;
+                return Error{ErrorCode::Timeout, QStringLiteral("send the control program"), {}};
+            }
+            return send(program);
+        };
+        cell.controller = std::make_unique<Controller>(options);
+        QVERIFY(cell.takeControl().ok());
+        fails = true;
+        const auto ran = cell.during([&] {
+            return Programs(*cell.controller).runScript("def short():\n  sync()\nend\n", patience());
+        });
+        QVERIFY(!ran.ok());
+        QVERIFY(!late.isEmpty());
+        QVERIFY(send(late).ok());
+        int began = 0;
+        cell.everyTick = [&] { began += cell.robot.truth().runtimeState == RuntimeState::Playing ? 1 : 0; };
+        QVERIFY(cell.during([&] {
+            return waitUntil(Deadline::after(std::chrono::minutes(1)), [&] {
+                return began > 0 && cell.robot.truth().runtimeState == RuntimeState::Stopped;
+            });
+        }));
+        QVERIFY(!cell.controller->status().inControl);
+        QCOMPARE(cell.controller->status().loss, ControlLoss::ScriptStopped);
+    }
+
     // A path is sent as a new control program. The previous program must end its pulses first.
     void aPulseIsNotShortenedByAPathOrAScript() {
         const Deadline limit = Deadline::never();

@@ -237,6 +237,39 @@ private Q_SLOTS:
         QCOMPARE(bench.loop.status().lastMotion, jog);
     }
 
+    // An upload may fail before or after the next package, and the robot may nevertheless start the program.
+    void aProgramThatStartsAfterItsUploadFailedEnds_data() {
+        QTest::addColumn<int>("ticks");
+        QTest::newRow("failed at once") << 0;
+        QTest::newRow("failed later") << 5;
+    }
+    void aProgramThatStartsAfterItsUploadFailedEnds() {
+        QFETCH(const int, ticks);
+        LoopBench bench;
+        bench.takeControl();
+        bench.loop.requestEnd(ControlLoss::Taking);
+        bench.tick();
+        bench.answering = false;
+        bench.data.runtimeState = RuntimeState::Stopped;
+        bench.tick(2);
+        QVERIFY(!bench.loop.isInControl());
+        bench.loop.expectSession(kSession + 1);
+        bench.tick(ticks);
+        bench.loop.requestEnd(ControlLoss::ScriptStopped);
+        bench.loop.abandonTaking();
+        bench.tick();
+        QCOMPARE(bench.loop.status().loss, ControlLoss::ScriptStopped);
+        bench.data.runtimeState = RuntimeState::Playing;
+        bench.answering = true;
+        bench.tick(3);
+        QCOMPARE(bench.command.session, kSession + 1);
+        QCOMPARE(bench.command.kind, ScriptCommand::End);
+        bench.data.runtimeState = RuntimeState::Stopped;
+        bench.tick();
+        QVERIFY(!bench.loop.isInControl());
+        QCOMPARE(bench.loop.status().loss, ControlLoss::ScriptStopped);
+    }
+
     void endRequestIsSentToTheProgram() {
         Bench bench;
         bench.takeControl();
