@@ -3,7 +3,9 @@
 #include <QElapsedTimer>
 #include <QTest>
 
+#include "robot/script/script_client.h"
 #include "tests/support/virtual_cell.h"
+#include "tests/support/waiting.h"
 
 using namespace tiller;
 using namespace tiller::test;
@@ -123,6 +125,24 @@ private Q_SLOTS:
         bench.cell.advanceMs(14'900);
         QVERIFY(bench.state().controlInDoubt);
         bench.cell.advanceMs(200);
+        QVERIFY(!bench.state().controlInDoubt);
+    }
+
+    // The control program may have hung. A connection that fails before the end of the doubt is a dead connection.
+    void aConnectionLostAfterMissingAnswersProlongsTheDoubt() {
+        DoubtBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        script::ScriptClient other(bench.cell.robot.listenAddress(), bench.cell.robot.ports().primary);
+        QVERIFY(other.connect(patience()).ok());
+        QVERIFY(other.send("def other():\n  while True:\n    sync()\n  end\nend\n", patience()).ok());
+        QVERIFY(
+            bench.goOnUntil([&] { return bench.state().controlLoss == control::ControlLoss::EchoStalled; }));
+        QVERIFY(bench.state().controlInDoubt);
+        QVERIFY(bench.loseTheConnection());
+        QVERIFY(bench.isFresh());
+        bench.cell.advanceMs(14'000);
+        QVERIFY(bench.state().controlInDoubt);
+        bench.cell.advanceMs(1'100);
         QVERIFY(!bench.state().controlInDoubt);
     }
 
