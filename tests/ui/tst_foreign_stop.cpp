@@ -539,6 +539,50 @@ private Q_SLOTS:
         QVERIFY2(question->text().contains(QStringLiteral("“others”")), qPrintable(question->text()));
     }
 
+    // An outdated answer would stop another program, or the program of another robot.
+    void questionsCloseWithTheirProgram_data() {
+        QTest::addColumn<QString>("change");
+        QTest::newRow("ended") << QStringLiteral("stop program\n");
+        QTest::newRow("paused") << QStringLiteral("pause program\n");
+        QTest::newRow("replaced") << QStringLiteral("def second():\nwhile True:\nsync()\nend\nend\n");
+        QTest::newRow("disconnected") << QString();
+    }
+    void questionsCloseWithTheirProgram() {
+        QFETCH(const QString, change);
+        Bench bench;
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.startMoving());
+        QVERIFY(bench.within([&] { return bench.state().runningProgram == QLatin1String("others"); }));
+        bench.window.actions().find("control.take")->trigger();
+        const QPointer<QMessageBox> question = bench.window.findChild<QMessageBox*>("takeControlQuestion");
+        QVERIFY(question != nullptr);
+        bench.cell.advanceMs(500);
+        QVERIFY2(question != nullptr && question->isVisible(), "the question closed while its program runs");
+        if (change.isEmpty()) {
+            bench.window.session().disconnectFromRobot();
+        } else {
+            QVERIFY(bench.pendant->send(change, Deadline::never()).ok());
+        }
+        QVERIFY(bench.within([&] { return question == nullptr || !question->isVisible(); }));
+        QVERIFY(bench.state().control != ControlState::InControl);
+    }
+
+    void questionsCloseWithTheConnection() {
+        Bench bench;
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        RobotSession& session = bench.window.session();
+        session.recording().start(bench.folder.filePath("running.csv"));
+        QVERIFY(bench.within([&] { return session.state().recording.active; }));
+        QVERIFY(!bench.window.close());
+        const QPointer<QMessageBox> question = bench.window.findChild<QMessageBox*>("endQuestion");
+        QVERIFY(question != nullptr);
+        bench.cell.advanceMs(200);
+        QVERIFY(question != nullptr && question->isVisible());
+        session.connectTo({QStringLiteral("other"), bench.cell.robot.listenAddress(), 0, true});
+        QTRY_VERIFY_WITH_TIMEOUT(question == nullptr || !question->isVisible(), 60'000);
+        QVERIFY(bench.window.isVisible());
+    }
+
     void aRobotInLocalControlIsReported() {
         simulator::SimulatorOptions options = VirtualCell::options();
         options.gateLocalControl = true;

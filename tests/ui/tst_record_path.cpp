@@ -6,6 +6,7 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QLabel>
+#include <QMessageBox>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -168,6 +169,29 @@ private Q_SLOTS:
         const auto saved = project::loadProject(file);
         QVERIFY(saved.ok());
         QVERIFY(saved->waypoints.size() >= 2);
+    }
+
+    void aConfirmationToCloseAppliesOnce() {
+        const QTemporaryDir folder;
+        window().openProject(folder.filePath("path.tiller"));
+        window().session().recording().start(folder.filePath("running.csv"));
+        QVERIFY(until([this] { return window().session().state().recording.active; }));
+        QTest::mouseClick(&record(), Qt::LeftButton);
+        cell().advanceMs(40);
+        (void)lead();
+        const auto asks = [this] {
+            const auto questions = window().findChildren<QMessageBox*>("endQuestion");
+            return std::any_of(questions.begin(), questions.end(),
+                               [](QMessageBox* each) { return each->isVisible(); });
+        };
+        QVERIFY(!window().close());
+        QVERIFY(asks());
+        window().findChild<QPushButton*>("endQuestion.take")->click();
+        QVERIFY(window().isVisible());  // until the path has been stored
+        QVERIFY(!asks());
+        QVERIFY(!window().close());
+        QVERIFY(asks());
+        QTRY_VERIFY_WITH_TIMEOUT(!window().isVisible(), 60'000);
     }
 
     // In a narrow panel, "Record path" is available only in the menu.
