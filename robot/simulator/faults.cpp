@@ -345,6 +345,7 @@ QString clear(ControllerServices& controlBox, Words& words) {
         controlBox.services.link().set({});
         controlBox.services.link().unbury();
         controlBox.services.rtde().releaseHeldInputs();
+        controlBox.services.rtde().setMaxClients(std::numeric_limits<std::size_t>::max());
         controlBox.silent = false;
         controlBox.plant.setCalibrationError(0);
     }
@@ -425,6 +426,11 @@ const Verb kVerbs[] = {
              m.services.link().setForgetting(false);
          }
          return QString(); }},
+    {"rtde-clients", "MAXIMUM", "the RTDE server closes further connections; existing connections stay open",
+     [](ControllerServices& m, Words& w) {
+         const int most = w.integer(0, 1000);
+         if (w.good()) { m.services.rtde().setMaxClients(static_cast<std::size_t>(most)); }
+         return QString(); }},
     {"close-clients", "", "closes all connections in order",
      [](ControllerServices& m, Words& w) { if (w.good()) { m.services.closeClients(); } return QString(); }},
     {"joint-near-limit", "JOINT [DEGREES]", "moves joint 1 to 6 to this distance from the end of its range (default 1); below 0: beyond it, RECOVERY", &jointNearLimit},
@@ -472,7 +478,7 @@ const Verb kVerbs[] = {
              if (const Result<void> done = assume(m.plant.assumptions(), words); !done) { w.complain(done.error().context); } }
          return QString(); }},
     {"status", "", "shows the current modes and faults", &status},
-    {"clear", "", "ends the faults silence, link, delay, split, coalesce and drop, held registers and calibration errors", &clear},
+    {"clear", "", "ends the faults silence, link, delay, split, coalesce, drop and rtde-clients, held registers and calibration errors", &clear},
 };
 // clang-format on
 

@@ -265,6 +265,19 @@ private Q_SLOTS:
         QVERIFY(stream.rtde.waitClosed());
     }
 
+    void aFullConnectionTableRefusesNewClients() {
+        VirtualRobot robot;
+        Stream stream(robot);
+        inject(robot, "rtde-clients 1");
+        RawRtde other = robot.rtde();
+        QVERIFY(other.waitClosed());
+        QVERIFY(stream.rtde.isConnected());
+        QCOMPARE(robot.controller.rtdeClients(), 1);
+        inject(robot, "clear");
+        RawRtde later = robot.rtde();
+        QVERIFY(later.useVersion());
+    }
+
     void onlyTheControllerDropsAHalfOpenConnection() {
         VirtualRobot robot;
         Stream stream(robot);

@@ -25,6 +25,10 @@ RtdeServer::RtdeServer(ControllerModel& plant) : plant_(plant), inputs_(plant, p
 
 void RtdeServer::service() {
     for (const native_socket::Descriptor descriptor : takeAccepted()) {
+        if (clients_.size() >= maxClients_) {
+            native_socket::close(descriptor);
+            continue;
+        }
         clients_.push_back(std::make_unique<Client>(descriptor, ++lastId_));
         clients_.back()->peer.attach(link());
         ++connected_;

@@ -17,6 +17,7 @@
 #include <QStringList>
 #include <atomic>
 #include <deque>
+#include <limits>
 
 #include "robot/rtde/codec.h"
 #include "robot/rtde/splitter.h"
@@ -46,6 +47,9 @@ public:
     /// false without any change if an input does not exist or already has an owner.
     bool holdInputs(const QStringList& names);
     void releaseHeldInputs();
+
+    /// Sets the number of clients above which new connections are closed, as by a full connection table.
+    void setMaxClients(std::size_t count) { maxClients_ = count; }
 
     /// Number of packages received from all clients since the start.
     /// Threads  any
@@ -101,6 +105,7 @@ private:
     ControllerModel& plant_;
     RtdeInputs inputs_;
     std::vector<std::unique_ptr<Client>> clients_;
+    std::size_t maxClients_ = std::numeric_limits<std::size_t>::max();
     RtdeInputs::ClientId lastId_ = 0;
     std::uint64_t period_ = 0;  ///< number of the current control period
     rtde::Bytes reply_;

@@ -6,6 +6,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <array>
+#include <functional>
 
 #include "robot/recording/formats/open_recording.h"
 #include "tests/support/virtual_cell.h"
@@ -72,6 +73,61 @@ private Q_SLOTS:
         QVERIFY((*file)->indexOf("actual_q_5") && (*file)->indexOf("timestamp"));
         QCOMPARE((*file)->indexOf("robot_mode").has_value(), fields.isEmpty());
         QVERIFY((*file)->gaps().empty());
+    }
+
+    // The connection table of the controller is full: the fields of the link are recorded, and a warning names
+    // the other fields.
+    void withoutASecondConnectionTheLinkIsRecorded_data() {
+        QTest::addColumn<QString>("format");
+        QTest::newRow("CSV") << QStringLiteral("csv");
+        QTest::newRow("MCAP") << QStringLiteral("mcap");
+    }
+    void withoutASecondConnectionTheLinkIsRecorded() {
+        QFETCH(QString, format);
+        constexpr int kWaitTimeoutMs = 60'000;
+        const QTemporaryDir folder;
+        VirtualClock clock;
+        RobotSession session{clock};
+        VirtualCell cell{clock, session};
+        QVERIFY2(cell.connect(), qPrintable(cell.what()));
+        QVERIFY(cell.robot.inject("rtde-clients 1").ok());
+        QStringList warnings;
+        QObject::connect(&session, &RobotSession::message, &session,
+                         [&](Severity severity, const QString& text) {
+                             if (severity != Severity::Info) {
+                                 warnings << text;
+                             }
+                         });
+        const QString path = folder.filePath(QStringLiteral("run.") + format);
+        session.recording().start(
+            {.path = path,
+             .shown = {"output_double_register_3", "output_int_register_0", "output_int_register_12"},
+             .format = format});
+        const auto advance = [&](const std::function<bool()>& condition) {
+            QElapsedTimer waited;
+            waited.start();
+            while (!condition() && waited.elapsed() < kWaitTimeoutMs) {
+                cell.advanceMs(16);
+                QTest::qWait(1);
+            }
+            return condition();
+        };
+        QVERIFY(advance([&] { return session.state().recording.rows > 200; }));
+        QCOMPARE(warnings.size(), 1);
+        QVERIFY2(warnings[0].contains("output_double_register_3, output_int_register_0") &&
+                     !warnings[0].contains("output_int_register_12"),
+                 qPrintable(warnings[0]));
+        // The warning is not repeated when the displayed signals change.
+        session.recording().reportDisplayed({"output_int_register_0"});
+        QCOMPARE(warnings.size(), 1);
+        session.recording().stop();
+        QVERIFY(advance([&] { return !session.state().recording.active; }));
+        const auto file = recording::openRecording(path);
+        QVERIFY2(file.ok(), qPrintable(file.error().toString()));
+        QVERIFY((*file)->indexOf("output_int_register_12") && (*file)->indexOf("actual_q_5"));
+        QVERIFY(!(*file)->indexOf("output_int_register_0") && !(*file)->indexOf("output_double_register_3"));
+        QVERIFY((*file)->gaps().empty());
+        QCOMPARE(cell.robot.rtdeClients(), 1);
     }
 };
 
