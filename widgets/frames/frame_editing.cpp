@@ -4,7 +4,6 @@
 #include "robot/station/document/project_document.h"
 #include "robot/station/text/notation.h"
 #include "widgets/common/notice_bar.h"
-#include "widgets/frames/frame_model.h"
 
 namespace tiller {
 namespace {
@@ -21,7 +20,9 @@ QString outOfReachText(int waypoints) {
 }  // namespace
 
 FrameEditing::FrameEditing(ProjectDocument& document, FrameModel& model, NoticeBar& notice, QObject* parent)
-    : QObject(parent), document_(document), model_(model), notice_(notice) {}
+    : QObject(parent), document_(document), model_(model), notice_(notice) {
+    connect(&document_, &ProjectDocument::documentChanged, this, [this] { checked_.reset(); });
+}
 
 void FrameEditing::insert(const Pose& T_base_frame) {
     project::Frame frame;
@@ -31,14 +32,27 @@ void FrameEditing::insert(const Pose& T_base_frame) {
     document_.insertFrame(model_.rowCount(), frame, tr("Teach “%1”").arg(frame.name));
 }
 
-QString FrameEditing::moveText(const QUuid& id, const Pose& T_base_frame) const {
+FrameUse FrameEditing::useAt(const QUuid& id, const Pose& T_base_frame) {
+    constexpr double kSamePosition = 1e-4;  // [m] measured positions vary at standstill
+    constexpr double kSameRotation = 1e-3;  // [rad]
+    if (checked_ && checked_->id == id) {
+        const project::PoseDifference by = project::poseDifference(checked_->T_base_frame, T_base_frame);
+        if (by.distance < kSamePosition && by.angle < kSameRotation) {
+            return checked_->use;
+        }
+    }
+    checked_ = {id, T_base_frame, model_.use(id, T_base_frame)};
+    return checked_->use;
+}
+
+QString FrameEditing::moveText(const QUuid& id, const Pose& T_base_frame) {
     const int row = model_.rowOf(id);
     if (row < 0) {
         return {};
     }
     const project::Frame& frame = model_.frames().at(static_cast<std::size_t>(row));
     const project::PoseDifference by = project::poseDifference(frame.T_base_frame, T_base_frame);
-    const FrameUse use = model_.use(id, T_base_frame);
+    const FrameUse use = useAt(id, T_base_frame);
     QStringList lines = {tr("The frame moves by %1 (%2, base frame).")
                              .arg(format::difference(by.distance, by.angle),
                                   format::shift(T_base_frame.position - frame.T_base_frame.position)),

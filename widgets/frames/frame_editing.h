@@ -7,13 +7,14 @@
 
 #include <QObject>
 #include <functional>
+#include <optional>
 
 #include "robot/project/waypoint.h"
 #include "robot/station/link/robot_session.h"
+#include "widgets/frames/frame_model.h"
 
 namespace tiller {
 
-class FrameModel;
 class NoticeBar;
 class ProjectDocument;
 
@@ -46,13 +47,22 @@ Q_SIGNALS:
     void message(tiller::Severity severity, const QString& text);
 
 private:
-    QString moveText(const QUuid& id, const Pose& T_base_frame) const;
+    QString moveText(const QUuid& id, const Pose& T_base_frame);
     /// Returns  a text about the moved waypoints
     QString move(const QUuid& id, const Pose& T_base_frame, const QString& step);
+
+    /// Effect of a move on the waypoints. Checking their reach takes too long for each update of a question.
+    struct CheckedMove {
+        QUuid id;
+        Pose T_base_frame;
+        FrameUse use;
+    };
+    FrameUse useAt(const QUuid& id, const Pose& T_base_frame);
 
     ProjectDocument& document_;
     FrameModel& model_;
     NoticeBar& notice_;
+    std::optional<CheckedMove> checked_;
 };
 
 }  // namespace tiller

@@ -5,6 +5,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QDoubleSpinBox>
+#include <QElapsedTimer>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -209,6 +210,27 @@ private Q_SLOTS:
         feed(nextTo(0.07, 0));
         click("notice.accept");
         QVERIFY(frame(0).T_base_frame == nextTo(0.07, 0));
+    }
+
+    // The reach of many waypoints takes too long for each update of the question.
+    void touchUpChecksTheReachOncePerPose() {
+        teachWithWaypoints(1500);
+        feed(nextTo(0.03, 0));
+        QElapsedTimer timer;
+        timer.start();
+        click("frame.touchUp");
+        const qint64 first = timer.nsecsElapsed();
+        timer.restart();
+        for (int i = 0; i < 50; ++i) {
+            notice()->refresh();
+        }
+        QVERIFY2(timer.nsecsElapsed() < 10 * first,
+                 qPrintable(QStringLiteral("%1 and %2 ns").arg(first).arg(timer.nsecsElapsed())));
+        // A change of the project closes the question.
+        document_->removeWaypoints({0});
+        QVERIFY(!notice()->isVisible());
+        click("frame.touchUp");
+        QVERIFY2(notice()->text().contains("1499"), qPrintable(notice()->text()));
     }
 
     // A frame from three recorded points does not depend on the current position.
