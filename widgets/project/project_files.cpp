@@ -215,7 +215,9 @@ void ProjectFiles::offerKept() {
 
 QString ProjectFiles::startingPlace() const {
     if (!store_.copyName().isEmpty()) {
-        return QDir(projectFolder()).filePath(store_.copyName() + QStringLiteral(".tiller"));
+        const QLatin1String suffix(".tiller");
+        const QString& name = store_.copyName();
+        return QDir(projectFolder()).filePath(name.endsWith(suffix) ? name : name + suffix);
     }
     return store_.path().isEmpty() ? projectFolder() : store_.path();
 }

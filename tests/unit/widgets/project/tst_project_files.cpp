@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QDir>
 #include <QFile>
+#include <QFileDialog>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QMessageBox>
@@ -136,6 +137,33 @@ private Q_SLOTS:
         QCOMPARE(document_->waypoints().size(), 3);
         notice_->accepted();
         QCOMPARE(document_->waypoints().size(), 2);
+    }
+
+    // The name of a kept copy is the name of its file.
+    void saveAsProposesOneSuffix_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QString>("proposed");
+        QTest::newRow("sample") << QStringLiteral("Sample 1.5") << QStringLiteral("Sample 1.5.tiller");
+        QTest::newRow("kept copy") << QStringLiteral("cell.tiller") << QStringLiteral("cell.tiller");
+    }
+    void saveAsProposesOneSuffix() {
+        QFETCH(const QString, name);
+        QFETCH(const QString, proposed);
+        const QString sample = directory_->filePath("sample.tiller");
+        QVERIFY(project::saveProject(sample, {}).ok());
+        files_->openCopy(sample, name);
+        QString seen;
+        QTimer timer;
+        connect(&timer, &QTimer::timeout, this, [&seen] {
+            if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
+                seen = dialog->selectedFiles().value(0);
+                dialog->reject();
+            }
+        });
+        timer.start(20);
+        files_->askToSave(nullptr);
+        QCOMPARE(QFileInfo(seen).fileName(), proposed);
+        files_->store().discardChanges();
     }
 
     // The notice remains while a sample is opened and changed.
