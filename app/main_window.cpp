@@ -967,20 +967,22 @@ QStringList MainWindow::runningWork() const {
 
 MainWindow::AskedProgram MainWindow::askedProgram() const {
     const SessionState& state = session_->state();
-    return {state.hasData() ? std::optional(state.runtimeState) : std::nullopt,
-            session_->freeProgram().value_or(
-                state.runtimeState == RuntimeState::Stopped ? state.loadedProgram : state.runningProgram)};
+    return {state.hasData() ? std::optional(state.runtimeState) : std::nullopt, programName()};
 }
 
-/// Describes the program on the robot: that of this window, or that of another client.
+/// Name of the program on the robot: that of this window, or that of another client.
+QString MainWindow::programName() const {
+    const SessionState& state = session_->state();
+    return session_->freeProgram().value_or(
+        state.runtimeState == RuntimeState::Stopped ? state.loadedProgram : state.runningProgram);
+}
+
 QString MainWindow::programText() const {
     const SessionState& state = session_->state();
     const bool paused = state.runtimeState == RuntimeState::Paused;
     const bool stopped = state.runtimeState == RuntimeState::Stopped;
     // PolyScope uses this name for a program without a file.
-    const QString loaded =
-        state.loadedProgram == QLatin1String("<unnamed>") ? QString() : state.loadedProgram;
-    const QString name = session_->freeProgram().value_or(stopped ? loaded : state.runningProgram);
+    const QString name = programName() == QLatin1String("<unnamed>") ? QString() : programName();
     return name.isEmpty() && paused    ? tr("A program is paused on the robot.")
            : name.isEmpty() && stopped ? tr("A program is loaded on the robot.")
            : name.isEmpty()            ? tr("A program is running on the robot.")

@@ -177,6 +177,7 @@ private:
     void askToChange(const QString& what, const std::function<void()>& change);
     void askToPerform(RobotCommand command);
     QStringList runningWork() const;
+    QString programName() const;
     QString programText() const;
     /// The program that a question is about.
     struct AskedProgram {
