@@ -11791,6 +11791,14 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <source>Project</source>
         <translation>Projekt</translation>
     </message>
+    <message>
+        <source>Taught “%1”</source>
+        <translation>„%1“ geteacht</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::CommandPalette</name>

@@ -11776,6 +11776,14 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <source>Project</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Taught “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::CommandPalette</name>

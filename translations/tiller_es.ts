@@ -11791,6 +11791,14 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <source>Project</source>
         <translation>Proyecto</translation>
     </message>
+    <message>
+        <source>Taught “%1”</source>
+        <translation>«%1» enseñado</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::CommandPalette</name>

@@ -11791,6 +11791,14 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <source>Project</source>
         <translation>Projet</translation>
     </message>
+    <message>
+        <source>Taught “%1”</source>
+        <translation>« %1 » appris</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::CommandPalette</name>

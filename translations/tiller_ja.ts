@@ -11751,6 +11751,14 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <source>Project</source>
         <translation>プロジェクト</translation>
     </message>
+    <message>
+        <source>Taught “%1”</source>
+        <translation>「%1」をティーチングしました</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::CommandPalette</name>

@@ -11751,6 +11751,14 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <source>Project</source>
         <translation>项目</translation>
     </message>
+    <message>
+        <source>Taught “%1”</source>
+        <translation>已示教“%1”</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::CommandPalette</name>

@@ -50,6 +50,7 @@ WaypointsTab::WaypointsTab(RobotSession& session, UndoableDocument& document, Mo
                            HoldPolicy& policy, QWidget* parent)
     : QWidget(parent)
     , session_(session)
+    , holdPolicy_(policy)
     , limits_(port.limits)
     , state_(session.state())
     , document_(document)
@@ -543,7 +544,7 @@ void WaypointsTab::buildActions() {
         return action;
     };
     QAction* teach = addCommand("waypoint.action.teach", tr("Teach here"), QKeySequence(Qt::Key_T),
-                                [this] { this->teach(); });
+                                [this] { teachByKey(); });
     QAction* touchUp = onSelected(addCommand("waypoint.action.touchUp", tr("Touch up"),
                                              QKeySequence(Qt::Key_U), [this] { this->touchUp(); }));
     // Add the actions to the whole window, because the focus may be on the jog pad during teaching.
@@ -671,6 +672,31 @@ void WaypointsTab::teach() {
     }
     document_.insertWaypoints(row < 0 ? model_->rowCount() : row + 1, {*taught},
                               tr("Teach “%1”").arg(point.name));
+}
+
+void WaypointsTab::teachByKey() {
+    const QWidget* focus = QApplication::focusWidget();
+    const bool isElsewhere = focus == nullptr || !isAncestorOf(focus);
+    const int before = model_->rowCount();
+    teach();
+    if (!isElsewhere || model_->rowCount() == before || holdPolicy_.holding != nullptr) {
+        return;
+    }
+    // The key may have been pressed by mistake. In the table, F2 renames the waypoint.
+    table_->setFocus(Qt::ShortcutFocusReason);
+    const project::Waypoint& taught = document_.waypoints().at(currentRow());
+    const auto undo = [this, id = taught.id] {
+        if (const int row = document_.waypoints().indexOf(id); row >= 0) {
+            document_.removeWaypoints({row});
+        }
+    };
+    notice_->resolve(QLatin1String(kPassing));
+    notice_->show(NoticeBar::Kind::Question, {.title = tr("Taught “%1”").arg(taught.name),
+                                              .accept = tr("Undo"),
+                                              .accepted = undo,
+                                              .dismiss = tr("Close"),
+                                              .cause = QLatin1String(kPassing)});
+    passing_.start();
 }
 
 void WaypointsTab::touchUp() {

@@ -120,6 +120,8 @@ Q_SIGNALS:
 private:
     void buildActions();
     void buildLayout(MotionPort port, HoldPolicy& policy);
+    /// Like teach(). If the focus is elsewhere, also moves it to the table and shows what was taught.
+    void teachByKey();
     void fitRoutes();
     void showPathRecording();
     void onState(const SessionState& state);
@@ -143,6 +145,7 @@ private:
                         std::function<void()> run);
 
     RobotSession& session_;
+    const HoldPolicy& holdPolicy_;
     std::function<control::MotionLimits()> limits_;
     std::function<HeldSpeed()> heldSpeed_ = [] { return HeldSpeed(); };
     SessionState state_;

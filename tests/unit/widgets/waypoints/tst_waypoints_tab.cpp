@@ -11,6 +11,7 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QVBoxLayout>
 #include <memory>
 #include <vector>
 
@@ -127,6 +128,39 @@ private Q_SLOTS:
         QCOMPARE(taught.joints, state.q);
         QCOMPARE(taught.pose, state.tcpPose);
         QCOMPARE(taught.tcpOffset, state.tcpOffset);
+    }
+
+    // A letter that was typed without an input field must not change the project unnoticed.
+    void teachingByKeyFromElsewhereIsShown() {
+        teachThree();
+        QWidget other;
+        QVBoxLayout layout(&other);
+        QPushButton pad;
+        layout.addWidget(&pad);
+        layout.addWidget(tab_.get());
+        other.show();
+        QVERIFY(QTest::qWaitForWindowActive(&other));
+        pad.setFocus();
+        feed(liveState(moved(0, 0.5)));
+        QTest::keyClick(&pad, Qt::Key_T);
+        QCOMPARE(document_->waypoints().size(), 4);
+        QVERIFY(notice()->isVisible());
+        QVERIFY2(notice()->title().contains("Taught “waypoint 4”"), qPrintable(notice()->title()));
+        click("notice.accept");
+        QCOMPARE(document_->waypoints().size(), 3);
+        // F2 renames the new waypoint.
+        pad.setFocus();
+        QTest::keyClick(&pad, Qt::Key_T);
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_F2);
+        QVERIFY(table()->findChild<QLineEdit*>() != nullptr);
+        // With the focus in the tab, the selection shows the new waypoint.
+        QTest::keyClick(table()->findChild<QLineEdit*>(), Qt::Key_Escape);
+        click("notice.dismiss");
+        table()->setFocus();
+        QTest::keyClick(table(), Qt::Key_T);
+        QCOMPARE(document_->waypoints().size(), 5);
+        QVERIFY(!notice()->isVisible());
+        tab_->setParent(nullptr);
     }
 
     void touchUpShowsTheDifferenceAndAsks() {
