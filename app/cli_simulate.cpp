@@ -7,8 +7,8 @@
 #include "app/cli_command.h"
 #include "app/cli_options.h"
 #include "app/termination.h"
-#include "robot/simulator/box/personality.h"
 #include "robot/simulator/faults.h"
+#include "robot/simulator/plant/personality.h"
 #include "robot/simulator/simulator.h"
 
 namespace tiller::app {

@@ -10,14 +10,16 @@ set(ur_rtde_headers async_operation_status.h dashboard_client.h dashboard_enums.
     rtde_utility.h script_client.h)
 
 # Public headers of the simulated controller, for starting and stepping a controller in a process.
-set(simulator_headers assumptions.h simulator.h simulator_options.h arm/arm_state.h arm/environment.h box/personality.h)
+set(simulator_headers simulator.h options/assumptions.h options/simulator_options.h arm/arm_state.h arm/environment.h
+    plant/personality.h)
 
 set(tiller_rooms core realtime rtde receive script dashboard control io kinematics collision project recording doctor api)
 # Components that need more packages than the backend. Each has a separate export, which tillerConfig.cmake
 # loads if the component is requested and its packages are installed.
 set(tiller_extras recording_mcap recording_hdf5 recording_formats live)
 # Folders needed to start the simulated arm or controller.
-set(tiller_simulating urscript pendant arm simulator testing divergence)
+set(tiller_simulating simulator_options urscript pendant arm simulator_net simulator_plant simulator_equipment simulator_host
+    simulator_programs simulator_controller simulator_servers simulator testing divergence)
 add_library(tiller_robot INTERFACE)
 add_library(tiller::robot ALIAS tiller_robot)
 set_target_properties(tiller_robot PROPERTIES EXPORT_NAME robot)
@@ -120,7 +122,8 @@ list(REVERSE tiller_link_order)
 tiller_pkg_config(tiller DESCRIPTION "Watches and moves Universal Robots arms" ARCHIVES ${tiller_link_order}
     REQUIRES Qt6Network Qt6Core eigen3 LIBRARIES -pthread)
 tiller_pkg_config(tiller-simulator DESCRIPTION "Simulated Universal Robots controller, and comparison of recordings with it"
-    ARCHIVES testing divergence simulator urscript pendant arm REQUIRES tiller zlib LIBRARIES -lorocos-kdl)
+    ARCHIVES testing divergence simulator simulator_servers simulator_controller simulator_programs simulator_host
+        simulator_equipment simulator_plant simulator_net pendant arm urscript simulator_options REQUIRES tiller zlib LIBRARIES -lorocos-kdl)
 tiller_pkg_config(tiller-recording-mcap DESCRIPTION "Recordings in MCAP" ARCHIVES recording_mcap
     REQUIRES tiller zlib libzstd LIBRARIES -lfastcdr)
 tiller_pkg_config(tiller-recording-formats DESCRIPTION "Recordings in CSV, MCAP and HDF5"

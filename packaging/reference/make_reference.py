@@ -16,8 +16,8 @@ import tempfile
 TOP = pathlib.Path(__file__).resolve().parents[2]
 # The same folders as excluded in packaging/cmake/TillerInstall.cmake.
 HIDDEN = {"python", "detail", "examples", "simulator", "ur_rtde", "station"}
-SIMULATOR = ("assumptions.h", "simulator.h", "simulator_options.h", "arm/arm_state.h", "arm/environment.h",
-             "box/personality.h")
+SIMULATOR = ("simulator.h", "options/assumptions.h", "options/simulator_options.h", "arm/arm_state.h",
+             "arm/environment.h", "plant/personality.h")
 
 
 def headers():

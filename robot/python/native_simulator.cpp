@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "robot/python/native_objects.h"
-#include "robot/simulator/box/personality.h"
+#include "robot/simulator/plant/personality.h"
 #include "robot/simulator/simulator.h"
 #include "robot/testing/lock_step.h"
 

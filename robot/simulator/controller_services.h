@@ -3,7 +3,7 @@
 
 // The robot and its services, owned by the simulator thread, and their processing cycle.
 
-#include "robot/simulator/box/controller_model.h"
+#include "robot/simulator/controller/controller_model.h"
 #include "robot/simulator/servers/services.h"
 #include "robot/simulator/simulator.h"
 

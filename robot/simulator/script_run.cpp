@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "robot/rtde/fields.h"
-#include "robot/simulator/box/controller_model.h"
+#include "robot/simulator/controller/controller_model.h"
 #include "robot/simulator/host/script_host.h"
 #include "robot/simulator/programs/program_runner.h"
 

@@ -14,12 +14,12 @@
 #include "robot/core/qt_main_thread.h"
 #include "robot/realtime/periodic_timer.h"
 #include "robot/realtime/thread_priority.h"
-#include "robot/simulator/box/personality.h"
 #include "robot/simulator/controller_services.h"
 #include "robot/simulator/equipment/device_table.h"
 #include "robot/simulator/faults.h"
 #include "robot/simulator/host/script_host.h"
 #include "robot/simulator/pendant/urcaps.h"
+#include "robot/simulator/plant/personality.h"
 
 namespace tiller::simulator {
 

@@ -29,7 +29,7 @@
 #include "robot/core/text.h"
 #include "robot/realtime/histogram.h"
 #include "robot/simulator/arm/environment.h"
-#include "robot/simulator/simulator_options.h"
+#include "robot/simulator/options/simulator_options.h"
 
 namespace tiller::simulator {
 
@@ -48,12 +48,6 @@ struct SimulatedState {
     Twist tcpSpeed;
     double speedSlider = 1;
     std::uint64_t digitalOutputs = 0;
-};
-
-/// The newest RTDE data package that a client can read.
-struct RtdeDelivery {
-    std::uint16_t port = 0;  ///< port of the client
-    double timestamp = 0;    ///< time stamp of the package [s]
 };
 
 /// Timing accuracy in real-time mode since start() or resetTiming().

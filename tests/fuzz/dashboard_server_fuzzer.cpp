@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "robot/simulator/box/controller_model.h"
+#include "robot/simulator/controller/controller_model.h"
 #include "robot/simulator/equipment/gripper.h"
 #include "robot/simulator/programs/program_store.h"
 #include "robot/simulator/servers/service/dashboard_commands.h"

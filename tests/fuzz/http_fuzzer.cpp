@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "robot/simulator/servers/net/http_message.h"
+#include "robot/simulator/net/http_message.h"
 
 using namespace tiller::simulator;
 

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "robot/core/ascii.h"
-#include "robot/simulator/box/controller_model.h"
+#include "robot/simulator/plant/plant.h"
 #include "robot/simulator/urscript/xml_rpc.h"
 
 namespace tiller::simulator {

@@ -8,12 +8,12 @@
 #include <string>
 
 #include "robot/simulator/equipment/device_table.h"
-#include "robot/simulator/servers/net/http_message.h"
-#include "robot/simulator/servers/net/server.h"
+#include "robot/simulator/net/http_message.h"
+#include "robot/simulator/net/server.h"
 
 namespace tiller::simulator {
 
-class ControllerModel;
+class Plant;
 
 class DeviceServer final : public Server {
 public:
@@ -23,7 +23,7 @@ public:
         Silent,   ///< connections are accepted; requests get no reply
     };
 
-    DeviceServer(ControllerModel& plant, QString name, DeviceTable table)
+    DeviceServer(Plant& plant, QString name, DeviceTable table)
         : plant_(plant), name_(std::move(name)), table_(std::move(table)) {}
 
     const QString& name() const { return name_; }
@@ -56,7 +56,7 @@ private:
     void sendDue(Client& client);
     void tellUnknown(const std::string& request);
 
-    ControllerModel& plant_;
+    Plant& plant_;
     QString name_;
     DeviceTable table_;
     Presence presence_ = Presence::Answers;

@@ -16,7 +16,7 @@
 // code.
 
 #include "robot/simulator/equipment/gripper.h"
-#include "robot/simulator/servers/net/line_server.h"
+#include "robot/simulator/net/line_server.h"
 
 namespace tiller::simulator {
 

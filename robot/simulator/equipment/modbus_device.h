@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "robot/core/result.h"
-#include "robot/simulator/box/terminal_rules.h"
+#include "robot/simulator/plant/terminal_rules.h"
 #include "robot/simulator/urscript/host.h"
 
 namespace tiller::simulator {

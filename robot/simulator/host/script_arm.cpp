@@ -3,8 +3,8 @@
 
 #include "robot/kinematics/arm_kinematics.h"
 #include "robot/rtde/fields.h"
-#include "robot/simulator/box/controller_model.h"
-#include "robot/simulator/servers/rtde/rtde_values.h"
+#include "robot/simulator/plant/plant.h"
+#include "robot/simulator/plant/rtde_values.h"
 
 namespace tiller::simulator {
 

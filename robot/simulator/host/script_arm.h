@@ -10,14 +10,14 @@
 
 namespace tiller::simulator {
 
-class ControllerModel;
+class Plant;
 
 /// Threads  the simulator thread
 class ScriptArm : public virtual urscript::StateHost,
                   public virtual urscript::KinematicsHost,
                   public virtual urscript::SetupHost {
 public:
-    explicit ScriptArm(ControllerModel& plant) : plant_(plant) {}
+    explicit ScriptArm(Plant& plant) : plant_(plant) {}
 
     JointPositions jointPositions(urscript::Source source) const override;
     JointVelocities jointVelocities(urscript::Source source) const override;
@@ -67,7 +67,7 @@ private:
     const DhParameters& dh() const;
 
     Eigen::Vector3d baseAcceleration_ = Eigen::Vector3d::Zero();
-    ControllerModel& plant_;
+    Plant& plant_;
 };
 
 }  // namespace tiller::simulator

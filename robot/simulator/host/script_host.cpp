@@ -3,8 +3,7 @@
 
 #include <QDateTime>
 
-#include "robot/simulator/box/controller_model.h"
-#include "robot/simulator/programs/program_runner.h"
+#include "robot/simulator/plant/plant.h"
 
 namespace tiller::simulator {
 
@@ -14,7 +13,7 @@ constexpr double kProgramEndDeceleration = 10.0;  ///< [rad/s2]
 
 }  // namespace
 
-ScriptHost::ScriptHost(ControllerModel& plant)
+ScriptHost::ScriptHost(Plant& plant)
     : ScriptMotion(plant)
     , ScriptSuperposition(plant)
     , ScriptArm(plant)

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Access of scripts to the simulated robot. Combines the classes that implement the interpreter's Host for
-// ControllerModel.
+// Access of scripts to the simulated robot. Combines the classes that implement the interpreter's Host.
 
 #include "robot/simulator/host/script_arm.h"
 #include "robot/simulator/host/script_messages.h"
@@ -15,7 +14,7 @@
 
 namespace tiller::simulator {
 
-class ControllerModel;
+class Plant;
 
 /// Threads  the simulator thread
 class ScriptHost final : public urscript::Host,
@@ -27,7 +26,7 @@ class ScriptHost final : public urscript::Host,
                          public ScriptMessages,
                          public ScriptModbus {
 public:
-    explicit ScriptHost(ControllerModel& plant);
+    explicit ScriptHost(Plant& plant);
 
     /// Must be called once per control period, before the scripts run.
     void beginPeriod();
@@ -43,7 +42,7 @@ public:
     void programEnded(urscript::ProgramKind kind) override;
 
 private:
-    ControllerModel& plant_;
+    Plant& plant_;
     bool wasRunning_ = false;
     bool freedriveWanted_ = false;
 };

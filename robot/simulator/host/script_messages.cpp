@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "robot/simulator/host/script_messages.h"
 
-#include "robot/simulator/box/controller_model.h"
+#include "robot/simulator/plant/plant.h"
 
 namespace tiller::simulator {
 

@@ -10,12 +10,12 @@
 
 namespace tiller::simulator {
 
-class ControllerModel;
+class Plant;
 
 /// Threads  the simulator thread
 class ScriptMessages : public virtual urscript::MessageHost {
 public:
-    explicit ScriptMessages(ControllerModel& plant) : plant_(plant) {}
+    explicit ScriptMessages(Plant& plant) : plant_(plant) {}
 
     /// Answers the oldest input request of a program. Returns false if there is no request or if the type
     /// does not match.
@@ -39,7 +39,7 @@ private:
 
     std::map<int, Question> requests_;  ///< requests by ID
     int lastRequest_ = 0;
-    ControllerModel& plant_;
+    Plant& plant_;
 };
 
 }  // namespace tiller::simulator

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "robot/kinematics/arm_kinematics.h"
-#include "robot/simulator/box/controller_model.h"
+#include "robot/simulator/plant/plant.h"
 
 namespace tiller::simulator {
 

@@ -10,12 +10,12 @@
 
 namespace tiller::simulator {
 
-class ControllerModel;
+class Plant;
 
 /// Threads  the simulator thread
 class ScriptMotion : public virtual urscript::MotionHost {
 public:
-    explicit ScriptMotion(ControllerModel& plant) : plant_(plant) {}
+    explicit ScriptMotion(Plant& plant) : plant_(plant) {}
 
     Result<void> startMotion(urscript::ThreadId thread, const urscript::MotionCommand& command) override;
     Result<bool> motionFinished(urscript::ThreadId thread) override;
@@ -47,7 +47,7 @@ private:
     Result<void> begunForces(const arm::ForceModeParameters& parameters);
 
     std::map<urscript::ThreadId, Motion> motions_;  ///< unfinished motions by thread
-    ControllerModel& plant_;
+    Plant& plant_;
 };
 
 }  // namespace tiller::simulator

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "robot/simulator/box/controller_model.h"
+#include "robot/simulator/plant/plant.h"
 
 namespace tiller::simulator {
 
@@ -24,8 +24,9 @@ Result<void> mayTrack(arm::Arm& arm, double ticks) {
 
 void ScriptSuperposition::stepConveyors() {
     arm::Arm& arm = plant_.arm();
-    encoders_.step(plant_.pins().digitalInputs, arm.environment().conveyorSpeeds(), plant_.stepTime());
-    arm.superposition().setTravel(encoders_.travel(trackedEncoder_));
+    plant_.encoders().step(plant_.pins().digitalInputs, arm.environment().conveyorSpeeds(),
+                           plant_.stepTime());
+    arm.superposition().setTravel(plant_.encoders().travel(trackedEncoder_));
 }
 
 Result<void> ScriptSuperposition::enablePathOffset() {
@@ -76,7 +77,7 @@ Result<void> ScriptSuperposition::trackConveyorLinear(const Pose& direction, dou
         return urscript::scriptError("track_conveyor_linear: the direction has no length");
     }
     trackedEncoder_ = encoder;
-    arm.superposition().setTravel(encoders_.travel(encoder));
+    arm.superposition().setTravel(plant_.encoders().travel(encoder));
     arm.superposition().trackLinear(direction.position / (length * ticksPerMeter));
     return {};
 }
@@ -91,27 +92,27 @@ Result<void> ScriptSuperposition::trackConveyorCircular(const Pose& center, doub
         return urscript::scriptError("track_conveyor_circular: the centre must be finite numbers");
     }
     trackedEncoder_ = encoder;
-    arm.superposition().setTravel(encoders_.travel(encoder));
+    arm.superposition().setTravel(plant_.encoders().travel(encoder));
     arm.superposition().trackCircular(center, 2 * std::numbers::pi / ticksPerRevolution, rotateTool);
     return {};
 }
 
 Result<double> ScriptSuperposition::encoderTicks(int encoder) const {
-    return encoders_.ticks(encoder);
+    return plant_.encoders().ticks(encoder);
 }
 
 Result<void> ScriptSuperposition::setEncoderTicks(int encoder, double ticks) {
-    encoders_.set(encoder, ticks);
+    plant_.encoders().set(encoder, ticks);
     return {};
 }
 
 Result<void> ScriptSuperposition::enableEncoder(int encoder, int decoder, int inputA, int inputB) {
-    encoders_.enablePulses(encoder, decoder, inputA, inputB);
+    plant_.encoders().enablePulses(encoder, decoder, inputA, inputB);
     return {};
 }
 
 Result<void> ScriptSuperposition::setEncoderRange(int encoder, int rangeId) {
-    encoders_.enableCount(encoder, rangeId);
+    plant_.encoders().enableCount(encoder, rangeId);
     return {};
 }
 

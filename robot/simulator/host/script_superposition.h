@@ -1,24 +1,22 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Superposed motions of a program: offsets, conveyors and their encoders.
+// Superposed motions of a program: offsets, and conveyors.
 
-#include "robot/simulator/box/encoders.h"
 #include "robot/simulator/urscript/host.h"
 
 namespace tiller::simulator {
 
-class ControllerModel;
+class Plant;
 
 /// Threads  the simulator thread
 class ScriptSuperposition : public virtual urscript::SuperpositionHost {
 public:
-    explicit ScriptSuperposition(ControllerModel& plant) : plant_(plant) {}
+    explicit ScriptSuperposition(Plant& plant) : plant_(plant) {}
 
     /// Must be called once per control period, after the scripts. Updates the encoder counts and moves the
     /// conveyors.
     void stepConveyors();
-    const Encoders& encoders() const { return encoders_; }
 
     Result<void> enablePathOffset() override;
     Result<void> setPathOffset(const Pose& offset, int type) override;
@@ -34,9 +32,8 @@ public:
     Result<void> setEncoderRange(int encoder, int rangeId) override;
 
 private:
-    Encoders encoders_;
     int trackedEncoder_ = 0;  ///< encoder of the tracked conveyor
-    ControllerModel& plant_;
+    Plant& plant_;
 };
 
 }  // namespace tiller::simulator

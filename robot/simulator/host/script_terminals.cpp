@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "robot/simulator/host/script_terminals.h"
 
-#include "robot/simulator/box/controller_model.h"
+#include "robot/simulator/plant/plant.h"
 
 namespace tiller::simulator {
 
@@ -23,7 +23,7 @@ int pin(urscript::DigitalBank bank, int n) {
     return n;
 }
 
-const RegisterBank& bank(const ControllerModel& plant, urscript::RegisterSide side) {
+const RegisterBank& bank(const Plant& plant, urscript::RegisterSide side) {
     return side == urscript::RegisterSide::Input ? plant.registers().input : plant.registers().output;
 }
 

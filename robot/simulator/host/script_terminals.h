@@ -7,17 +7,17 @@
 #include <array>
 #include <bitset>
 
-#include "robot/simulator/box/terminal_rules.h"
+#include "robot/simulator/plant/terminal_rules.h"
 #include "robot/simulator/urscript/host.h"
 
 namespace tiller::simulator {
 
-class ControllerModel;
+class Plant;
 
 /// Threads  the simulator thread
 class ScriptTerminals : public virtual urscript::RegisterHost, public virtual urscript::IoHost {
 public:
-    explicit ScriptTerminals(ControllerModel& plant) : plant_(plant) {}
+    explicit ScriptTerminals(Plant& plant) : plant_(plant) {}
 
     /// Called when a program has started or ended. Sets the outputs that follow the program state.
     void programChanged(bool running);
@@ -55,7 +55,7 @@ private:
     TerminalRules rules_;
     std::bitset<kPorts> portBits_;
     std::array<std::int16_t, kPorts> portRegisters_{};
-    ControllerModel& plant_;
+    Plant& plant_;
 };
 
 }  // namespace tiller::simulator

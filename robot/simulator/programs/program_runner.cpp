@@ -6,8 +6,7 @@
 #include <charconv>
 #include <utility>
 
-#include "robot/simulator/box/controller_model.h"
-#include "robot/simulator/host/script_host.h"
+#include "robot/simulator/plant/plant.h"
 
 namespace tiller::simulator {
 
@@ -19,7 +18,7 @@ namespace {
 constexpr std::string_view kSetSpeed = "set speed ";  // followed by the new speed slider value, 0 to 1
 }
 
-ProgramRunner::ProgramRunner(ControllerModel& plant, ScriptHost& host) : plant_(plant), host_(host) {}
+ProgramRunner::ProgramRunner(Plant& plant, urscript::Host& host) : plant_(plant), host_(host) {}
 
 void ProgramRunner::endAll() {
     controlled_.reset();

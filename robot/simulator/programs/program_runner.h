@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "robot/core/modes.h"
+#include "robot/simulator/plant/running_programs.h"
 #include "robot/simulator/programs/external_control.h"
 #include "robot/simulator/urscript/interpreter.h"
 #include "robot/simulator/urscript/program.h"
@@ -21,10 +22,9 @@
 
 namespace tiller::simulator {
 
-class ControllerModel;
-class ScriptHost;
+class Plant;
 
-class ProgramRunner {
+class ProgramRunner final : public RunningPrograms {
 public:
     /// Minimum duration of a stop [s], so that clients can observe the state STOPPING.
     static constexpr double kStopTime = 0.02;
@@ -32,7 +32,7 @@ public:
     /// Minimum duration of a program [s], so that clients that do not sample every period can observe it.
     static constexpr double kMinPlayingTime = 0.01;
 
-    ProgramRunner(ControllerModel& plant, ScriptHost& host);
+    ProgramRunner(Plant& plant, urscript::Host& host);
     ~ProgramRunner() { endAll(); }
     ProgramRunner(const ProgramRunner&) = delete;
     ProgramRunner& operator=(const ProgramRunner&) = delete;
@@ -46,29 +46,22 @@ public:
     /// arrives, the program shows a message in place of the node and waits for the operator.
     void submitControlled(std::string text, ScriptProvider provider);
 
-    void requestStop();
+    void requestStop() override;
     /// True while waiting for the script of an External Control node, which requires event processing.
     bool awaitsScript() const { return controlled_ != nullptr; }
     /// True if a stop has been requested but has not begun.
     bool isStopRequested() const;
-    /// Ends the main program within this call.
-    void stopNow();
+    void stopNow() override;
     /// Ends all programs without a message. Called when the controller shuts down.
     void endAll();
-    void pause();
-    void resume();
-    /// Handles a protective stop. A program from a file waits for `play`. A program sent over a socket ends
-    /// and must be sent again. Source: Dashboard Server guide, "unlock protective stop"; the ROS 2 driver,
-    /// which sends the program again.
-    void haltForProtectiveStop();
+    void pause() override;
+    void resume() override;
+    void haltForProtectiveStop() override;
 
-    RuntimeState state() const { return state_; }
-    /// True in any state except Stopped.
-    bool isActive() const { return state_ != RuntimeState::Stopped; }
-    bool isPaused() const { return state_ == RuntimeState::Paused; }
+    RuntimeState state() const override { return state_; }
     /// True if the main program came from a program file; false if it was sent over a socket.
     bool isFileProgram() const { return isActive() && fromFile_; }
-    std::uint32_t currentLine() const;
+    std::uint32_t currentLine() const override;
     /// The main program; null if no program is running.
     const urscript::Interpreter* mainProgram() const { return ended_ ? nullptr : main_.get(); }
     /// Like mainProgram(), but also non-null between the end of the main body and the report of this end.
@@ -82,8 +75,7 @@ public:
 
     void step();
 
-    /// For the host during a frame: true if the ending program is the main program.
-    bool isEndingMain() const { return !runningSecondary_; }
+    bool isEndingMain() const override { return !runningSecondary_; }
 
 private:
     using Unit = urscript::SourceSplitter::Unit;
@@ -113,8 +105,8 @@ private:
     void finishStopping();
     void reportFailure(const urscript::Interpreter& interpreter);
 
-    ControllerModel& plant_;
-    ScriptHost& host_;
+    Plant& plant_;
+    urscript::Host& host_;
     std::deque<NextProgram> requests_;
     std::unique_ptr<Controlled> controlled_;  ///< program that is waiting for its script
     std::unique_ptr<urscript::Interpreter> main_;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include "robot/simulator/box/controller_model.h"
+#include "robot/simulator/controller/controller_model.h"
 #include "robot/simulator/host/script_host.h"
 #include "robot/simulator/urscript/program.h"
 

@@ -9,8 +9,9 @@
 
 #include "robot/simulator/equipment/device_server.h"
 #include "robot/simulator/equipment/gripper_server.h"
+#include "robot/simulator/net/link.h"
+#include "robot/simulator/options/simulator_options.h"
 #include "robot/simulator/programs/program_store.h"
-#include "robot/simulator/servers/net/link.h"
 #include "robot/simulator/servers/primary/primary_server.h"
 #include "robot/simulator/servers/primary/realtime_server.h"
 #include "robot/simulator/servers/rtde/rtde_server.h"
@@ -18,7 +19,6 @@
 #include "robot/simulator/servers/service/fault_server.h"
 #include "robot/simulator/servers/service/interpreter_server.h"
 #include "robot/simulator/servers/service/robot_api_server.h"
-#include "robot/simulator/simulator.h"
 
 namespace tiller::simulator {
 

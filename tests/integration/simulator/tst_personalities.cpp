@@ -7,7 +7,7 @@
 #include <QSet>
 #include <QTest>
 
-#include "robot/simulator/box/personality.h"
+#include "robot/simulator/plant/personality.h"
 #include "tests/support/raw_client.h"
 
 using namespace tiller;

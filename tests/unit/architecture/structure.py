@@ -15,7 +15,9 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 PAGE = ROOT / "packaging/reference/architecture.md"
 GROUPS = ["app", "widgets", "robot/python", "robot/station", "robot"]
+INNER = "robot/simulator"  # a folder of a group, shown with its own folders
 WIDTH = 100
+MARGIN = 17
 
 PLOT = "the visible part of a plot"
 MODEL = "a model for a view: it formats rows and columns"
@@ -56,12 +58,22 @@ def part_of(file):
     return None
 
 
-def includes():
+def inner_part_of(file):
+    """The same for the folders inside of INNER."""
+    if not file.startswith(INNER + "/"):
+        return None
+    folder = file[len(INNER) + 1:].rpartition("/")[0]
+    return (INNER, folder or INNER.rpartition("/")[2])
+
+
+def includes(part_of):
     """The folders included by each folder."""
     found = collections.defaultdict(set)
     for top in ("app", "widgets", "robot"):
         for path in sources(top):
             part = part_of(path.relative_to(ROOT).as_posix())
+            if part is None:
+                continue
             found[part]
             for name in re.findall(r'^\s*#\s*include\s*"([^"]+)"', path.read_text(), re.M):
                 other = part_of(name) if (ROOT / name).exists() else None
@@ -87,7 +99,7 @@ def levels(parts, found):
 
 
 def picture():
-    found = includes()
+    found = includes(part_of)
     lines = []
     for rank, group in enumerate(GROUPS):
         for upper in GROUPS[rank + 1:]:
@@ -95,19 +107,26 @@ def picture():
                 for other in found[part]:
                     if other[0] == group:
                         sys.exit(f"upward arrow: {'/'.join(part)} includes {'/'.join(other)}")
-        level = levels({part for part in found if part[0] == group}, found)
-        title = group
-        for height in sorted(set(level.values()), reverse=True):
-            line = ""
-            for name in sorted(name for (_, name), at in level.items() if at == height):
-                if len(line) + len(name) > WIDTH - 15:
-                    lines.append(f"{title:<15}{line}".rstrip())
-                    title, line = "", ""
-                line += ("  " if line else "") + name
-            lines.append(f"{title:<15}{line}".rstrip())
-            title = ""
-        lines.append("")
+        lines += rows(group, found)
+    lines += rows(INNER, includes(inner_part_of))
     return "\n".join(lines).rstrip() + "\n"
+
+
+def rows(group, found):
+    """The lines of a group, from its highest level down, and an empty line."""
+    lines = []
+    level = levels({part for part in found if part[0] == group}, found)
+    title = group
+    for height in sorted(set(level.values()), reverse=True):
+        line = ""
+        for name in sorted(name for (_, name), at in level.items() if at == height):
+            if len(line) + len(name) > WIDTH - MARGIN:
+                lines.append(f"{title:<{MARGIN}}{line}".rstrip())
+                title, line = "", ""
+            line += ("  " if line else "") + name
+        lines.append(f"{title:<{MARGIN}}{line}".rstrip())
+        title = ""
+    return lines + [""]
 
 
 # ---- classes without a widget ---------------------------------------------------------------------------

@@ -60,14 +60,49 @@ const QList<Folder>& folders() {
         {"robot/recording/formats",
          {"robot/core", "robot/recording", "robot/recording/mcap", "robot/recording/hdf5"},
          kGui},
-        {"robot/simulator/urscript", {"robot/core", "robot/kinematics"}, kGui},
+        {"robot/simulator/options", {"robot/core"}, kGui},
+        {"robot/simulator/urscript", {"robot/core"}, kGui},
         {"robot/simulator/arm", {"robot/core", "robot/kinematics"}, kGui},
         {"robot/simulator/pendant", {"robot/core"}, kGui},
-        {"robot/simulator/servers/net", {"robot/core"}, kGui},
-        {"robot/simulator",
-         {"robot/core", "robot/realtime", "robot/kinematics", "robot/rtde/protocol.h", "robot/rtde/codec.h",
-          "robot/rtde/splitter.h", "robot/rtde/values.h", "robot/rtde/fields.h"},
+        {"robot/simulator/net", {"robot/core"}, kGui},
+        {"robot/simulator/plant",
+         {"robot/core", "robot/kinematics", "robot/rtde/codec.h", "robot/rtde/fields.h",
+          "robot/rtde/values.h", "robot/simulator/options", "robot/simulator/urscript", "robot/simulator/arm",
+          "robot/simulator/net"},
          kGui},
+        {"robot/simulator/equipment",
+         {"robot/core", "robot/simulator/urscript", "robot/simulator/net", "robot/simulator/plant"},
+         kGui},
+        {"robot/simulator/host",
+         {"robot/core", "robot/kinematics", "robot/rtde/fields.h", "robot/simulator/urscript",
+          "robot/simulator/arm", "robot/simulator/plant", "robot/simulator/equipment"},
+         kGui},
+        {"robot/simulator/programs",
+         {"robot/core", "robot/simulator/urscript", "robot/simulator/pendant", "robot/simulator/plant"},
+         kGui},
+        {"robot/simulator/controller",
+         {"robot/simulator/plant", "robot/simulator/host", "robot/simulator/programs"},
+         kGui},
+        {"robot/simulator/servers/service",
+         {"robot/core", "robot/simulator/options", "robot/simulator/urscript", "robot/simulator/net",
+          "robot/simulator/plant", "robot/simulator/programs", "robot/simulator/controller"},
+         kGui},
+        {"robot/simulator/servers/primary",
+         {"robot/core", "robot/simulator/options", "robot/simulator/urscript", "robot/simulator/net",
+          "robot/simulator/plant", "robot/simulator/programs", "robot/simulator/controller",
+          "robot/simulator/servers/service"},
+         kGui},
+        {"robot/simulator/servers/rtde",
+         {"robot/core", "robot/rtde/protocol.h", "robot/rtde/codec.h", "robot/rtde/splitter.h",
+          "robot/rtde/values.h", "robot/rtde/fields.h", "robot/simulator/options", "robot/simulator/net",
+          "robot/simulator/plant", "robot/simulator/controller"},
+         kGui},
+        {"robot/simulator/servers",
+         {"robot/core", "robot/simulator/options", "robot/simulator/urscript", "robot/simulator/net",
+          "robot/simulator/equipment", "robot/simulator/programs", "robot/simulator/host",
+          "robot/simulator/controller"},
+         kGui},
+        {"robot/simulator", {"robot/core", "robot/realtime", "robot/rtde/fields.h"}, kGui},
         {"robot/divergence",
          {"robot/core", "robot/kinematics", "robot/recording", "robot/simulator/arm/driven_arm.h",
           "robot/simulator/arm/dynamics.h"},
@@ -127,7 +162,7 @@ const QList<Folder>& folders() {
          {"robot/core", "robot/kinematics", "robot/project", "robot/collision",
           "robot/control/motion_types.h", "robot/script/supervised_program.h", "robot/station/text",
           "robot/station/program", "robot/station/document", "robot/simulator/script_run.h",
-          "robot/simulator/simulator_options.h"},
+          "robot/simulator/options/simulator_options.h"},
          kGui},
         {"robot/station/program/test",
          {"robot/core", "robot/collision", "robot/project", "robot/station/program",
@@ -156,7 +191,7 @@ const QList<Folder>& folders() {
           "robot/kinematics",
           "robot/collision",
           "robot/simulator/simulator.h",
-          "robot/simulator/box/personality.h",
+          "robot/simulator/plant/personality.h",
           "robot/testing",
           "robot/project",
           "robot/station/program",
@@ -222,12 +257,10 @@ const QList<Folder>& folders() {
 /// Folders without a separate row in the table. They and the folder whose row applies to them may include
 /// each other.
 const QStringList kParts = {
-    "robot/simulator/box",          "robot/simulator/equipment",
-    "robot/simulator/host",         "robot/simulator/programs",
-    "robot/simulator/servers",      "robot/simulator/servers/primary",
-    "robot/simulator/servers/rtde", "robot/simulator/servers/service",
-    "robot/station/program/steps",  "robot/ur_rtde/custom",
-    "robot/examples/cpp",           "robot/examples/cpp/testing",
+    "robot/station/program/steps",
+    "robot/ur_rtde/custom",
+    "robot/examples/cpp",
+    "robot/examples/cpp/testing",
 };
 
 const Folder* folderOf(const QString& file) {
@@ -358,7 +391,8 @@ const QHash<QString, QString>& withoutDisplay() {
 QStringList publicHeaders() {
     static const QRegularExpression kOwn(
         "/(detail|custom|python|examples|ur_rtde|station)/|simulator/"
-        "(?!(assumptions|simulator|simulator_options|arm/arm_state|arm/environment|box/personality)\\.h)");
+        "(?!(simulator|options/assumptions|options/simulator_options|arm/arm_state|arm/environment|"
+        "plant/personality)\\.h)");
     QStringList headers;
     for (const QString& file : sourceFiles()) {
         if (file.startsWith("robot/") && file.endsWith(".h") && !kOwn.match(file).hasMatch()) {
@@ -437,6 +471,15 @@ private Q_SLOTS:
         QVERIFY(
             !isAllowed(*folderOf("widgets/io/io_tab.cpp"), "robot/station/link/detail/session_backend.h"));
         QVERIFY(isAllowed(*folderOf("robot/simulator/simulator.cpp"), "robot/simulator/arm/arm_state.h"));
+        for (const char* upper :
+             {"host/script_host.h", "programs/program_runner.h", "controller/controller_model.h",
+              "servers/services.h", "servers/rtde/rtde_server.h", "simulator.h"}) {
+            const QString header = QStringLiteral("robot/simulator/") + upper;
+            QVERIFY2(!isAllowed(*folderOf("robot/simulator/plant/plant.cpp"), header), upper);
+        }
+        QVERIFY(!isAllowed(*folderOf("robot/simulator/programs/program_runner.cpp"),
+                           "robot/simulator/host/script_host.h"));
+        QVERIFY(!isAllowed(*folderOf("robot/simulator/servers/services.cpp"), "robot/simulator/faults.h"));
         QVERIFY(!isAllowed(*folderOf("robot/recording/recorder.cpp"), "robot/recording/mcap/reader.h"));
         QVERIFY(!isAllowed(*folderOf("robot/recording/mcap/reader.cpp"), "robot/recording/hdf5/episodes.h"));
         QVERIFY(folderOf("robot/station/new_folder/x.h") == nullptr);
@@ -459,14 +502,11 @@ private Q_SLOTS:
     }
 
     void rowsPermitOnlyRowsAbove() {
-        const QList<Folder>& table = folders();
-        for (qsizetype i = 0; i < table.size(); ++i) {
-            for (qsizetype later = i + 1; later < table.size(); ++later) {
-                const QString path = QString::fromLatin1(table[later].path);
-                for (const QString& allowed : table[i].mayInclude) {
-                    QVERIFY2(allowed != path && !allowed.startsWith(path + '/'),
-                             qPrintable(table[i].path + (" includes " + path)));
-                }
+        for (const Folder& folder : folders()) {
+            for (const QString& allowed : folder.mayInclude) {
+                const Folder* row = folderOf(allowed + '/');
+                QVERIFY2(row == nullptr || row <= &folder,
+                         qPrintable(folder.path + (" includes " + allowed)));
             }
         }
     }

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "robot/simulator/box/controller_model.h"
+#include "robot/simulator/controller/controller_model.h"
 #include "robot/simulator/programs/program_runner.h"
 #include "robot/simulator/servers/primary/primary_state.h"
 #include "robot/simulator/servers/primary/primary_variables.h"

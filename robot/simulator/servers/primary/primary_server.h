@@ -10,8 +10,8 @@
 // state. If that state does not fit into the buffer of a client, the client does not get the message either.
 // Source: client interface manual.
 
-#include "robot/simulator/servers/net/server.h"
-#include "robot/simulator/servers/primary/primary_messages.h"
+#include "robot/simulator/net/server.h"
+#include "robot/simulator/plant/primary_messages.h"
 #include "robot/simulator/servers/service/script_intake.h"
 
 namespace tiller::simulator {

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "robot/simulator/box/telemetry.h"
+#include "robot/simulator/plant/telemetry.h"
 
 namespace tiller::simulator::primary {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "robot/simulator/servers/net/byte_writer.h"
+#include "robot/simulator/net/byte_writer.h"
 #include "robot/simulator/urscript/bytecode.h"
 #include "robot/simulator/urscript/interpreter.h"
 

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "robot/simulator/servers/primary/primary_messages.h"
+#include "robot/simulator/plant/primary_messages.h"
 
 namespace tiller::simulator::urscript {
 class Interpreter;

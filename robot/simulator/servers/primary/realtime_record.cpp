@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "robot/simulator/servers/net/byte_writer.h"
+#include "robot/simulator/net/byte_writer.h"
 
 namespace tiller::simulator {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "robot/simulator/servers/primary/realtime_server.h"
 
-#include "robot/simulator/box/controller_model.h"
+#include "robot/simulator/controller/controller_model.h"
 #include "robot/simulator/servers/primary/realtime_record.h"
 
 namespace tiller::simulator {

@@ -4,7 +4,7 @@
 // The realtime service, port 30003, and its read-only version, port 30013. It sends one record in every
 // control period and receives scripts. A client that never reads stays connected and misses records.
 
-#include "robot/simulator/servers/net/server.h"
+#include "robot/simulator/net/server.h"
 #include "robot/simulator/servers/service/script_intake.h"
 
 namespace tiller::simulator {

@@ -3,7 +3,7 @@
 
 #include <charconv>
 
-#include "robot/simulator/box/controller_model.h"
+#include "robot/simulator/controller/controller_model.h"
 
 namespace tiller::simulator {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "robot/simulator/servers/rtde/rtde_properties.h"
 
-#include "robot/simulator/servers/net/byte_writer.h"
+#include "robot/simulator/net/byte_writer.h"
 
 namespace tiller::simulator {
 

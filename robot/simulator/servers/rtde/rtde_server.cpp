@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "robot/simulator/box/controller_model.h"
+#include "robot/simulator/controller/controller_model.h"
 #include "robot/simulator/servers/rtde/rtde_properties.h"
 
 namespace tiller::simulator {

@@ -21,10 +21,10 @@
 
 #include "robot/rtde/codec.h"
 #include "robot/rtde/splitter.h"
-#include "robot/simulator/servers/net/server.h"
+#include "robot/simulator/net/server.h"
+#include "robot/simulator/options/simulator_options.h"
+#include "robot/simulator/plant/rtde_values.h"
 #include "robot/simulator/servers/rtde/rtde_inputs.h"
-#include "robot/simulator/servers/rtde/rtde_values.h"
-#include "robot/simulator/simulator.h"
 
 namespace tiller::simulator {
 

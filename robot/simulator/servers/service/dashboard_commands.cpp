@@ -6,8 +6,8 @@
 #include <cctype>
 
 #include "robot/core/ascii.h"
-#include "robot/simulator/box/controller_model.h"
-#include "robot/simulator/box/personality.h"
+#include "robot/simulator/controller/controller_model.h"
+#include "robot/simulator/plant/personality.h"
 #include "robot/simulator/programs/program_runner.h"
 #include "robot/simulator/programs/program_store.h"
 #include "robot/simulator/servers/service/support_file.h"

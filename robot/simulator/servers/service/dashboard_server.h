@@ -4,7 +4,7 @@
 // The dashboard service, port 29999: one line per request, one line per reply. Source: Dashboard Server
 // guide.
 
-#include "robot/simulator/servers/net/line_server.h"
+#include "robot/simulator/net/line_server.h"
 #include "robot/simulator/servers/service/dashboard_commands.h"
 
 namespace tiller::simulator {

@@ -6,7 +6,7 @@
 
 #include <functional>
 
-#include "robot/simulator/servers/net/line_server.h"
+#include "robot/simulator/net/line_server.h"
 
 namespace tiller::simulator {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "robot/core/ascii.h"
-#include "robot/simulator/box/controller_model.h"
+#include "robot/simulator/controller/controller_model.h"
 #include "robot/simulator/programs/program_runner.h"
 #include "robot/simulator/urscript/interpreter_mode.h"
 

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "robot/simulator/servers/net/server.h"
+#include "robot/simulator/net/server.h"
 
 namespace tiller::simulator {
 

@@ -8,7 +8,7 @@
 #include <algorithm>
 
 #include "robot/core/file_reading.h"
-#include "robot/simulator/box/controller_model.h"
+#include "robot/simulator/controller/controller_model.h"
 #include "robot/simulator/programs/program_runner.h"
 #include "robot/simulator/programs/program_store.h"
 

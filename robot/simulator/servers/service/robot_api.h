@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "robot/simulator/servers/net/http_message.h"
+#include "robot/simulator/net/http_message.h"
 
 namespace tiller::simulator {
 

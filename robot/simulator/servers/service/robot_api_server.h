@@ -6,8 +6,8 @@
 
 #include <optional>
 
-#include "robot/simulator/servers/net/http_message.h"
-#include "robot/simulator/servers/net/server.h"
+#include "robot/simulator/net/http_message.h"
+#include "robot/simulator/net/server.h"
 #include "robot/simulator/servers/service/robot_api.h"
 
 namespace tiller::simulator {

@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "robot/simulator/box/controller_model.h"
+#include "robot/simulator/controller/controller_model.h"
 #include "robot/simulator/programs/program_runner.h"
 
 namespace tiller::simulator {

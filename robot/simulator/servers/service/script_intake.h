@@ -3,7 +3,7 @@
 
 // Receives scripts from one client of a script port and passes them to the runner.
 
-#include "robot/simulator/servers/net/peer.h"
+#include "robot/simulator/net/peer.h"
 #include "robot/simulator/urscript/source_splitter.h"
 
 namespace tiller::simulator {

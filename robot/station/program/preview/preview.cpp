@@ -9,7 +9,7 @@
 #include "robot/control/motion_types.h"
 #include "robot/project/reachability.h"
 #include "robot/script/supervised_program.h"
-#include "robot/simulator/simulator_options.h"
+#include "robot/simulator/options/simulator_options.h"
 #include "robot/station/document/cell_surroundings.h"
 #include "robot/station/program/preview/simulated_run.h"
 #include "robot/station/program/program_edit.h"

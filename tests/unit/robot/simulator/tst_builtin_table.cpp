@@ -12,7 +12,7 @@
 #include <array>
 #include <map>
 
-#include "robot/simulator/box/controller_model.h"
+#include "robot/simulator/controller/controller_model.h"
 #include "robot/simulator/programs/program_runner.h"
 #include "robot/simulator/urscript/builtin.h"
 #include "robot/simulator/urscript/program.h"

@@ -2,9 +2,9 @@
 
 #include <QTest>
 
-#include "robot/simulator/box/controller_model.h"
+#include "robot/simulator/controller/controller_model.h"
+#include "robot/simulator/plant/rtde_values.h"
 #include "robot/simulator/servers/primary/realtime_record.h"
-#include "robot/simulator/servers/rtde/rtde_values.h"
 
 using namespace tiller;
 using namespace tiller::simulator;

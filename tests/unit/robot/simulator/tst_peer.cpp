@@ -12,8 +12,8 @@
 #include <string>
 
 #include "robot/core/native_socket.h"
-#include "robot/simulator/servers/net/link.h"
-#include "robot/simulator/servers/net/peer.h"
+#include "robot/simulator/net/link.h"
+#include "robot/simulator/net/peer.h"
 
 using namespace tiller;
 using namespace tiller::simulator;

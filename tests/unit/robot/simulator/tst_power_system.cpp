@@ -2,7 +2,7 @@
 
 #include <QTest>
 
-#include "robot/simulator/box/power_system.h"
+#include "robot/simulator/plant/power_system.h"
 
 using namespace tiller;
 using simulator::PowerSystem;

@@ -4,7 +4,7 @@
 
 #include <QTest>
 
-#include "robot/simulator/box/controller_model.h"
+#include "robot/simulator/controller/controller_model.h"
 #include "robot/simulator/programs/program_runner.h"
 
 using namespace tiller;

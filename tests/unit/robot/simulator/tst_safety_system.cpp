@@ -2,7 +2,7 @@
 
 #include <QTest>
 
-#include "robot/simulator/box/safety_system.h"
+#include "robot/simulator/plant/safety_system.h"
 
 using namespace tiller;
 using simulator::SafetySystem;

@@ -7,7 +7,7 @@
 #include <QTcpSocket>
 #include <QTest>
 
-#include "robot/simulator/box/controller_model.h"
+#include "robot/simulator/controller/controller_model.h"
 #include "robot/simulator/host/script_host.h"
 #include "robot/simulator/programs/program_runner.h"
 

@@ -7,13 +7,13 @@
 #include <set>
 
 #include "robot/rtde/fields.h"
-#include "robot/simulator/box/controller_model.h"
+#include "robot/simulator/controller/controller_model.h"
+#include "robot/simulator/plant/primary_messages.h"
+#include "robot/simulator/plant/rtde_values.h"
 #include "robot/simulator/programs/program_store.h"
-#include "robot/simulator/servers/primary/primary_messages.h"
 #include "robot/simulator/servers/primary/primary_state.h"
 #include "robot/simulator/servers/primary/realtime_record.h"
 #include "robot/simulator/servers/rtde/rtde_inputs.h"
-#include "robot/simulator/servers/rtde/rtde_values.h"
 #include "robot/simulator/servers/service/dashboard_commands.h"
 #include "robot/simulator/servers/service/robot_api.h"
 

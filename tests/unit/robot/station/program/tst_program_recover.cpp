@@ -10,7 +10,7 @@
 #include <map>
 
 #include "program_samples.h"
-#include "robot/simulator/box/controller_model.h"
+#include "robot/simulator/controller/controller_model.h"
 #include "robot/simulator/host/script_host.h"
 #include "robot/simulator/programs/program_runner.h"
 #include "robot/station/program/program_edit.h"
