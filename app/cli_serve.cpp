@@ -2,6 +2,7 @@
 
 #include <QTextStream>
 #include <algorithm>
+#include <utility>
 
 #include "app/cli_command.h"
 #include "app/cli_options.h"
@@ -96,9 +97,14 @@ int serve(const CommandArguments& arguments) {
     out() << Qt::endl;
     ProgressLine line(!arguments.isSet("quiet"));
     RefusedOrigins refused;
+    bool hasMissed = false;
     while (!waitForTermination(kShowEvery)) {
         const live::LiveProgress progress = output.progress();
         refused.show(progress.refusedOrigin);
+        if (progress.missed > 0 && !std::exchange(hasMissed, true)) {
+            QTextStream(stderr) << "\nserve: packets were not sent because this machine is too busy"
+                                << Qt::endl;
+        }
         line.show(
             QStringLiteral(
                 "%1 viewers  %2 packets  %3 messages  %4 dropped  %5 datagrams  %6 disconnected  %7 refused")

@@ -16,6 +16,10 @@
 #include "robot/core/text.h"
 #include "robot/receive/receiver.h"
 
+namespace tiller::publish {
+class Publisher;
+}
+
 namespace tiller::live {
 
 /// Limits for viewers. They prevent a misbehaving viewer from exhausting the memory of this machine or
@@ -55,6 +59,7 @@ struct LiveOptions {
 struct LiveProgress {
     int viewers = 0;                 ///< number of connected viewers
     std::uint64_t packets = 0;       ///< processed packages from the robot
+    std::uint64_t missed = 0;        ///< packages that were not sent because this machine is too slow
     std::uint64_t messages = 0;      ///< messages sent to viewers
     std::uint64_t dropped = 0;       ///< messages dropped because a viewer was too slow
     std::uint64_t datagrams = 0;     ///< datagrams sent successfully
@@ -63,12 +68,13 @@ struct LiveProgress {
     Text refusedOrigin = {};         ///< origin of the last refused connection
 };
 
-/// Owns the thread "tiller-live" (normal priority) with the sockets. Samples enter the thread through a
-/// subscription.
+/// The sockets belong to the thread of a publisher, by default of its own.
 /// Threads  start() and stop(): one thread. All others: any
 class LiveOutput {
 public:
     LiveOutput();
+    /// publisher  shared with other sinks
+    explicit LiveOutput(std::shared_ptr<publish::Publisher> publisher);
     ~LiveOutput();  ///< calls stop()
     LiveOutput(const LiveOutput&) = delete;
     LiveOutput& operator=(const LiveOutput&) = delete;
@@ -77,14 +83,15 @@ public:
     ///          AddressInvalid: an address or an allowed origin is malformed
     ///          Rejected: the port is in use, or the system does not permit it
     Result<void> start(const LiveOptions& options, const receive::Receiver& receiver);
-    void stop();  ///< Closes all connections gracefully and ends the thread.
+    void stop();  ///< Closes all connections gracefully.
 
     LiveProgress progress() const;  ///< Threads: any
     std::uint16_t port() const;     ///< Port of the server; 0 without a server.
 
 private:
-    struct Worker;
-    std::unique_ptr<Worker> d_;
+    struct Private;
+    std::shared_ptr<publish::Publisher> publisher_;  ///< null: each start creates one
+    std::unique_ptr<Private> d_;
 };
 
 }  // namespace tiller::live

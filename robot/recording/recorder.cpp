@@ -6,15 +6,13 @@
 #include <QFileInfo>
 #include <algorithm>
 #include <atomic>
-#include <condition_variable>
 #include <deque>
 #include <filesystem>
 #include <limits>
 #include <mutex>
-#include <thread>
 #include <utility>
 
-#include "robot/realtime/thread_priority.h"
+#include "robot/publish/publisher.h"
 #include "robot/receive/default_fields.h"
 #include "robot/receive/robot_state.h"
 #include "robot/recording/detail/csv_notes.h"
@@ -83,11 +81,8 @@ std::vector<std::string> defaultRecordedFields() {
     return receive::commonFields();
 }
 
-struct Recorder::Worker {
-    std::thread thread;
-    std::mutex mutex;  // protects the following members; also used for waiting
-    std::condition_variable wake;
-    bool stopping = false;
+struct Recorder::Worker : publish::SampleSink {
+    std::mutex mutex;  // protects the following members
     Error error;
     QString path;
     Error notesError;
@@ -102,7 +97,7 @@ struct Recorder::Worker {
     std::atomic<int> files{0};
     std::atomic<int> restarts{0};
 
-    // Used by the thread while it runs.
+    // Used by the publisher while the recording runs.
     RecorderOptions options;
     RecordingSetup setup;
     RecordingFileFactory makeFile;
@@ -111,21 +106,22 @@ struct Recorder::Worker {
         notesFile;      ///< created for the first note if the format does not support notes
     RowTimes rowTimes;  ///< of the open file
     std::unique_ptr<RecordingEncoder> encoder;
-    receive::Subscription subscription;
-    receive::Sample sample;
     std::optional<TriggerWatch> trigger;
     std::deque<std::pair<receive::Sample, std::uint64_t>>
         kept;                   ///< samples before a trigger, and the number of packages lost before each
     std::size_t unwritten = 0;  ///< samples since the last part
     std::uint64_t every = 1;
-    std::uint64_t lastSequence = 0;
     double lastTime = -std::numeric_limits<double>::infinity();  ///< time stamp of the controller [s]
     std::uint64_t dueSequence = 0;                               ///< sequence number of the next row
     std::uint64_t missingBefore = 0;
     std::int64_t firstNs = 0;
     std::int64_t lastNs = 0;
-    std::int64_t earlierNs = 0;    ///< duration of the closed files
-    std::int64_t steadyToUtc = 0;  ///< [ns]
+    std::int64_t earlierNs = 0;      ///< duration of the closed files
+    std::int64_t steadyToUtc = 0;    ///< [ns]
+    std::vector<RecordedNote> said;  ///< notes of the current turn
+    Result<void> outcome;
+    steady_clock::time_point syncDue{};
+    steady_clock::time_point lookDue{};
 
     Result<void> openFile(const QString& to) {
         encoder = options.format->encoder(setup);
@@ -211,14 +207,11 @@ struct Recorder::Worker {
         }
     }
 
-    Result<void> takeSample() {
-        const std::uint64_t overrun = lastSequence == 0 ? 0 : sample.sequence - lastSequence - 1;
-        const std::uint64_t missing = lastSequence == 0 ? 0 : overrun + sample.lostBefore;
-        lastSequence = sample.sequence;
+    Result<void> takeSample(const receive::Sample& sample, std::uint64_t missing) {
         missingBefore += missing;
-        noteRestart();
+        noteRestart(sample);
         if (trigger) {
-            return takeTriggered();
+            return takeTriggered(sample);
         }
         if (sample.sequence >= dueSequence) {
             dueSequence = sample.sequence + every;
@@ -228,7 +221,7 @@ struct Recorder::Worker {
     }
 
     /// The number of packages missed during a restart is unknown, so a restart is an event instead of a gap.
-    void noteRestart() {
+    void noteRestart(const receive::Sample& sample) {
         const double time = receive::RobotState(sample).timestamp();
         if (time < lastTime) {
             ++restarts;
@@ -240,7 +233,7 @@ struct Recorder::Worker {
         lastTime = time;
     }
 
-    Result<void> takeTriggered() {
+    Result<void> takeTriggered(const receive::Sample& sample) {
         const TriggerWatch::Verdict verdict = trigger->add(sample);
         const std::uint64_t missing = std::exchange(missingBefore, 0);
         if (verdict == TriggerWatch::Verdict::End) {
@@ -314,76 +307,60 @@ struct Recorder::Worker {
         return notesFile->write(csvNoteLine(rowTimes.rowsBefore(note.utcNs), note), written);
     }
 
-    Result<void> drain() {
-        std::vector<RecordedNote> said;
-        {
-            const std::lock_guard lock(mutex);
-            said.swap(notes);
+    bool mayBlock() const override { return true; }
+
+    void beginTurn() override {
+        const std::lock_guard lock(mutex);
+        said.swap(notes);
+    }
+
+    Next take(const receive::Sample& sample, std::uint64_t missing) override {
+        outcome = takeSample(sample, missing);
+        if (outcome && file && unwritten >= kWriteAtSamples) {
+            outcome = write(RecordingEncoder::Close::WhenDue);
         }
-        while (subscription.next(sample)) {
-            if (auto taken = takeSample(); !taken) {
-                return taken;
+        return outcome && !isDone() ? Next::Continue : Next::End;
+    }
+
+    bool endTurn(bool last) override {
+        if (outcome && file) {
+            for (const RecordedNote& note : said) {
+                noteFailed(keepNote(note));
             }
-            if (file && unwritten >= kWriteAtSamples) {
-                if (auto written = write(RecordingEncoder::Close::WhenDue); !written) {
-                    return written;
-                }
+            outcome = write(RecordingEncoder::Close::WhenDue);
+        }
+        said.clear();
+        last = last || isDone();
+        const auto now = steady_clock::now();
+        if (outcome && file && now >= lookDue && !last) {
+            freeBytes = freeBytesFor(options.path);
+            lookDue = now + kLookAtDiskEvery;
+            if (freeBytes < options.keepFree) {
+                outcome = finishFile();
+                end(outcome ? noRoom() : outcome);
+                return false;
             }
-            if (isDone()) {
-                break;
-            }
         }
-        if (!file) {
-            return {};
+        if (outcome && file && now >= syncDue && !last) {
+            // Write errors may be reported only here or on closing.
+            outcome = file->sync();
+            syncDue = now + kSyncEvery;
         }
-        for (const RecordedNote& note : said) {
-            noteFailed(keepNote(note));
+        if (!last && outcome) {
+            return true;
         }
-        return write(RecordingEncoder::Close::WhenDue);
+        if (outcome && file) {
+            outcome = finishFile();
+        } else if (file) {
+            static_cast<void>(file->close());  // only the first error is reported
+        }
+        freeBytes = freeBytesFor(options.path);
+        end(outcome);
+        return false;
     }
 
     bool isDone() const {
         return trigger && !file && options.trigger->files > 0 && files >= options.trigger->files;
-    }
-
-    void run() {
-        realtime::nameThread("tiller-record");
-        auto syncDue = steady_clock::now() + kSyncEvery;
-        auto lookDue = steady_clock::now() + kLookAtDiskEvery;
-        for (;;) {
-            bool last = false;
-            {
-                std::unique_lock lock(mutex);
-                last = wake.wait_for(lock, kWriteEvery, [&] { return stopping; });
-            }
-            Result<void> result = drain();
-            last = last || isDone();
-            const auto now = steady_clock::now();
-            if (result && file && now >= lookDue && !last) {
-                freeBytes = freeBytesFor(options.path);
-                lookDue = now + kLookAtDiskEvery;
-                if (freeBytes < options.keepFree) {
-                    result = finishFile();
-                    end(result ? noRoom() : result);
-                    return;
-                }
-            }
-            if (result && file && now >= syncDue && !last) {
-                // Write errors may be reported only here or on closing.
-                result = file->sync();
-                syncDue = now + kSyncEvery;
-            }
-            if (last || !result) {
-                if (result && file) {
-                    result = finishFile();
-                } else if (file) {
-                    static_cast<void>(file->close());  // only the first error is reported
-                }
-                freeBytes = freeBytesFor(options.path);
-                end(result);
-                return;
-            }
-        }
     }
 
     Result<void> noRoom() const {
@@ -400,9 +377,16 @@ struct Recorder::Worker {
         error = result.error();
         state = result ? RecorderState::Finished : RecorderState::Failed;
     }
+
+    std::shared_ptr<publish::Publisher> publisher;
+    publish::Publication publication;
 };
 
 Recorder::Recorder() : Recorder(systemFile) {}
+
+Recorder::Recorder(std::shared_ptr<publish::Publisher> publisher) : Recorder(systemFile) {
+    publisher_ = std::move(publisher);
+}
 
 Recorder::Recorder(RecordingFileFactory files) : files_(std::move(files)), d_(std::make_shared<Worker>()) {}
 
@@ -468,10 +452,13 @@ Result<void> Recorder::start(const RecorderOptions& options, receive::Subscripti
     } else if (auto opened = next->openFile(options.path); !opened) {
         return opened;
     }
-    next->sample = receive::Sample(std::move(layout));
-    next->subscription = std::move(subscription);
     next->freeBytes = freeBytesFor(options.path);
-    next->thread = std::thread([recording = next.get()] { recording->run(); });
+    next->syncDue = steady_clock::now() + kSyncEvery;
+    next->lookDue = steady_clock::now() + kLookAtDiskEvery;
+    next->publisher =
+        publisher_ ? publisher_ : std::make_shared<publish::Publisher>(publish::Publisher::Sinks::One);
+    next->publication =
+        next->publisher->add({next, std::move(subscription), std::move(layout), kWriteEvery}).value();
     const std::lock_guard lock(mutex_);
     d_ = std::move(next);
     return {};
@@ -479,15 +466,8 @@ Result<void> Recorder::start(const RecorderOptions& options, receive::Subscripti
 
 void Recorder::stop() {
     const auto current = worker();
-    if (!current->thread.joinable()) {
-        return;
-    }
-    {
-        const std::lock_guard lock(current->mutex);
-        current->stopping = true;
-    }
-    current->wake.notify_all();
-    current->thread.join();
+    current->publication.stop();
+    current->publisher.reset();
 }
 
 RecorderProgress Recorder::progress() const {

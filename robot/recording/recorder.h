@@ -28,6 +28,10 @@
 #include "robot/recording/recording_format.h"
 #include "robot/recording/trigger.h"
 
+namespace tiller::publish {
+class Publisher;
+}
+
 namespace tiller::recording {
 
 using tiller::operator<<;  // makes the enumerations below printable
@@ -78,11 +82,13 @@ struct RecorderProgress {
     std::int64_t freeBytes = 0;  ///< free space on the disk of the file, updated about once per second
 };
 
-/// Owns the thread "tiller-record" (normal priority), which writes a subscription to the file.
+/// Writes a subscription to the file in the thread of a publisher, by default of its own.
 /// Threads  start() and stop(): one thread. All others: any
 class Recorder {
 public:
     Recorder();
+    /// publisher  shared with other sinks
+    explicit Recorder(std::shared_ptr<publish::Publisher> publisher);
     /// files  factory for the output file; for tests
     explicit Recorder(std::function<std::unique_ptr<RecordingFile>()> files);
     ~Recorder();  ///< calls stop()
@@ -120,6 +126,7 @@ private:
     std::shared_ptr<Worker> worker() const;
 
     std::function<std::unique_ptr<RecordingFile>()> files_;
+    std::shared_ptr<publish::Publisher> publisher_;  ///< null: each recording has its own
     mutable std::mutex mutex_;  ///< protects the pointer, because each recording has a new worker
     std::shared_ptr<Worker> d_;
 };

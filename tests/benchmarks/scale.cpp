@@ -296,7 +296,7 @@ std::optional<Figures> measure(int robots, int fields, double duration) {
     const auto came = static_cast<double>(packets - before);
     figures.receive = 1e6 * spent["tiller-receive"] / came;
     figures.history = 1e6 * history / came;
-    figures.recorder = 1e6 * spent["tiller-record"] / std::max(1.0, static_cast<double>(written - rows));
+    figures.recorder = 1e6 * spent["tiller-publish"] / std::max(1.0, static_cast<double>(written - rows));
     figures.fileMb = bytes * 60 / 1e6 / robots;
     figures.memoryMb = memoryOf(figures.numbers);
     figures.lost = std::max(0.0, 100 * (1 - came / (took * kRate * robots)));

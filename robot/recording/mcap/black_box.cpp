@@ -10,15 +10,13 @@
 #include <atomic>
 #include <charconv>
 #include <cmath>
-#include <condition_variable>
 #include <deque>
 #include <optional>
-#include <thread>
 #include <vector>
 
 #include "robot/core/atomic_file.h"
 #include "robot/core/modes.h"
-#include "robot/realtime/thread_priority.h"
+#include "robot/publish/publisher.h"
 #include "robot/receive/robot_state.h"
 #include "robot/recording/detail/recording_file.h"
 #include "robot/recording/incident.h"
@@ -30,9 +28,6 @@ namespace tiller::recording {
 
 namespace {
 
-using std::chrono::milliseconds;
-
-constexpr milliseconds kLookEvery{100};
 constexpr double kShortest = 1;
 constexpr double kMaxTimeBefore = 600;
 constexpr double kMaxTimeAfter = 60;
@@ -75,16 +70,12 @@ std::string asName(const QString& reason) {
 
 }  // namespace
 
-struct BlackBox::Worker {
+struct BlackBox::Worker : publish::SampleSink {
     BlackBoxOptions options;
     std::shared_ptr<const receive::SampleLayout> layout;
-    receive::Subscription subscription;
     std::int64_t steadyToUtc = 0;
 
-    std::thread thread;
-    std::mutex mutex;  // protects the following members; also used for waiting
-    std::condition_variable wake;
-    bool stopping = false;
+    mutable std::mutex mutex;  // protects the following members
     std::deque<RecordedNote> notes;
     std::optional<std::string> alarm;
     std::vector<receive::Subscription> nextExtra;
@@ -93,63 +84,65 @@ struct BlackBox::Worker {
     std::map<std::string, std::string> facts;
     std::atomic<std::uint64_t> packets{0};
 
-    // Used by the thread only.
+    // Used by the publisher only.
     std::optional<SampleStore> store;
     std::optional<ExtraSamples> extra;
     std::optional<SafetyMode> previous;
-    std::uint64_t lastSequence = 0;
     std::uint64_t lastConnection = 0;
     std::optional<Incident> pending;
-    std::int64_t stopNs = 0;   ///< time of the stop on the receiver's clock
-    double stopTimestamp = 0;  ///< time of the stop on the controller's clock [s]
+    bool isDue = false;                 ///< the pending incident is complete and must be written
+    std::optional<std::string> raised;  ///< alarm of the current turn
+    std::int64_t stopNs = 0;            ///< time of the stop on the receiver's clock
+    double stopTimestamp = 0;           ///< time of the stop on the controller's clock [s]
 
-    void run() {
-        realtime::nameThread("tiller-box");
-        constexpr double kMaxRateHz = 500;
-        const double seconds = options.before + options.after + 2;
-        const auto capacity = static_cast<std::size_t>(seconds * kMaxRateHz);
-        store.emplace(capacity, layout);
-        extra.emplace(capacity);
-        for (bool last = false; !last;) {
-            std::optional<std::string> raised;
-            {
-                std::unique_lock lock(mutex);
-                last = wake.wait_for(lock, kLookEvery, [&] { return stopping; });
-                raised = std::exchange(alarm, std::nullopt);
-            }
-            drain();
-            drainExtra();
-            if (raised && !pending && store->count() > 0) {
-                begin(raised->c_str(), store->at(store->count() - 1));
-            }
-            if (pending && last) {
-                write();
-            }
-        }
+    /// The turn may allocate the memory for a minute of samples, or write a file.
+    bool mayBlock() const override {
+        const std::lock_guard lock(mutex);
+        return !store || pending || alarm;
     }
 
-    void drain() {
-        while (subscription.next(store->next())) {
-            const receive::Sample& sample = store->next();
-            const std::uint64_t missing =
-                lastSequence == 0 ? 0 : sample.sequence - lastSequence - 1 + sample.lostBefore;
-            lastSequence = sample.sequence;
-            const SafetyMode now = receive::RobotState(sample).safetyMode();
-            const std::int64_t timeNs = sample.hostTimeNs;
-            // A stop that is already active when connecting happened earlier.
-            const bool isNew = previous && sample.connection == lastConnection && *previous != now;
-            lastConnection = sample.connection;
-            previous = now;
-            if (isNew && !pending && reasonOf(now) != nullptr) {
-                begin(reasonOf(now), sample);
-            }
-            store->keepNext(missing);
-            ++packets;
-            forgetBefore(timeNs);
-            if (pending && static_cast<double>(timeNs - stopNs) >= options.after * 1e9) {
-                write();
-            }
+    void beginTurn() override {
+        if (!store) {
+            constexpr double kMaxRateHz = 500;
+            const double seconds = options.before + options.after + 2;
+            const auto capacity = static_cast<std::size_t>(seconds * kMaxRateHz);
+            store.emplace(capacity, layout);
+            extra.emplace(capacity);
         }
+        if (std::exchange(isDue, false)) {
+            write();
+        }
+        const std::lock_guard lock(mutex);
+        raised = std::exchange(alarm, std::nullopt);
+    }
+
+    Next take(const receive::Sample& sample, std::uint64_t missing) override {
+        const SafetyMode now = receive::RobotState(sample).safetyMode();
+        // A stop that is already active when connecting happened earlier.
+        const bool isNew = previous && sample.connection == lastConnection && *previous != now;
+        lastConnection = sample.connection;
+        previous = now;
+        if (isNew && !pending && reasonOf(now) != nullptr) {
+            begin(reasonOf(now), sample);
+        }
+        store->next() = sample;
+        store->keepNext(missing);
+        ++packets;
+        forgetBefore(sample.hostTimeNs);
+        isDue = pending && static_cast<double>(sample.hostTimeNs - stopNs) >= options.after * 1e9;
+        return isDue ? Next::NewTurn : Next::Continue;
+    }
+
+    bool endTurn(bool last) override {
+        drainExtra();
+        if (raised && !pending && store->count() > 0) {
+            begin(raised->c_str(), store->at(store->count() - 1));
+        }
+        raised.reset();
+        if (pending && last) {
+            write();
+        }
+        return !last;
     }
 
     void drainExtra() {
@@ -286,9 +279,14 @@ struct BlackBox::Worker {
             QFile::remove(folder.filePath(files[i]));
         }
     }
+
+    std::shared_ptr<publish::Publisher> publisher;
+    publish::Publication publication;
 };
 
 BlackBox::BlackBox() = default;
+
+BlackBox::BlackBox(std::shared_ptr<publish::Publisher> publisher) : publisher_(std::move(publisher)) {}
 
 BlackBox::~BlackBox() {
     stop();
@@ -311,11 +309,12 @@ Result<void> BlackBox::start(const BlackBoxOptions& options, const receive::Rece
     next->options.after = std::clamp(options.after, 0.0, kMaxTimeAfter);
     next->options.keep = std::max(options.keep, 1);
     next->layout = receiver.layout();
-    next->subscription = receiver.subscribe();
     const auto utc = std::chrono::system_clock::now().time_since_epoch();
     next->steadyToUtc =
         std::chrono::duration_cast<std::chrono::nanoseconds>(utc).count() - SteadyClock::shared().nowNs();
-    next->thread = std::thread([box = next.get()] { box->run(); });
+    next->publisher =
+        publisher_ ? publisher_ : std::make_shared<publish::Publisher>(publish::Publisher::Sinks::One);
+    next->publication = next->publisher->add({next, receiver.subscribe(), receiver.layout()}).value();
     const std::lock_guard lock(mutex_);
     d_ = std::move(next);
     return {};
@@ -327,15 +326,10 @@ void BlackBox::stop() {
         const std::lock_guard lock(mutex_);
         ending.swap(d_);
     }
-    if (!ending) {
-        return;
+    if (ending) {
+        ending->publication.stop();
+        ending->publisher.reset();
     }
-    {
-        const std::lock_guard lock(ending->mutex);
-        ending->stopping = true;
-    }
-    ending->wake.notify_all();
-    ending->thread.join();
 }
 
 void BlackBox::followExtra(receive::Subscription extra) {

@@ -16,6 +16,10 @@
 #include "robot/receive/receiver.h"
 #include "robot/recording/recording_format.h"
 
+namespace tiller::publish {
+class Publisher;
+}
+
 namespace tiller::recording {
 
 /// Result of writing an incident file.
@@ -34,16 +38,18 @@ struct BlackBoxOptions {
     double after = 10;   ///< [s], 0 to 60
     int keep = 50;       ///< maximum number of incident files in the folder; older ones are deleted
     std::map<std::string, std::string> facts{};  ///< metadata of the file: "robot", "software" ...
-    /// Called for each incident, in the thread "tiller-box".
+    /// Called for each incident, in a thread of the publisher.
     std::function<void(const Incident&)> written{};
 };
 
-/// Owns the thread "tiller-box" (normal priority), which reads a subscription and writes the files. Samples
-/// arrive through the subscription; notes, alarms and the project through a mutex.
+/// Keeps the samples and writes the files in the threads of a publisher, by default of its own. Notes, alarms
+/// and the project arrive through a mutex.
 /// Threads  start() and stop(): one thread. All others: any
 class BlackBox {
 public:
     BlackBox();
+    /// publisher  shared with other sinks
+    explicit BlackBox(std::shared_ptr<publish::Publisher> publisher);
     ~BlackBox();  ///< calls stop()
     BlackBox(const BlackBox&) = delete;
     BlackBox& operator=(const BlackBox&) = delete;
@@ -74,6 +80,7 @@ private:
     struct Worker;
     std::shared_ptr<Worker> worker() const;
 
+    std::shared_ptr<publish::Publisher> publisher_;  ///< null: each start creates one
     mutable std::mutex mutex_;  ///< protects the pointer, because each start creates a new object
     std::shared_ptr<Worker> d_;
 };
