@@ -32,7 +32,7 @@ QString reasonText(const std::string& reason) {
 }  // namespace
 
 IncidentWatch::IncidentWatch(RobotSession& session, const QString& folder, QObject* parent)
-    : QObject(parent), session_(session), folder_(folder) {
+    : QObject(parent), session_(session), folder_(folder), box_(session.publisher()) {
     connect(&session, &RobotSession::linkBegan, this, &IncidentWatch::restart);
     connect(&session, &RobotSession::extraFieldsChanged, this, &IncidentWatch::followExtraFields);
     connect(&session, &RobotSession::connected, this, &IncidentWatch::learnIdentity);

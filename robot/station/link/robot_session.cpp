@@ -91,6 +91,10 @@ std::shared_ptr<const receive::Receiver> RobotSession::sharedReceiver() const {
     return d_->link ? d_->link->receiver : nullptr;
 }
 
+std::shared_ptr<publish::Publisher> RobotSession::publisher() const {
+    return d_->publisher;
+}
+
 const RobotAddress& RobotSession::address() const {
     return d_->address;
 }

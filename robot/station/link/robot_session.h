@@ -32,6 +32,9 @@
 
 namespace tiller {
 
+namespace publish {
+class Publisher;
+}
 namespace receive {
 class Receiver;
 }
@@ -84,6 +87,8 @@ public:
     /// Like receiver(), for another thread, which may keep the receiver slightly longer than the connection
     /// exists.
     std::shared_ptr<const receive::Receiver> sharedReceiver() const;
+    /// Passes samples to files and servers. Shared by all recordings of this robot.
+    std::shared_ptr<publish::Publisher> publisher() const;
     const RobotAddress& address() const;
 
     // Connection. These functions never block. The result is reported by stateChanged and message.

@@ -20,6 +20,7 @@
 #include "robot/control/stop_confirmation.h"
 #include "robot/dashboard/service_worker.h"
 #include "robot/io/outputs.h"
+#include "robot/publish/publisher.h"
 #include "robot/receive/receiver.h"
 #include "robot/recording/recorder.h"
 #include "robot/script/message_limiter.h"
@@ -116,7 +117,8 @@ struct SessionBackend {
     std::unique_ptr<RobotLink> link;
     /// Receives fields for the recorder that the link does not receive. Used only by jobs of `files`.
     std::shared_ptr<receive::Receiver> recorderReceiver;
-    recording::Recorder recorder;
+    const std::shared_ptr<publish::Publisher> publisher = std::make_shared<publish::Publisher>();
+    recording::Recorder recorder{publisher};
     QString recordingRefusal;  ///< why the last recording could not start; empty if it started
     QTimer frameClock;
 
