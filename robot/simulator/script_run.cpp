@@ -11,6 +11,7 @@
 #include "robot/simulator/controller/controller_model.h"
 #include "robot/simulator/host/script_host.h"
 #include "robot/simulator/programs/program_runner.h"
+#include "robot/simulator/urscript/value_format.h"
 
 namespace tiller::simulator {
 

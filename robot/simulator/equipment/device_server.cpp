@@ -6,6 +6,7 @@
 
 #include "robot/core/ascii.h"
 #include "robot/simulator/plant/plant.h"
+#include "robot/simulator/urscript/value_format.h"
 #include "robot/simulator/urscript/xml_rpc.h"
 
 namespace tiller::simulator {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Converts the signatures of all tables to rows for lookup.
+#include "robot/simulator/urscript/builtin_table.h"
 
 #include <algorithm>
 #include <charconv>
 
 #include "robot/core/ascii.h"
-#include "robot/simulator/urscript/builtin.h"
 
 namespace tiller::simulator::urscript {
 

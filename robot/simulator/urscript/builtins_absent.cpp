@@ -2,7 +2,8 @@
 // Known functions for equipment that is not simulated. Programs that contain them compile, but fail when they
 // call them.
 
-#include "robot/simulator/urscript/builtin.h"
+#include "robot/simulator/urscript/builtin_table.h"
+#include "robot/simulator/urscript/call.h"
 
 namespace tiller::simulator::urscript {
 

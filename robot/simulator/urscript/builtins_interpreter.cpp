@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // interpreter_mode() and the functions that end or clear it.
 
-#include "robot/simulator/urscript/builtin.h"
+#include "robot/simulator/urscript/builtin_table.h"
+#include "robot/simulator/urscript/call.h"
 #include "robot/simulator/urscript/interpreter_mode.h"
 
 namespace tiller::simulator::urscript {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Forward and inverse kinematics, Jacobians and dynamics of the arm, all calculated by the host's model.
 
-#include "robot/simulator/urscript/builtin.h"
+#include "robot/simulator/urscript/builtin_table.h"
+#include "robot/simulator/urscript/call.h"
+#include "robot/simulator/urscript/value_format.h"
 
 namespace tiller::simulator::urscript {
 

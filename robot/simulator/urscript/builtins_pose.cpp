@@ -3,7 +3,8 @@
 
 #include <cmath>
 
-#include "robot/simulator/urscript/builtin.h"
+#include "robot/simulator/urscript/builtin_table.h"
+#include "robot/simulator/urscript/call.h"
 
 namespace tiller::simulator::urscript {
 

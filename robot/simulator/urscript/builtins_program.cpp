@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "robot/simulator/urscript/builtin.h"
+#include "robot/simulator/urscript/builtin_table.h"
+#include "robot/simulator/urscript/call.h"
+#include "robot/simulator/urscript/value_format.h"
 
 namespace tiller::simulator::urscript {
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // General purpose registers and flags.
 
-#include "robot/simulator/urscript/builtin.h"
+#include "robot/simulator/urscript/builtin_table.h"
+#include "robot/simulator/urscript/call.h"
 
 namespace tiller::simulator::urscript {
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // rpc_factory(), which returns an object with callable methods; see remote_calls.h.
 
-#include "robot/simulator/urscript/builtin.h"
+#include "robot/simulator/urscript/builtin_table.h"
+#include "robot/simulator/urscript/call.h"
 #include "robot/simulator/urscript/remote_calls.h"
 
 namespace tiller::simulator::urscript {

@@ -7,7 +7,9 @@
 #include <cmath>
 #include <limits>
 
-#include "robot/simulator/urscript/builtin.h"
+#include "robot/simulator/urscript/builtin_table.h"
+#include "robot/simulator/urscript/call.h"
+#include "robot/simulator/urscript/value_format.h"
 
 namespace tiller::simulator::urscript {
 

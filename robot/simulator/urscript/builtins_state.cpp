@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Current state and sensor values of the robot.
 
-#include "robot/simulator/urscript/builtin.h"
+#include "robot/simulator/urscript/builtin_table.h"
+#include "robot/simulator/urscript/call.h"
 
 namespace tiller::simulator::urscript {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Arguments of builtins: the accepted values of each type, and the messages for wrong values.
+#include "robot/simulator/urscript/call.h"
 
 #include <cmath>
 #include <limits>
 
-#include "robot/simulator/urscript/builtin.h"
+#include "robot/simulator/urscript/builtin_table.h"
 
 namespace tiller::simulator::urscript {
 

@@ -5,7 +5,7 @@
 
 #include <utility>
 
-#include "robot/simulator/urscript/builtin.h"
+#include "robot/simulator/urscript/builtin_table.h"
 #include "robot/simulator/urscript/lexer.h"
 #include "robot/simulator/urscript/parser.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "robot/simulator/urscript/builtin.h"
+#include "robot/simulator/urscript/call.h"
 #include "robot/simulator/urscript/operators.h"
 #include "robot/simulator/urscript/parser.h"
 

@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "robot/simulator/urscript/builtin.h"
 #include "robot/simulator/urscript/bytecode.h"
+#include "robot/simulator/urscript/call.h"
 #include "robot/simulator/urscript/interpreter.h"
 #include "robot/simulator/urscript/interpreter_mode.h"
 #include "robot/simulator/urscript/linked_code.h"

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "robot/simulator/urscript/builtin.h"
+#include "robot/simulator/urscript/builtin_table.h"
 #include "robot/simulator/urscript/code_names.h"
 
 namespace tiller::simulator::urscript {

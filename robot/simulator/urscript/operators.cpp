@@ -5,7 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "robot/simulator/urscript/builtin.h"
+#include "robot/simulator/urscript/call.h"
+#include "robot/simulator/urscript/value_format.h"
 
 namespace tiller::simulator::urscript {
 

@@ -224,10 +224,4 @@ struct StructData {
     const Value* find(std::string_view name) const;
 };
 
-/// Conversion for to_str and str_cat: six decimals without trailing zeros, ", " between elements. The result
-/// may exceed the maximum string length, but ends within a few characters after `limit`.
-std::string toStr(const Value& v, std::size_t limit = 2048);
-/// Conversion for textmsg: six significant digits, "," between elements.
-std::string toMessageText(const Value& v, std::size_t limit = 65536);
-
 }  // namespace tiller::simulator::urscript

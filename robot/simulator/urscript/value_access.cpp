@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <optional>
 
-#include "robot/simulator/urscript/builtin.h"
+#include "robot/simulator/urscript/call.h"
 #include "robot/simulator/urscript/operators.h"
+#include "robot/simulator/urscript/value_format.h"
 
 namespace tiller::simulator::urscript {
 

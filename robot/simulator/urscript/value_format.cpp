@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Converts values to text in two styles, as on the controller: to_str prints six decimals, textmsg prints six
-// significant digits without blanks.
+#include "robot/simulator/urscript/value_format.h"
 
 #include <cmath>
 #include <cstdio>
-
-#include "robot/simulator/urscript/value.h"
 
 namespace tiller::simulator::urscript {
 

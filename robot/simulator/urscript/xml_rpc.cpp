@@ -10,9 +10,10 @@
 #include <cmath>
 #include <limits>
 
-#include "robot/simulator/urscript/builtin.h"
+#include "robot/simulator/urscript/call.h"
 #include "robot/simulator/urscript/host.h"
 #include "robot/simulator/urscript/operators.h"
+#include "robot/simulator/urscript/value_format.h"
 
 namespace tiller::simulator::urscript::xml_rpc {
 

@@ -14,7 +14,8 @@
 
 #include "robot/simulator/controller/controller_model.h"
 #include "robot/simulator/programs/program_runner.h"
-#include "robot/simulator/urscript/builtin.h"
+#include "robot/simulator/urscript/builtin_table.h"
+#include "robot/simulator/urscript/call.h"
 #include "robot/simulator/urscript/program.h"
 
 using namespace tiller;

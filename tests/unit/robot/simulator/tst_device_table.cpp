@@ -6,6 +6,7 @@
 
 #include "robot/simulator/equipment/device_table.h"
 #include "robot/simulator/urscript/constants.h"
+#include "robot/simulator/urscript/value_format.h"
 #include "robot/simulator/urscript/xml_rpc.h"
 
 using namespace tiller;

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "robot/simulator/urscript/interpreter.h"
+#include "robot/simulator/urscript/value_format.h"
 #include "tests/unit/robot/simulator/urscript/fake_host.h"
 
 namespace tiller::simulator::urscript {

@@ -3,7 +3,7 @@
 
 #include <set>
 
-#include "robot/simulator/urscript/builtin.h"
+#include "robot/simulator/urscript/builtin_table.h"
 #include "tests/unit/robot/simulator/urscript/script_run.h"
 
 using namespace tiller::simulator::urscript;

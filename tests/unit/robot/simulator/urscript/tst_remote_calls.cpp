@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // XML-RPC: the request of a call, the handling of replies, and program execution while a call blocks.
 
+#include "robot/simulator/urscript/value_format.h"
 #include "robot/simulator/urscript/xml_rpc.h"
 #include "tests/unit/robot/simulator/urscript/script_run.h"
 
