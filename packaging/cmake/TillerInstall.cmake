@@ -67,6 +67,15 @@ foreach(room ur_rtde simulator)
 endforeach()
 install(EXPORT tillerTargets NAMESPACE tiller:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/tiller
     COMPONENT development)
+# The packages that the components of this build need.
+if(TILLER_WITH_HDF5)
+    set(TILLER_HDF5 TillerHdf5::hdf5)
+    set(tiller_hdf5_package hdf5)
+endif()
+if(TILLER_WITH_WEBSOCKETS)
+    set(TILLER_WEBSOCKETS Qt6::WebSockets)
+    set(tiller_websockets_package Qt6WebSockets)
+endif()
 configure_package_config_file(${CMAKE_SOURCE_DIR}/packaging/cmake/tillerConfig.cmake.in
     ${CMAKE_BINARY_DIR}/tillerConfig.cmake INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/tiller)
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/tillerConfigVersion.cmake COMPATIBILITY SameMinorVersion)
@@ -127,6 +136,6 @@ tiller_pkg_config(tiller-simulator DESCRIPTION "Simulated Universal Robots contr
 tiller_pkg_config(tiller-recording-mcap DESCRIPTION "Recordings in MCAP" ARCHIVES recording_mcap
     REQUIRES tiller zlib libzstd LIBRARIES -lfastcdr)
 tiller_pkg_config(tiller-recording-formats DESCRIPTION "Recordings in CSV, MCAP and HDF5"
-    ARCHIVES recording_formats recording_hdf5 REQUIRES tiller-recording-mcap hdf5)
+    ARCHIVES recording_formats recording_hdf5 REQUIRES tiller-recording-mcap ${tiller_hdf5_package})
 tiller_pkg_config(tiller-live DESCRIPTION "Live data for Foxglove and PlotJuggler" ARCHIVES live
-    REQUIRES tiller-recording-mcap Qt6WebSockets)
+    REQUIRES tiller-recording-mcap ${tiller_websockets_package})

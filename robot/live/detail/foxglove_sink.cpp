@@ -8,11 +8,15 @@
 #include <string>
 
 #include "robot/live/detail/allowed_origins.h"
-#include "robot/live/detail/foxglove_server.h"
 #include "robot/live/detail/live_sinks.h"
 #include "robot/receive/sample.h"
 #include "robot/recording/mcap/robot_state_message.h"
 #include "robot/recording/mcap/ros_messages.h"
+#ifdef TILLER_HAS_WEBSOCKETS
+#include "robot/live/detail/foxglove_server.h"
+#else
+#include "robot/live/detail/absent_server.h"
+#endif
 
 namespace tiller::live {
 
