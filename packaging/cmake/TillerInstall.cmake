@@ -13,7 +13,7 @@ set(ur_rtde_headers async_operation_status.h dashboard_client.h dashboard_enums.
 set(simulator_headers simulator.h options/assumptions.h options/simulator_options.h arm/arm_state.h arm/environment.h
     plant/personality.h)
 
-set(tiller_rooms core realtime rtde receive publish script dashboard control io kinematics collision project recording doctor api)
+set(tiller_rooms platform core realtime rtde receive publish script dashboard control io kinematics collision project recording doctor api)
 # Components that need more packages than the backend. Each has a separate export, which tillerConfig.cmake
 # loads if the component is requested and its packages are installed.
 set(tiller_extras recording_mcap recording_hdf5 recording_formats live)

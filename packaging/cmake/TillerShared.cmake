@@ -42,7 +42,7 @@ target_link_libraries(tiller_shared PUBLIC Qt6::Core Qt6::Network Eigen3::Eigen 
 target_include_directories(tiller_shared PUBLIC $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}>)
 target_compile_features(tiller_shared PUBLIC cxx_std_20)
 target_compile_definitions(tiller_shared INTERFACE $<INSTALL_INTERFACE:${TILLER_WITHOUT_QT_KEYWORDS}>)
-tiller_exports(tiller_shared robot/core robot/realtime robot/rtde robot/receive robot/publish robot/script robot/dashboard robot/control
+tiller_exports(tiller_shared robot/platform robot/core robot/realtime robot/rtde robot/receive robot/publish robot/script robot/dashboard robot/control
     robot/io robot/kinematics robot/collision robot/project robot/recording robot/doctor robot/api robot/live robot/divergence robot/testing
     ${simulator_header_files}
     ARCHIVES ${tiller_archives} DEPENDS ${tiller_archive_targets})

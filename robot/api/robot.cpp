@@ -7,7 +7,7 @@
 #include <thread>
 #include <utility>
 
-#include "robot/realtime/thread_priority.h"
+#include "robot/platform/thread_priority.h"
 
 namespace tiller {
 

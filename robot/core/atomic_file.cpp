@@ -6,10 +6,9 @@
 #include <QUuid>
 #include <cerrno>
 
-#ifdef Q_OS_WIN
-#include <io.h>
-#include <qt_windows.h>
-#else
+#include "robot/platform/file_system.h"
+
+#ifndef Q_OS_WIN
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -18,53 +17,6 @@
 namespace tiller {
 
 namespace {
-
-/// True for errors from devices, pipes and file systems that do not support flushing.
-bool hasNothingToSync(int systemError) {
-    return systemError == EINVAL || systemError == ENOTSUP || systemError == EROFS;
-}
-
-/// Flushes the data of an open file to the storage device.
-/// Returns  0, or the system's error number
-int syncDescriptor(int descriptor) {
-#ifdef Q_OS_WIN
-    // _commit() calls FlushFileBuffers().
-    const int result = _commit(descriptor);
-#else
-    int result = ::fsync(descriptor);
-    while (result != 0 && errno == EINTR) {
-        result = ::fsync(descriptor);
-    }
-#endif
-    return result == 0 || hasNothingToSync(errno) ? 0 : errno;
-}
-
-/// Flushes the directory entry of `path`. Otherwise, the file may have no directory entry after a power
-/// failure.
-/// Returns  0, or the system's error number
-int syncFolderOf(const QString& path) {
-#ifdef Q_OS_WIN
-    Q_UNUSED(path)  // no effect: MOVEFILE_WRITE_THROUGH has already flushed it
-    return 0;
-#else
-    const QByteArray folder = QFile::encodeName(QFileInfo(path).absolutePath());
-    const int descriptor = ::open(folder.constData(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (descriptor < 0) {
-        return 0;  // the user may have only write permission for the folder
-    }
-    const int error = syncDescriptor(descriptor);
-    ::close(descriptor);
-    return error;
-#endif
-}
-
-bool isDiskFull(int systemError) {
-#ifdef Q_OS_WIN
-    return systemError == ENOSPC;
-#else
-    return systemError == ENOSPC || systemError == EDQUOT;
-#endif
-}
 
 /// Follows symbolic links, including links to files that do not exist yet.
 QString resolved(const QString& path) {
@@ -87,24 +39,8 @@ QString contextOf(const QString& what, const QString& path) {
 }
 
 Error writeFailure(const QString& what, int systemError, const QString& reason) {
-    return {isDiskFull(systemError) ? ErrorCode::DiskFull : ErrorCode::FileNotWritable, what, reason};
-}
-
-/// Returns  0, or the system's error number
-int renameOver(const QString& from, const QString& to) {
-#ifdef Q_OS_WIN
-    const auto* source = reinterpret_cast<const wchar_t*>(from.utf16());
-    const auto* target = reinterpret_cast<const wchar_t*>(to.utf16());
-    // ReplaceFile() keeps the access rights of the existing file, but fails if there is no file.
-    if (ReplaceFileW(target, source, nullptr, REPLACEFILE_IGNORE_MERGE_ERRORS, nullptr, nullptr) != 0 ||
-        MoveFileExW(source, target, MOVEFILE_REPLACE_EXISTING | MOVEFILE_WRITE_THROUGH) != 0) {
-        return 0;
-    }
-    const DWORD error = GetLastError();
-    return error == ERROR_DISK_FULL || error == ERROR_HANDLE_DISK_FULL ? ENOSPC : EACCES;
-#else
-    return ::rename(QFile::encodeName(from).constData(), QFile::encodeName(to).constData()) == 0 ? 0 : errno;
-#endif
+    return {file_system::isDiskFull(systemError) ? ErrorCode::DiskFull : ErrorCode::FileNotWritable, what,
+            reason};
 }
 
 #ifdef Q_OS_LINUX
@@ -223,7 +159,8 @@ Result<void> AtomicFile::commit() {
         return error_.code != ErrorCode::None ? error_
                                               : writeFailure(what_, EBADF, QStringLiteral("not open"));
     }
-    if (const int systemError = syncDescriptor(file_.handle()); systemError != 0) {
+    if (const int systemError = file_system::flush(file_.handle(), file_system::Flush::All);
+        systemError != 0) {
         return fail(systemError, qt_error_string(systemError));
     }
 #ifdef Q_OS_LINUX
@@ -242,11 +179,11 @@ Result<void> AtomicFile::commit() {
     if (file_.error() != QFileDevice::NoError) {
         return fail(errno, file_.errorString());
     }
-    if (const int systemError = renameOver(temporary_, path_); systemError != 0) {
+    if (const int systemError = file_system::replace(temporary_, path_); systemError != 0) {
         return fail(systemError, qt_error_string(systemError));
     }
     temporary_.clear();
-    if (const int systemError = syncFolderOf(path_); systemError != 0) {
+    if (const int systemError = file_system::flushFolderOf(path_); systemError != 0) {
         return fail(systemError, qt_error_string(systemError));
     }
     return {};
@@ -276,15 +213,15 @@ Result<void> replaceFile(const QString& part, const QString& path, const QString
     if (!written.open(QIODevice::ReadWrite | QIODevice::ExistingOnly)) {
         return writeFailure(context, errno, written.errorString());
     }
-    const int syncError = syncDescriptor(written.handle());
+    const int syncError = file_system::flush(written.handle(), file_system::Flush::All);
     written.close();
     if (syncError != 0) {
         return failure(syncError);
     }
-    if (const int systemError = renameOver(part, resolved(path)); systemError != 0) {
+    if (const int systemError = file_system::replace(part, resolved(path)); systemError != 0) {
         return failure(systemError);
     }
-    if (const int systemError = syncFolderOf(resolved(path)); systemError != 0) {
+    if (const int systemError = file_system::flushFolderOf(resolved(path)); systemError != 0) {
         return failure(systemError);
     }
     return {};

@@ -6,7 +6,7 @@
 #include <array>
 #include <utility>
 
-#include "robot/core/native_socket.h"
+#include "robot/platform/native_socket.h"
 #include "robot/script/tcp_socket.h"
 
 namespace tiller::dashboard {

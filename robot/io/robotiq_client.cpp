@@ -6,8 +6,8 @@
 #include <span>
 
 #include "robot/core/ascii.h"
-#include "robot/core/native_socket.h"
 #include "robot/core/tcp_connect.h"
+#include "robot/platform/native_socket.h"
 
 namespace tiller::io {
 

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "robot/realtime/thread_priority.h"
+#include "robot/platform/thread_priority.h"
 
 namespace tiller::publish {
 

@@ -7,8 +7,8 @@
 #include <optional>
 #include <sstream>
 
+#include "robot/platform/thread_priority.h"
 #include "robot/python/native_objects.h"
-#include "robot/realtime/thread_priority.h"
 #include "robot/recording/formats/open_recording.h"
 #include "robot/recording/recorder.h"
 

@@ -8,7 +8,7 @@
 #include <QStringList>
 #include <vector>
 
-#include "robot/realtime/thread_priority.h"
+#include "robot/platform/thread_priority.h"
 
 namespace tiller::realtime {
 

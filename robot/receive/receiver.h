@@ -17,9 +17,9 @@
 #include "robot/core/result.h"
 #include "robot/core/text.h"
 #include "robot/core/version.h"
+#include "robot/platform/thread_priority.h"
 #include "robot/realtime/histogram.h"
 #include "robot/realtime/ring.h"
-#include "robot/realtime/thread_priority.h"
 #include "robot/receive/sample.h"
 #include "robot/rtde/protocol.h"
 

@@ -12,9 +12,9 @@
 #include <span>
 
 #include "robot/core/deadline.h"
-#include "robot/core/native_socket.h"
 #include "robot/core/result.h"
 #include "robot/core/text.h"
+#include "robot/platform/native_socket.h"
 #include "robot/rtde/protocol.h"
 #include "robot/rtde/session.h"
 

@@ -8,9 +8,9 @@
 #include <QString>
 
 #include "robot/core/deadline.h"
-#include "robot/core/native_socket.h"
 #include "robot/core/result.h"
 #include "robot/core/text.h"
+#include "robot/platform/native_socket.h"
 
 namespace tiller::script {
 

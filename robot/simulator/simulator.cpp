@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "robot/core/qt_main_thread.h"
+#include "robot/platform/thread_priority.h"
 #include "robot/realtime/periodic_timer.h"
-#include "robot/realtime/thread_priority.h"
 #include "robot/simulator/controller_services.h"
 #include "robot/simulator/equipment/device_table.h"
 #include "robot/simulator/faults.h"

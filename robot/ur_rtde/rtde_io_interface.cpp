@@ -6,7 +6,7 @@
 #include <mutex>
 #include <stdexcept>
 
-#include "robot/realtime/thread_priority.h"
+#include "robot/platform/thread_priority.h"
 #include "robot/rtde/connection.h"
 #include "robot/rtde/fields.h"
 #include "robot/ur_rtde/detail/arguments.h"

@@ -6,8 +6,8 @@
 #include <fstream>
 #include <thread>
 
+#include "robot/platform/thread_priority.h"
 #include "robot/realtime/punctual_wait.h"
-#include "robot/realtime/thread_priority.h"
 #include "robot/ur_rtde/detail/waiting.h"
 
 #ifdef __linux__

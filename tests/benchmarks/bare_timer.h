@@ -8,9 +8,9 @@
 #include <chrono>
 #include <thread>
 
+#include "robot/platform/thread_priority.h"
 #include "robot/realtime/histogram.h"
 #include "robot/realtime/periodic_timer.h"
-#include "robot/realtime/thread_priority.h"
 
 namespace tiller::benchmark {
 

@@ -16,10 +16,10 @@
 #include <thread>
 #include <vector>
 
+#include "robot/platform/thread_priority.h"
 #include "robot/realtime/cpu_latency.h"
 #include "robot/realtime/histogram.h"
 #include "robot/realtime/periodic_timer.h"
-#include "robot/realtime/thread_priority.h"
 
 using namespace tiller;
 using namespace tiller::realtime;

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "robot/core/native_socket.h"
+#include "robot/platform/native_socket.h"
 
 namespace tiller::test {
 

@@ -13,7 +13,7 @@
 #include <future>
 #include <thread>
 
-#include "robot/core/native_socket.h"
+#include "robot/platform/native_socket.h"
 #include "robot/rtde/codec.h"
 #include "robot/rtde/splitter.h"
 

@@ -18,7 +18,7 @@
 #include "robot/core/clock.h"
 #include "robot/core/deadline.h"
 #include "robot/core/error.h"
-#include "robot/core/native_socket.h"
+#include "robot/platform/native_socket.h"
 #include "robot/script/detail/primary_parser.h"
 
 namespace tiller::script {

@@ -10,8 +10,8 @@
 #include <random>
 #include <vector>
 
-#include "robot/core/native_socket.h"
-#include "robot/simulator/net/socket_poller.h"
+#include "robot/platform/native_socket.h"
+#include "robot/platform/socket_poller.h"
 
 namespace tiller::simulator {
 

@@ -7,8 +7,8 @@
 #include <QTcpServer>
 #include <vector>
 
-#include "robot/core/native_socket.h"
 #include "robot/core/result.h"
+#include "robot/platform/native_socket.h"
 
 namespace tiller::simulator {
 

@@ -2,7 +2,7 @@
 #include "robot/ur_rtde/custom/register_link.h"
 
 #include "robot/core/wait_until.h"
-#include "robot/realtime/thread_priority.h"
+#include "robot/platform/thread_priority.h"
 #include "robot/rtde/fields.h"
 #include "robot/ur_rtde/detail/waiting.h"
 

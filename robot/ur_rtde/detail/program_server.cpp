@@ -6,14 +6,6 @@
 #include <span>
 #include <stdexcept>
 
-#ifdef _WIN32
-#include <winsock2.h>
-#else
-#include <arpa/inet.h>
-#include <netinet/in.h>
-#include <sys/socket.h>
-#endif
-
 namespace tiller::urrtde {
 
 namespace {
@@ -25,30 +17,15 @@ constexpr std::chrono::milliseconds kSlice(20);
 constexpr std::chrono::seconds kSendTimeout(5);
 constexpr const char* kRequest = "request_program";
 
-#ifdef _WIN32
-using Handle = SOCKET;  // not run in the project's CI
-#else
-using Handle = int;
-#endif
-
 }  // namespace
 
 ProgramServer::ProgramServer(int port) {
-    listener_ = static_cast<Descriptor>(::socket(AF_INET, SOCK_STREAM, 0));
-    const auto handle = static_cast<Handle>(listener_);
-    const int on = 1;
-    ::setsockopt(handle, SOL_SOCKET, SO_REUSEADDR, reinterpret_cast<const char*>(&on), sizeof on);
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_addr.s_addr = htonl(INADDR_ANY);
-    address.sin_port = htons(static_cast<std::uint16_t>(port));
-    if (::bind(handle, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 ||
-        ::listen(handle, 4) != 0) {
-        native_socket::close(listener_);
+    constexpr int kBacklog = 4;
+    listener_ = native_socket::listen(port, kBacklog);
+    if (listener_ < 0) {
         throw std::runtime_error("ur_cap_port " + std::to_string(port) +
                                  " cannot be opened: check that it is not in use");
     }
-    native_socket::prepare(listener_);
     thread_ = std::thread([this] { run(); });
 }
 
@@ -83,11 +60,10 @@ void ProgramServer::run() {
 }
 
 void ProgramServer::accept(std::vector<Client>& clients) {
-    const auto socket = static_cast<Descriptor>(::accept(static_cast<Handle>(listener_), nullptr, nullptr));
+    const Descriptor socket = native_socket::accept(listener_);
     if (socket < 0) {
         return;
     }
-    native_socket::prepare(socket);
     if (clients.size() >= kMaxClients) {
         const auto oldest =
             std::min_element(clients.begin(), clients.end(),

@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-#include "robot/core/native_socket.h"
+#include "robot/platform/native_socket.h"
 
 namespace tiller::urrtde {
 

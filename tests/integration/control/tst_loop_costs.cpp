@@ -6,7 +6,7 @@
 
 #include "robot/collision/collision_check.h"
 #include "robot/control/motions.h"
-#include "robot/realtime/thread_priority.h"
+#include "robot/platform/thread_priority.h"
 #include "robot/receive/receiver.h"
 #include "tests/integration/control/cell.h"
 #include "tests/support/hot_threads.h"

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "robot/core/clock.h"
+#include "robot/platform/thread_priority.h"
 #include "robot/realtime/cpu_latency.h"
 #include "robot/realtime/histogram.h"
 #include "robot/realtime/periodic_timer.h"
 #include "robot/realtime/punctual_wait.h"
-#include "robot/realtime/thread_priority.h"
 
 using namespace tiller;
 using namespace tiller::realtime;

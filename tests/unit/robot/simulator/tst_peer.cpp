@@ -2,8 +2,6 @@
 //
 // Data that a client of the simulated controller receives and sends, over real sockets.
 
-#include <sys/socket.h>
-
 #include <QTcpServer>
 #include <QTcpSocket>
 #include <QTest>
@@ -11,7 +9,7 @@
 #include <memory>
 #include <string>
 
-#include "robot/core/native_socket.h"
+#include "robot/platform/native_socket.h"
 #include "robot/simulator/net/link.h"
 #include "robot/simulator/net/peer.h"
 
@@ -39,9 +37,7 @@ struct Connected {
     }
     /// Resets the connection as an operating system does when a program exits with unread data.
     void cut() {
-        const linger atOnce{1, 0};
-        setsockopt(static_cast<int>(client.socketDescriptor()), SOL_SOCKET, SO_LINGER, &atOnce,
-                   sizeof atOnce);
+        native_socket::discardOnClose(client.socketDescriptor());
         client.abort();
     }
     std::string read() {

@@ -1,101 +1,24 @@
 // SPDX-License-Identifier: MIT
-#include "robot/core/native_socket.h"
-
-#include <cerrno>
-
-#ifdef _WIN32
-#include <winsock2.h>
-#include <ws2tcpip.h>
-#else
 #include <fcntl.h>
+#include <netdb.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
+
+#include <cerrno>
+
+#include "robot/platform/native_socket.h"
 #ifdef __linux__
 #include <sys/eventfd.h>
-#endif
 #endif
 
 namespace tiller::native_socket {
 
-#ifdef _WIN32
-// Written from the Winsock documentation; not run in the project's CI.
-
-namespace {
-SOCKET handle(Descriptor socket) {
-    return static_cast<SOCKET>(socket);
+bool startUp() {
+    return true;
 }
-Transfer outcome(int moved) {
-    if (moved > 0) {
-        return {Status::Ok, static_cast<std::size_t>(moved)};
-    }
-    return {WSAGetLastError() == WSAEWOULDBLOCK ? Status::WouldBlock : Status::Failed, 0};
-}
-}  // namespace
-
-void prepare(Descriptor socket) {
-    u_long nonBlocking = 1;
-    ioctlsocket(handle(socket), FIONBIO, &nonBlocking);
-    const BOOL on = TRUE;
-    setsockopt(handle(socket), IPPROTO_TCP, TCP_NODELAY, reinterpret_cast<const char*>(&on), sizeof on);
-}
-
-void watchPeer(Descriptor socket) {
-    const BOOL on = TRUE;
-    setsockopt(handle(socket), SOL_SOCKET, SO_KEEPALIVE, reinterpret_cast<const char*>(&on), sizeof on);
-}
-
-Transfer receive(Descriptor socket, std::span<std::uint8_t> into) {
-    const int got =
-        ::recv(handle(socket), reinterpret_cast<char*>(into.data()), static_cast<int>(into.size()), 0);
-    return got == 0 ? Transfer{Status::Closed, 0} : outcome(got);
-}
-
-Transfer send(Descriptor socket, std::span<const std::uint8_t> bytes) {
-    return outcome(::send(handle(socket), reinterpret_cast<const char*>(bytes.data()),
-                          static_cast<int>(bytes.size()), 0));
-}
-
-EventFd::EventFd() = default;
-EventFd::~EventFd() = default;
-void EventFd::wake() const {}
-bool EventFd::take() const {
-    return false;
-}
-
-bool waitReadable(Descriptor socket, std::chrono::nanoseconds atMost, const EventFd* /*waker*/) {
-    WSAPOLLFD item{handle(socket), POLLRDNORM, 0};
-    return WSAPoll(&item, 1, static_cast<int>(std::chrono::ceil<std::chrono::milliseconds>(atMost).count())) >
-           0;
-}
-
-bool waitWritable(Descriptor socket, std::chrono::milliseconds atMost) {
-    WSAPOLLFD item{handle(socket), POLLWRNORM, 0};
-    return WSAPoll(&item, 1, static_cast<int>(atMost.count())) > 0;
-}
-
-void close(Descriptor socket) {
-    ::closesocket(handle(socket));
-}
-
-void discardOnClose(Descriptor socket) {
-    const LINGER reset{1, 0};
-    ::setsockopt(handle(socket), SOL_SOCKET, SO_LINGER, reinterpret_cast<const char*>(&reset), sizeof reset);
-}
-
-Descriptor duplicate(Descriptor socket) {
-    WSAPROTOCOL_INFOW info;
-    if (WSADuplicateSocketW(handle(socket), GetCurrentProcessId(), &info) != 0) {
-        return -1;
-    }
-    const SOCKET copy =
-        WSASocketW(FROM_PROTOCOL_INFO, FROM_PROTOCOL_INFO, FROM_PROTOCOL_INFO, &info, 0, WSA_FLAG_OVERLAPPED);
-    return copy == INVALID_SOCKET ? Descriptor{-1} : static_cast<Descriptor>(copy);
-}
-
-#else
 
 namespace {
 
@@ -214,15 +137,7 @@ Descriptor duplicate(Descriptor socket) {
     return ::fcntl(static_cast<int>(socket), F_DUPFD_CLOEXEC, 0);
 }
 
-#endif
-
 namespace {
-
-#ifdef _WIN32
-using AnySocket = SOCKET;
-#else
-using AnySocket = int;
-#endif
 
 template <class Ask>
 std::uint16_t portOfSocket(Ask ask) {
@@ -239,14 +154,92 @@ std::uint16_t portOfSocket(Ask ask) {
 
 std::uint16_t localPort(Descriptor socket) {
     return portOfSocket([socket](sockaddr* address, socklen_t* size) {
-        return ::getsockname(static_cast<AnySocket>(socket), address, size);
+        return ::getsockname(static_cast<int>(socket), address, size);
     });
 }
 
 std::uint16_t peerPort(Descriptor socket) {
     return portOfSocket([socket](sockaddr* address, socklen_t* size) {
-        return ::getpeername(static_cast<AnySocket>(socket), address, size);
+        return ::getpeername(static_cast<int>(socket), address, size);
     });
+}
+
+std::vector<Address> resolve(const std::string& host, int port) {
+    std::vector<Address> addresses;
+    addrinfo hints{};
+    hints.ai_family = AF_UNSPEC;
+    hints.ai_socktype = SOCK_STREAM;
+    hints.ai_protocol = IPPROTO_TCP;
+    addrinfo* found = nullptr;
+    if (!startUp() || ::getaddrinfo(host.c_str(), std::to_string(port).c_str(), &hints, &found) != 0) {
+        return addresses;
+    }
+    for (const addrinfo* each = found; each != nullptr; each = each->ai_next) {
+        const auto* bytes = reinterpret_cast<const std::uint8_t*>(each->ai_addr);
+        addresses.push_back({each->ai_family, {bytes, bytes + each->ai_addrlen}});
+    }
+    ::freeaddrinfo(found);
+    return addresses;
+}
+
+Attempt connect(const Address& address) {
+    Attempt attempt;
+    attempt.socket = static_cast<Descriptor>(::socket(address.family, SOCK_STREAM, IPPROTO_TCP));
+    if (attempt.socket < 0) {
+        return attempt;
+    }
+    const int fd = static_cast<int>(attempt.socket);
+    ::fcntl(fd, F_SETFL, ::fcntl(fd, F_GETFL, 0) | O_NONBLOCK);
+    ::fcntl(fd, F_SETFD, FD_CLOEXEC);
+    if (::connect(static_cast<int>(attempt.socket), reinterpret_cast<const sockaddr*>(address.bytes.data()),
+                  static_cast<socklen_t>(address.bytes.size())) != 0) {
+        attempt.error = errno;
+        attempt.isPending = attempt.error == EINPROGRESS;
+    }
+    return attempt;
+}
+
+int connectError(Descriptor socket) {
+    int error = 0;
+    socklen_t size = sizeof error;
+    ::getsockopt(static_cast<int>(socket), SOL_SOCKET, SO_ERROR, &error, &size);
+    return error;
+}
+
+bool isRefusal(int error) {
+    return error == ECONNREFUSED;
+}
+
+Descriptor listen(int port, int backlog) {
+    if (!startUp()) {
+        return -1;
+    }
+    const auto listener = static_cast<Descriptor>(::socket(AF_INET, SOCK_STREAM, IPPROTO_TCP));
+    if (listener < 0) {
+        return -1;
+    }
+    const int on = 1;
+    ::setsockopt(static_cast<int>(listener), SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_ANY);
+    address.sin_port = htons(static_cast<std::uint16_t>(port));
+    if (::bind(static_cast<int>(listener), reinterpret_cast<const sockaddr*>(&address), sizeof address) !=
+            0 ||
+        ::listen(static_cast<int>(listener), backlog) != 0) {
+        close(listener);
+        return -1;
+    }
+    prepare(listener);
+    return listener;
+}
+
+Descriptor accept(Descriptor listener) {
+    const auto socket = static_cast<Descriptor>(::accept(static_cast<int>(listener), nullptr, nullptr));
+    if (socket >= 0) {
+        prepare(socket);
+    }
+    return socket;
 }
 
 }  // namespace tiller::native_socket

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include <QElapsedTimer>
 #include <QTcpServer>
 #include <QTcpSocket>
 #include <QTest>
 #include <array>
+#include <thread>
 #include <vector>
 
-#include "robot/core/native_socket.h"
+#include "robot/platform/native_socket.h"
 
 using namespace tiller;
 using namespace std::chrono_literals;
@@ -99,7 +101,84 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(native_socket::send(server_->taken, bytes).status == Status::Failed, 60'000);
     }
 
+    // A stop must not wait for the next package or for the timeout.
+    void aWakerEndsTheWaitOfAnotherThread() {
+        const native_socket::EventFd waker;
+        if (waker.descriptor() < 0) {
+            QSKIP("this system has no waker");
+        }
+        QVERIFY(!waker.take());
+        std::thread other([&waker] {
+            std::this_thread::sleep_for(20ms);
+            waker.wake();
+        });
+        QElapsedTimer time;
+        time.start();
+        QVERIFY(!native_socket::waitReadable(server_->taken, 60s, &waker));
+        QVERIFY(time.elapsed() < 30'000);
+        other.join();
+        waker.wake();
+        QVERIFY(!native_socket::waitReadable(server_->taken, 60s, &waker));
+        QVERIFY(waker.take());
+        QVERIFY(!waker.take());
+    }
+
+    void dataArriveDuringTheWaitWithAWaker() {
+        const native_socket::EventFd waker;
+        client_->write("tiller");
+        QVERIFY(client_->waitForBytesWritten(60'000));
+        QVERIFY(native_socket::waitReadable(server_->taken, 60s, &waker));
+    }
+
+    void aPortCanBeListenedToOnce() {
+        const auto taken = native_socket::listen(0, 1);
+        QVERIFY(taken >= 0);
+        const int port = native_socket::localPort(taken);
+        QVERIFY(port > 0);
+        QVERIFY(native_socket::listen(port, 1) < 0);
+        QVERIFY(native_socket::accept(taken) < 0);
+        const auto attempt = connectTo(port);
+        QVERIFY(native_socket::waitWritable(attempt.socket, 60s));
+        QCOMPARE(native_socket::connectError(attempt.socket), 0);
+        QVERIFY(native_socket::waitReadable(taken, 60s));
+        const auto accepted = native_socket::accept(taken);
+        QVERIFY(accepted >= 0);
+        QCOMPARE(native_socket::peerPort(accepted), native_socket::localPort(attempt.socket));
+        for (const auto socket : {accepted, attempt.socket, taken}) {
+            native_socket::close(socket);
+        }
+    }
+
+    void aRefusedConnectionIsReported() {
+        const auto taken = native_socket::listen(0, 1);
+        const int port = native_socket::localPort(taken);
+        native_socket::close(taken);
+        const auto attempt = connectTo(port);
+        QVERIFY(attempt.socket >= 0);
+        if (attempt.isPending) {
+            QVERIFY(native_socket::waitWritable(attempt.socket, 60s));
+        }
+        QVERIFY(native_socket::isRefusal(attempt.isPending ? native_socket::connectError(attempt.socket)
+                                                           : attempt.error));
+        native_socket::close(attempt.socket);
+    }
+
+    void aSecondDescriptorOutlivesTheFirst() {
+        const auto copy = native_socket::duplicate(server_->taken);
+        QVERIFY(copy >= 0);
+        native_socket::close(server_->taken);
+        server_->taken = copy;
+        client_->write("x");
+        QVERIFY(client_->waitForBytesWritten(60'000));
+        QVERIFY(native_socket::waitReadable(copy, 60s));
+    }
+
 private:
+    static native_socket::Attempt connectTo(int port) {
+        const auto addresses = native_socket::resolve("127.0.0.1", port);
+        return addresses.empty() ? native_socket::Attempt() : native_socket::connect(addresses.front());
+    }
+
     std::unique_ptr<DescriptorServer> server_;
     std::unique_ptr<QTcpSocket> client_;
 };

@@ -1,50 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "robot/realtime/thread_priority.h"
-
-#include <algorithm>
-
-#ifdef _WIN32
-#include <windows.h>
-#else
 #include <pthread.h>
 #include <sched.h>
 #include <time.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
-#endif
+
+#include "robot/platform/thread_priority.h"
 
 namespace tiller::realtime {
-
-#ifdef _WIN32
-
-// Implemented from the Windows documentation; not run in this project's CI.
-PriorityReport requestThreadPriority(int priority) {
-    PriorityReport report;
-    report.requested = std::clamp(priority, 0, 99);
-    if (report.requested == 0) {
-        return report;
-    }
-    const int wanted = report.requested >= 80 ? THREAD_PRIORITY_TIME_CRITICAL : THREAD_PRIORITY_HIGHEST;
-    if (SetThreadPriority(GetCurrentThread(), wanted)) {
-        report.granted = report.requested;
-    } else {
-        report.advice = QStringLiteral("The system refused a higher thread priority (error %1).")
-                            .arg(static_cast<unsigned>(GetLastError()));
-    }
-    return report;
-}
-
-void nameThread(const char* name) {
-    const QString text = QString::fromUtf8(name);
-    SetThreadDescription(GetCurrentThread(), reinterpret_cast<const wchar_t*>(text.utf16()));
-}
-
-double threadSeconds() {
-    return 0;
-}
-
-#else
 
 PriorityReport requestThreadPriority(int priority) {
     PriorityReport report;
@@ -101,7 +66,5 @@ double threadSeconds() {
                ? static_cast<double>(used.tv_sec) + static_cast<double>(used.tv_nsec) * 1e-9
                : 0.0;
 }
-
-#endif
 
 }  // namespace tiller::realtime

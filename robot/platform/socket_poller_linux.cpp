@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "robot/simulator/net/socket_poller.h"
-
-#include <utility>
-
-#ifdef __linux__
 #include <sys/epoll.h>
 
 #include <array>
-#endif
+#include <utility>
 
-namespace tiller::simulator {
+#include "robot/platform/socket_poller.h"
 
-#ifdef __linux__
+namespace tiller {
 
 SocketPoller::SocketPoller() : descriptor_(epoll_create1(EPOLL_CLOEXEC)) {}
 
@@ -49,25 +44,8 @@ bool SocketPoller::poll() {
     return std::exchange(hasClient_, false) || isBlind_;
 }
 
-#else
-
-SocketPoller::SocketPoller() = default;
-SocketPoller::~SocketPoller() = default;
-
-bool SocketPoller::add(native_socket::Descriptor, bool*) {
-    return false;
-}
-
-void SocketPoller::remove(native_socket::Descriptor) {}
-
-bool SocketPoller::poll() {
-    return std::exchange(hasClient_, false) || isBlind_;
-}
-
-#endif
-
 void SocketPoller::addPort(native_socket::Descriptor descriptor) {
     isBlind_ = !add(descriptor, &hasClient_) || isBlind_;
 }
 
-}  // namespace tiller::simulator
+}  // namespace tiller

@@ -2,14 +2,15 @@
 #pragma once
 
 // Detects received data and new connections with one system call for all clients and ports. Most control
-// periods have neither.
+// periods of the simulated controller have neither.
 
-#include "robot/core/native_socket.h"
+#include <vector>
 
-namespace tiller::simulator {
+#include "robot/platform/native_socket.h"
 
-/// On systems without epoll, all clients and ports are always reported as readable.
-/// Threads  the simulator thread
+namespace tiller {
+
+/// Threads  one
 class SocketPoller {
 public:
     SocketPoller();
@@ -29,9 +30,14 @@ public:
     bool poll();
 
 private:
-    native_socket::Descriptor descriptor_ = -1;
-    bool isBlind_ = false;  ///< some ports cannot be watched
+    struct Watched {
+        native_socket::Descriptor descriptor;
+        bool* rung;
+    };
+    native_socket::Descriptor descriptor_ = -1;  ///< Linux: epoll
+    std::vector<Watched> watched_;               ///< other systems
+    bool isBlind_ = false;                       ///< some ports cannot be watched
     bool hasClient_ = false;
 };
 
-}  // namespace tiller::simulator
+}  // namespace tiller
