@@ -3,8 +3,6 @@
 
 #ifdef _WIN32
 #include <windows.h>
-
-#include <semaphore>
 #else
 #include <csignal>
 #include <ctime>
@@ -14,26 +12,38 @@
 namespace tiller::app {
 
 #ifdef _WIN32
-// Follows the documentation of the console API. Not tested in this project's CI.
 
 namespace {
-std::binary_semaphore ended{0};
-BOOL WINAPI onConsoleEvent(DWORD) {
-    ended.release();
+
+/// Set once and for all, because a terminal may send several events.
+HANDLE endRequested() {
+    static const HANDLE event = CreateEventW(nullptr, TRUE, FALSE, nullptr);
+    return event;
+}
+
+BOOL WINAPI onConsoleEvent(DWORD type) {
+    SetEvent(endRequested());
+    if (type != CTRL_C_EVENT && type != CTRL_BREAK_EVENT) {
+        // The window of the terminal closes, or the user logs off: Windows ends the process when this function
+        // returns, or after some seconds. Until then, the main thread stops the motion and ends the process.
+        Sleep(INFINITE);
+    }
     return TRUE;
 }
+
 }  // namespace
 
 void holdTerminationSignals() {
+    endRequested();
     SetConsoleCtrlHandler(onConsoleEvent, TRUE);
 }
 
 void waitForTermination() {
-    ended.acquire();
+    WaitForSingleObject(endRequested(), INFINITE);
 }
 
 bool waitForTermination(std::chrono::milliseconds atMost) {
-    return ended.try_acquire_for(atMost);
+    return WaitForSingleObject(endRequested(), static_cast<DWORD>(atMost.count())) == WAIT_OBJECT_0;
 }
 
 #else

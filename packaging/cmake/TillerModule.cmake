@@ -4,7 +4,7 @@
 # The gold linker links the two hundred test programs in a quarter of the time of the default linker.
 find_program(TILLER_GOLD ld.gold)
 mark_as_advanced(TILLER_GOLD)
-if(TILLER_GOLD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT TILLER_SANITIZE)
+if(TILLER_GOLD AND NOT WIN32 AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT TILLER_SANITIZE)
     add_link_options(-fuse-ld=gold)
 endif()
 

@@ -18,7 +18,6 @@ namespace tiller::realtime {
 
 #if defined(_WIN32)
 
-// Implemented from the Windows documentation; not run in this project's CI.
 QString bindToCpus(const std::vector<int>& cpus) {
     DWORD_PTR mask = 0;
     for (const int cpu : cpus) {
@@ -42,6 +41,13 @@ bool isRealtimeKernel() {
     return false;
 }
 
+QString kernelAdvice() {
+    return QStringLiteral(
+        "Windows is not a real-time system: delays of several milliseconds are possible under load. Select "
+        "the "
+        "high-performance power plan, and close other programs.");
+}
+
 #elif defined(__APPLE__)
 
 // Not run in this project's CI.
@@ -55,6 +61,11 @@ QString lockMemory() {
 
 bool isRealtimeKernel() {
     return false;
+}
+
+QString kernelAdvice() {
+    return QStringLiteral(
+        "macOS is not a real-time system: delays of several milliseconds are possible under load.");
 }
 
 #else
@@ -96,6 +107,13 @@ bool isRealtimeKernel() {
     return version.open(QIODevice::ReadOnly) && version.readAll().contains("PREEMPT_RT");
 }
 
+QString kernelAdvice() {
+    return QStringLiteral(
+               "The kernel (%1) is not a real-time kernel: delays of several milliseconds are possible "
+               "under load. Debian: apt install linux-image-rt-amd64; Ubuntu: pro enable realtime-kernel.")
+        .arg(QSysInfo::kernelVersion());
+}
+
 #endif
 
 RealtimeReport requestRealtime(int priority, const std::vector<int>& cpus, bool lockAllMemory) {
@@ -120,11 +138,7 @@ RealtimeReport requestRealtime(int priority, const std::vector<int>& cpus, bool 
     }
     report.realtimeKernel = isRealtimeKernel();
     if (!report.realtimeKernel) {
-        report.advice.append(
-            QStringLiteral(
-                "The kernel (%1) is not a real-time kernel: delays of several milliseconds are possible "
-                "under load. Debian: apt install linux-image-rt-amd64; Ubuntu: pro enable realtime-kernel.")
-                .arg(QSysInfo::kernelVersion()));
+        report.advice.append(kernelAdvice());
     }
     return report;
 }

@@ -143,7 +143,7 @@ void ProjectReader::checkPatterns() {
                     fieldAt(fieldAt(fieldAt(QStringLiteral("patterns"), static_cast<int>(i)), "corners"),
                             static_cast<int>(n)),
                     QStringLiteral("no waypoint of this project has that id"));
-                pattern.corners[n] = {};
+                pattern.corners[n] = QUuid();
             }
         }
         document.patterns.replace(i, std::move(pattern));
