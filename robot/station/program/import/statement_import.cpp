@@ -12,8 +12,8 @@
 #include "robot/station/program/expression.h"
 #include "robot/station/program/import/call_steps.h"
 #include "robot/station/program/import/move_import.h"
+#include "robot/station/program/import/script_outline.h"
 #include "robot/station/program/import/script_statements.h"
-#include "robot/station/program/import/variable_types.h"
 #include "robot/station/program/program_script.h"
 #include "robot/station/program/program_text.h"
 
@@ -24,7 +24,6 @@ using project::ProgramStep;
 namespace {
 
 using Kind = ScriptStatement::Kind;
-using Statements = std::vector<ScriptStatement>;
 using Row = ImportRow;
 
 constexpr int kMaxPasses = 50;
@@ -39,33 +38,6 @@ QString poseText(const Pose& pose) {
         numbers << QString::number(number);
     }
     return QStringLiteral("p[%1]").arg(numbers.join(QStringLiteral(", ")));
-}
-
-/// Calls `visit` for each statement, also inside of blocks.
-template <class Visit>
-void forEachStatement(const Statements& list, bool inFunction, const Visit& visit) {
-    for (const ScriptStatement& statement : list) {
-        visit(statement, inFunction);
-        forEachStatement(statement.body, inFunction || statement.kind == Kind::Function, visit);
-        for (const ScriptStatement::Branch& branch : statement.branches) {
-            forEachStatement(branch.body, inFunction, visit);
-        }
-    }
-}
-
-/// True if a statement of the list, but not of a function in it, begins with this word.
-bool hasWord(const Statements& list, const QString& word) {
-    const QRegularExpression begin(QStringLiteral("^%1\\b").arg(word));
-    bool found = false;
-    forEachStatement(list, false, [&](const ScriptStatement& statement, bool inFunction) {
-        found = found ||
-                (!inFunction && statement.kind == Kind::Simple && begin.match(statement.code).hasMatch());
-    });
-    return found;
-}
-
-bool callsSetTcp(const QString& text) {
-    return text.contains(QLatin1String("set_tcp"));
 }
 
 QSet<QString> wordsOf(const QString& text) {
@@ -102,19 +74,19 @@ public:
     Result<ImportedProgram> run(const std::vector<simulator::pendant::NodeMark>& marks) {
         Result<Statements> split = splitScript(lines_, marks);
         if (!split) {
-            const auto text = textOfDefinition();
+            const auto text = outline_.textOfDefinition();
             return text ? asText(*text, split.error().context)
                         : Result<ImportedProgram>(Error{ErrorCode::ScriptError, split.error().context, {}});
         }
-        if (const QString why = findMain(std::move(*split)); !why.isEmpty()) {
+        if (const QString why = outline_.findMain(std::move(*split)); !why.isEmpty()) {
             return Error{ErrorCode::ScriptError, why, {}};
         }
-        if (hasWord(main_, QStringLiteral("return"))) {
-            return asText(textOf(main_), ProgramText::tr("the program contains a return"));
+        if (hasWord(outline_.main(), QStringLiteral("return"))) {
+            return asText(outline_.textOf(outline_.main()), ProgramText::tr("the program contains a return"));
         }
-        analyse();
-        if (isPendant_) {
-            foldInstallation();
+        outline_.analyse();
+        if (outline_.isPendant()) {
+            outline_.foldInstallation();
         }
         for (int pass = 0; pass < kMaxPasses; ++pass) {
             convert();
@@ -122,138 +94,25 @@ public:
                 continue;
             }
             if (countOf(out_.project.programs.find(out_.program)->steps) > project::kMaxProgramSteps) {
-                return asText(textOf(main_), ProgramText::tr("the program has too many statements"));
+                return asText(outline_.textOf(outline_.main()),
+                              ProgramText::tr("the program has too many statements"));
             }
             const ProgramScript script = writeScript(out_.project, out_.program);
             if (script.ok()) {
                 addNotes(script);
                 return isCompiled(script.text)
                            ? Result<ImportedProgram>(out_)
-                           : asText(textOf(main_),
+                           : asText(outline_.textOf(outline_.main()),
                                     ProgramText::tr("the script of the steps does not compile"));
             }
             if (!deny(script.problems)) {
-                return asText(textOf(main_), script.problems.front().text);
+                return asText(outline_.textOf(outline_.main()), script.problems.front().text);
             }
         }
-        return asText(textOf(main_), ProgramText::tr("the program is too complex"));
+        return asText(outline_.textOf(outline_.main()), ProgramText::tr("the program is too complex"));
     }
 
 private:
-    // ---- the script as a whole --------------------------------------------------------------------------
-
-    QString findMain(Statements top) {
-        static const QRegularExpression def(QStringLiteral("^(?:def|sec)\\s+(\\w+)\\s*\\(\\s*\\)\\s*:$"));
-        Statements comments;
-        std::vector<ScriptStatement*> functions, others;
-        for (ScriptStatement& statement : top) {
-            if (statement.kind == Kind::Comment || statement.kind == Kind::Omitted) {
-                comments.push_back(statement);
-            } else {
-                (statement.kind == Kind::Function ? functions : others).push_back(&statement);
-            }
-        }
-        const auto name =
-            functions.size() == 1 ? def.match(functions.front()->code) : QRegularExpressionMatch();
-        if (name.hasMatch() &&
-            (others.empty() || (others.size() == 1 && others.front()->code == name.captured(1) + "()"))) {
-            main_ = std::move(comments);
-            std::move(functions.front()->body.begin(), functions.front()->body.end(),
-                      std::back_inserter(main_));
-        } else if (others.empty()) {
-            return functions.empty()
-                       ? ProgramText::tr("the file contains no statements")
-                       : ProgramText::tr(
-                             "the file contains %1 functions or parameters, but no statement that "
-                             "calls a function; add the call")
-                             .arg(functions.size());
-        } else {
-            main_ = std::move(top);
-        }
-        return main_.empty() ? ProgramText::tr("the program contains no statements") : QString();
-    }
-
-    /// Moves the statements before the first node into a folder.
-    void foldInstallation() {
-        const auto end = std::find_if(main_.begin(), main_.end(), [](const ScriptStatement& statement) {
-            return statement.node > 0 || statement.kind == Kind::Function;
-        });
-        if (end - main_.begin() < 2) {
-            return;
-        }
-        ScriptStatement folder;
-        folder.kind = Kind::Folder;
-        folder.first = main_.front().first;
-        folder.last = (end - 1)->last;
-        folder.code = ProgramText::tr("Installation");
-        folder.body.assign(std::make_move_iterator(main_.begin()), std::make_move_iterator(end));
-        main_.erase(main_.begin(), end);
-        main_.insert(main_.begin(), std::move(folder));
-    }
-
-    /// The lines between the first `def` and the last `end`.
-    std::optional<QString> textOfDefinition() const {
-        static const QRegularExpression def(QStringLiteral("^\\s*def\\s+\\w+\\s*\\(\\s*\\)\\s*:\\s*$"));
-        const qsizetype first = lines_.indexOf(def);
-        const qsizetype last = lines_.lastIndexOf(QRegularExpression(QStringLiteral("^\\s*end\\s*$")));
-        const QString text =
-            first < 0 || last <= first ? QString() : lines_.mid(first + 1, last - first - 1).join('\n');
-        return text.trimmed().isEmpty() || !hasWholeBlocks(text) ? std::nullopt : std::optional(text);
-    }
-
-    void analyse() {
-        QStringList codes;
-        QHash<QString, int> assignments;
-        QSet<QString> globals;
-        std::vector<VariableAssignment> values;
-        static const QRegularExpression assignment(
-            QStringLiteral("^(global\\s+|local\\s+)?([A-Za-z_]\\w*)\\s*=(?!=)\\s*(.+)$"));
-        // An assignment to an element or a member, or a method, which may change the variable.
-        static const QRegularExpression element(QStringLiteral("^([A-Za-z_]\\w*)\\s*[\\[.]"));
-        forEachStatement(main_, false, [&](const ScriptStatement& statement, bool inFunction) {
-            isPendant_ = isPendant_ || statement.node > 0;
-            if (statement.kind == Kind::Disabled) {
-                for (int line = statement.first; line <= statement.last; ++line) {
-                    disabledLines_.insert(line);
-                }
-            }
-            codes << statement.code;
-            for (const ScriptStatement::Branch& branch : statement.branches) {
-                codes << branch.condition;
-            }
-            functionSetsTcp_ = functionSetsTcp_ || (inFunction && callsSetTcp(statement.code));
-            if (const auto changed = element.match(statement.code);
-                statement.kind == Kind::Simple && changed.hasMatch()) {
-                ++assignments[changed.captured(1)];
-            }
-            const auto match = assignment.match(statement.code);
-            if (statement.kind == Kind::Simple && match.hasMatch()) {
-                ++assignments[match.captured(2)];
-                const bool isGlobal = match.captured(1).startsWith(QLatin1String("global"));
-                if (isGlobal && !inFunction) {
-                    globals.insert(match.captured(2));
-                }
-                // Before the variable is global, an assignment creates a local one.
-                const bool isLocal = inFunction || !globals.contains(match.captured(2));
-                values.push_back({match.captured(2), match.captured(3).trimmed(), isGlobal, isLocal});
-            }
-        });
-        types_ = variableTypes(values);
-        for (const VariableAssignment& value : values) {
-            if (value.isGlobal && !value.isLocal && assignments.value(value.name) == 1) {
-                constants_.insert(value.name);
-            }
-        }
-        code_ = codes.join(QLatin1Char('\n'));
-    }
-
-    /// How often a word occurs in the script, outside of strings.
-    int occurrences(const QString& word) const {
-        static const QRegularExpression text(QStringLiteral("\"[^\"\\n]*\""));
-        const QRegularExpression whole(QStringLiteral("\\b%1\\b").arg(QRegularExpression::escape(word)));
-        return static_cast<int>(QString(code_).remove(text).count(whole));
-    }
-
     void convert() {
         out_ = {};
         out_.project = before_;
@@ -265,7 +124,7 @@ private:
         program.id = QUuid::createUuid();
         program.name = name_;
         out_.program = program.id;
-        program.steps = block(main_);
+        program.steps = block(outline_.main());
         addTexts(program.steps);
         out_.project.programs.append(std::move(program));
         ++out_.programs;
@@ -347,7 +206,7 @@ private:
         out_.programs = 1;
         const ProgramStep& step = program.steps.front();
         out_.rows = {{0, name_, Row::Result::Text, step.kind, step.id, reason, false}};
-        forEachStatement(main_, false, [&](const ScriptStatement& statement, bool) {
+        forEachStatement(outline_.main(), false, [&](const ScriptStatement& statement, bool) {
             if (statement.kind == Kind::Disabled || statement.kind == Kind::Omitted) {
                 addRow(statement, Row::Result::Omitted, ProgramText::tr("disabled"));
             }
@@ -379,45 +238,6 @@ private:
         }
     }
 
-    // ---- text -------------------------------------------------------------------------------------------
-
-    QString textOf(const Statements& list) const {
-        QStringList texts;
-        for (const ScriptStatement& statement : list) {
-            const QString text = textOf(statement);
-            if (!text.isEmpty()) {
-                texts << text;
-            }
-        }
-        return texts.join(QLatin1Char('\n'));
-    }
-
-    /// The lines of a statement without labels, disabled nodes and common indentation.
-    QString textOf(const ScriptStatement& statement) const {
-        static const QRegularExpression label(QStringLiteral("^\\s*\\$\\s*\\d+\\s*\".*\"\\s*$"));
-        static const QRegularExpression notSpace(QStringLiteral("\\S"));
-        if (statement.kind == Kind::Folder) {
-            return textOf(statement.body);
-        }
-        const bool isMark =
-            statement.kind == Kind::Disabled || statement.kind == Kind::Omitted ||
-            (statement.kind == Kind::Comment && statement.node > 0 && statement.last < statement.first);
-        QStringList texts;
-        qsizetype indent = std::numeric_limits<qsizetype>::max();
-        for (int line = statement.first; !isMark && line <= statement.last; ++line) {
-            const QString& text = lines_[line];
-            if (!disabledLines_.contains(line) && !text.trimmed().isEmpty() &&
-                !label.match(text).hasMatch()) {
-                indent = std::min(indent, text.indexOf(notSpace));
-                texts << text;
-            }
-        }
-        for (QString& text : texts) {
-            text.remove(0, indent);
-        }
-        return texts.join(QLatin1Char('\n'));
-    }
-
     void addRow(const ScriptStatement& statement, Row::Result result, const ProgramStep& step,
                 const QString& reason = {}) {
         addRow(statement, result, reason);
@@ -434,12 +254,12 @@ private:
         if (name.size() > kMaxName) {
             name = name.left(kMaxName - 1) + QChar(0x2026);
         }
-        const int line = isPendant_ ? statement.node : statement.first + 1;
+        const int line = outline_.isPendant() ? statement.node : statement.first + 1;
         out_.rows.push_back({line, name, result, {}, {}, reason, false});
     }
 
     void addText(std::vector<ProgramStep>& steps, const ScriptStatement& statement, const QString& reason) {
-        const QString text = textOf(statement);
+        const QString text = outline_.textOf(statement);
         if (callsSetTcp(text)) {
             moves_.setTcpUnknown();
         }
@@ -452,7 +272,7 @@ private:
         }
         texts_[lastText_] << text;
         keys_.insert(steps.back().id, statement.first);
-        if (!joins || !isPendant_ || statement.node == 0) {
+        if (!joins || !outline_.isPendant() || statement.node == 0) {
             addRow(statement, Row::Result::Text, steps.back(), reason);
         }
         const auto report = [&](const ScriptStatement& inner, bool) {
@@ -525,7 +345,7 @@ private:
     void addComment(std::vector<ProgramStep>& steps, const Statements& list, std::size_t& i) {
         const ScriptStatement& first = list[i];
         QStringList texts{first.code};
-        while (!isPendant_ && i + 1 < list.size() && list[i + 1].kind == Kind::Comment) {
+        while (!outline_.isPendant() && i + 1 < list.size() && list[i + 1].kind == Kind::Comment) {
             texts << list[++i].code;
         }
         addStep(steps, makeStep("comment", {{"text", texts.join(QLatin1Char('\n'))}}), first);
@@ -573,7 +393,7 @@ private:
             if (const auto tcp = literalTcp(statement.code)) {
                 addText(steps, statement, ProgramText::tr("the TCP applies until the end of the program"));
                 using TcpKind = ScriptTcp::Kind;
-                moves_.setTcp({functionSetsTcp_ ? TcpKind::Unknown : TcpKind::Known, *tcp});
+                moves_.setTcp({outline_.functionSetsTcp() ? TcpKind::Unknown : TcpKind::Known, *tcp});
                 return true;
             }
             return false;
@@ -706,7 +526,7 @@ private:
         const auto limit = condition.match(withoutBrackets(loop.code));
         const int times = limit.captured(1).toInt();
         if (!limit.hasMatch() || times < 1 || times > kMaxTimes ||
-            !increment.match(loop.body.back().code).hasMatch() || occurrences(counter) != kUses ||
+            !increment.match(loop.body.back().code).hasMatch() || outline_.occurrences(counter) != kUses ||
             hasWord(loop.body, QStringLiteral("continue"))) {
             return false;
         }
@@ -737,7 +557,7 @@ private:
             values << (branch.condition.isEmpty() ? QString() : one.captured(1));
         }
         const qsizetype conditions = values.size() - values.count(QString());
-        if (occurrences(match.captured(1)) != conditions + 1) {
+        if (outline_.occurrences(match.captured(1)) != conditions + 1) {
             return false;
         }
         ProgramStep step = makeStep("switch", {{"value", match.captured(2)}});
@@ -762,7 +582,7 @@ private:
             return false;
         }
         const QString name = match.captured(1);
-        if (occurrences(name) < 2) {
+        if (outline_.occurrences(name) < 2) {
             reason_ = ProgramText::tr("the program does not call this function");
             return false;
         }
@@ -796,7 +616,7 @@ private:
         static const QRegularExpression global(QStringLiteral("^global\\s+(\\w+)\\s*=(?!=)\\s*(.+)$"));
         const auto match = global.match(statement.code);
         const QString name = match.captured(1);
-        if (!match.hasMatch() || !constants_.contains(name)) {
+        if (!match.hasMatch() || !outline_.isConstant(name)) {
             return false;
         }
         moves_.define(name, match.captured(2).trimmed());
@@ -839,7 +659,7 @@ private:
         static const QRegularExpression request(
             QStringLiteral("^request_(boolean|integer|float|string)_from_primary_client$"));
         const auto call = parseCall(value);
-        const QString type = types_.value(name);
+        const QString type = outline_.types().value(name);
         if (type.isEmpty()) {
             reason_ = ProgramText::tr("the type or the scope of the variable is not certain");
             return std::nullopt;
@@ -860,13 +680,7 @@ private:
     const project::Project& before_;
     const QString name_;
     const QStringList& lines_;
-    Statements main_;
-    QString code_;  ///< of all statements
-    bool isPendant_ = false;
-    bool functionSetsTcp_ = false;
-    QSet<int> disabledLines_;
-    QHash<QString, QString> types_;  ///< of the variables, as in the field `type`
-    QSet<QString> constants_;        ///< global variables with one assignment
+    ScriptOutline outline_{lines_};
     // decisions of earlier passes
     QHash<int, QString> denied_;  ///< statements that must be text, with the reason
     QSet<QString> omitted_;       ///< definitions that are part of waypoints
@@ -876,7 +690,7 @@ private:
     ImportedProgram out_;
     QHash<QUuid, int> keys_;  ///< first line of the statement of each step
     QHash<QString, QUuid> programs_;
-    MoveImport moves_{before_, out_, name_, types_};
+    MoveImport moves_{before_, out_, name_, outline_.types()};
     QString reason_;
     QHash<QUuid, QStringList> texts_;  ///< of the text steps
     int depth_ = 0;                    ///< number of sections around the current statement
