@@ -14,6 +14,7 @@
 #include "robot/core/robot_model.h"
 #include "robot/core/text.h"
 #include "robot/core/version.h"
+#include "robot/script/program_variables.h"
 
 namespace tiller::script {
 
@@ -51,7 +52,7 @@ struct ControllerMessage {
     QString codeName() const;
 };
 
-/// Values of the 10 Hz robot state that RTDE does not provide.
+/// Values that the robot sends ten times per second and that RTDE does not provide.
 struct PrimaryState {
     SoftwareVersion version;  ///< zeros until the version message is received
     bool powerOn = false;
@@ -61,6 +62,7 @@ struct PrimaryState {
     bool programPaused = false;
     RobotMode robotMode = RobotMode::NoController;
     SafetyMode safetyMode = SafetyMode::Undefined;
+    ProgramVariables variables;  ///< of the running or paused program
     std::uint64_t packages = 0;  ///< number of robot state packages received; 0: no valid values yet
 };
 

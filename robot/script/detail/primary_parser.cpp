@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "robot/script/detail/byte_reader.h"
+#include "robot/script/detail/variable_reader.h"
 
 namespace tiller::script {
 
@@ -11,6 +12,7 @@ namespace {
 
 constexpr std::uint8_t kRobotState = 16;
 constexpr std::uint8_t kRobotMessage = 20;
+constexpr std::uint8_t kProgramState = 25;
 constexpr std::size_t kLengthField = 4;
 constexpr std::size_t kPackageHeader = 5;
 
@@ -112,6 +114,8 @@ void PrimaryParser::package(std::span<const std::uint8_t> bytes, std::int64_t ho
         understood = robotState(body);
     } else if (type == kRobotMessage) {
         understood = robotMessage(body, hostTimeNs);
+    } else if (type == kProgramState) {
+        understood = readVariables(body, state_.version, state_.variables);
     }
     if (!understood) {
         ++malformed_;
@@ -271,6 +275,10 @@ bool PrimaryParser::robotMessage(std::span<const std::uint8_t> bytes, std::int64
             message.argument = in.i32();
             message.title = in.text(in.u8());
             message.text = in.rest();
+            // The next program may have no variables, so that nothing would replace those of this program.
+            if (message.title.endsWith(QLatin1String("STOPPED"))) {
+                state_.variables.reset();
+            }
             break;
         case 9:
             message.kind = MessageKind::RequestValue;

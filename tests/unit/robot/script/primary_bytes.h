@@ -26,6 +26,7 @@ public:
     Wire& u64(std::uint64_t value) {
         return u32(static_cast<std::uint32_t>(value >> 32)).u32(static_cast<std::uint32_t>(value));
     }
+    Wire& f32(float value) { return u32(std::bit_cast<std::uint32_t>(value)); }
     Wire& f64(double value) { return u64(std::bit_cast<std::uint64_t>(value)); }
     Wire& text(const char* value) {
         bytes_.append(value);

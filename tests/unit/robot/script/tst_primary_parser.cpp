@@ -15,6 +15,11 @@ std::span<const std::uint8_t> view(const QByteArray& bytes) {
     return {reinterpret_cast<const std::uint8_t*>(bytes.constData()), static_cast<std::size_t>(bytes.size())};
 }
 
+/// A package with the global variables of a program.
+QByteArray variables(const Wire& body) {
+    return package(25, Wire().u64(1).raw(body.bytes()).bytes());
+}
+
 ControllerMessage only(const QByteArray& bytes) {
     PrimaryParser parser;
     parser.feed(view(bytes), 7);
@@ -168,7 +173,7 @@ private Q_SLOTS:
     void theSegmentationOfTheStreamDoesNotMatter() {
         const QByteArray stream = versionMessage() +
                                   robotState(robotModeData(7, true) + configurationData()) +
-                                  message(0, "one") + package(25, "ignored") + message(0, "two");
+                                  message(0, "one") + package(26, "ignored") + message(0, "two");
         for (const int piece : {1, 2, 3, 7, 64, 4096}) {
             PrimaryParser parser;
             for (int at = 0; at < stream.size(); at += piece) {
@@ -205,6 +210,88 @@ private Q_SLOTS:
         QVERIFY(parser.takeMessages().empty());
         QVERIFY(parser.feed(view(message(0, "alive")), 0));
         QCOMPARE(parser.takeMessages().size(), 1U);
+    }
+
+    void variablesHaveTypesAndValues() {
+        PrimaryParser parser;
+        parser.feed(view(versionMessage()), 0);
+        QVERIFY(!parser.state().variables);
+        parser.feed(view(variables(Wire().u8(0).u8(0).u8(0).text("n\nx\nok\nwords\nhere\nall\n"))), 0);
+        QCOMPARE(parser.state().variables->size(), 6U);
+        QVERIFY(parser.state().variables->front() == ProgramVariable{.name = "n"});
+        Wire values;
+        values.u8(1).u8(0).u8(0);
+        values.u8(15).i32(-3).u8('\n').u8(16).f32(0.1F).u8('\n').u8(13).u8(1).u8('\n');
+        values.u8(3).u8(0).u8(2).text("h\n").u8('\n').u8(12).f32(1).f32(0).f32(0).f32(0).f32(0).f32(-2.5F);
+        values.u8('\n').u8(17).u8(0).u8(2).u8(0).u8(17).u8(0).u8(1).u8(15).i32(7).u8('\n');
+        parser.feed(view(variables(values)), 0);
+        using Type = ProgramVariable::Type;
+        const std::vector<ProgramVariable> expected{
+            {"n", Type::Whole, "-3", -3},
+            {"x", Type::Number, "0.1", static_cast<double>(0.1F)},
+            {"ok", Type::Flag, "True", 1},
+            {"words", Type::Text, "\"h\n\"", 0},
+            {"here", Type::Pose, "p[1, 0, 0, 0, 0, -2.5]", 0},
+            {"all", Type::List, "[, [7]]", 0},
+        };
+        QVERIFY(*parser.state().variables == expected);
+        // Names and values in several packages.
+        parser.feed(view(variables(Wire().u8(0).u8(0).u8(6).text("table\n"))), 0);
+        QCOMPARE(parser.state().variables->size(), 7U);
+        parser.feed(
+            view(variables(
+                Wire().u8(1).u8(0).u8(6).u8(18).u8(0).u8(2).u8(0).u8(1).u8(16).f32(1).u8(16).f32(2).u8(
+                    '\n'))),
+            0);
+        QCOMPARE(parser.state().variables->back().text, QStringLiteral("[[1], [2]]"));
+        QVERIFY(parser.state().variables->front() == expected.front());
+        QCOMPARE(parser.malformed(), 0U);
+        // The next program may have no variables.
+        parser.feed(view(message(7, Wire().i32(0).i32(0).u8(19).text("PROGRAM_XXX_STOPPEDp").bytes())), 0);
+        QVERIFY(!parser.state().variables);
+    }
+
+    void olderSoftwareHasOtherVariableTypes() {
+        PrimaryParser parser;
+        parser.feed(
+            view(message(3, Wire().u8(9).text("URControl").u8(3).u8(13).i32(1).i32(77).text("").bytes(),
+                         0xfe)),
+            0);
+        parser.feed(view(variables(Wire().u8(0).u8(0).u8(0).text("n\nx\nok\nhere\nall\n"))), 0);
+        Wire values;
+        values.u8(1).u8(0).u8(0).u8(14).i32(1).u8('\n').u8(15).f32(0.5F).u8('\n').u8(12).u8(0).u8('\n');
+        values.u8(10).f32(0).f32(0).f32(0).f32(0).f32(0).f32(1).u8('\n').u8(5).u8(0).u8(1).u8(14).i32(2).u8(
+            '\n');
+        parser.feed(view(variables(values)), 0);
+        QStringList texts;
+        for (const ProgramVariable& variable : *parser.state().variables) {
+            texts << variable.text;
+        }
+        QCOMPARE(texts, (QStringList{"1", "0.5", "False", "p[0, 0, 0, 0, 0, 1]", "[2]"}));
+    }
+
+    void invalidVariablesAreCountedAndSkipped() {
+        PrimaryParser parser;
+        parser.feed(view(versionMessage()), 0);
+        const QByteArray names = variables(Wire().u8(0).u8(0).u8(0).text("n\n"));
+        const QByteArray one = variables(Wire().u8(1).u8(0).u8(0).u8(15).i32(1).u8('\n'));
+        parser.feed(view(names + one), 0);
+        int expected = 0;
+        for (const Wire& wrong :
+             {Wire().u8(1).u8(0).u8(0).u8(15).i32(2), Wire().u8(1).u8(0).u8(0).u8(99).i32(2).u8('\n'),
+              Wire().u8(1).u8(0).u8(9).u8(15).i32(2).u8('\n'), Wire().u8(0).u8(0).u8(9).text("far\n"),
+              Wire().u8(1), Wire().u8(1).u8(0).u8(0).u8(18).u8(255).u8(255).u8(0).u8(0).u8('\n'),
+              Wire().u8(1).u8(0).u8(0).u8(3).u8(255).u8(255).text("short\n")}) {
+            parser.feed(view(variables(wrong)), 0);
+            QCOMPARE(parser.malformed(), static_cast<std::uint64_t>(++expected));
+            QCOMPARE(parser.state().variables->front().text, QStringLiteral("1"));
+        }
+        QByteArray nested = QByteArray("\1\0\0", 3);
+        for (int i = 0; i < 10'000; ++i) {
+            nested += QByteArray("\21\0\1", 3);
+        }
+        parser.feed(view(variables(Wire().raw(nested))), 0);
+        QCOMPARE(parser.malformed(), static_cast<std::uint64_t>(expected + 1));
     }
 
     // Real packages with random changes, and random bytes. The parser neither crashes nor hangs.
