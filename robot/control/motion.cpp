@@ -129,7 +129,7 @@ bool Motion::refresh() const {
 
 bool Motion::setGate(const script::StepGate& gate) const {
     return controller_ != nullptr && kind_ == MotionKind::Script &&
-           ControllerAccess::of(*controller_).mailbox.setGate(id_, gate.value());
+           ControllerAccess::of(*controller_).mailbox.setGate(id_, gate);
 }
 
 bool Jog::refresh(const JogTarget& target) const {

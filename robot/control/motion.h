@@ -80,7 +80,7 @@ public:
     /// Blocks   never
     bool refresh() const;
 
-    /// Sets which steps of a Script may begin. Does not refresh a Held motion.
+    /// Sets which steps of a Script may begin, and changes a variable. Does not refresh a Held motion.
     /// Returns  false if the motion has ended or is not a Script
     /// Blocks   never
     bool setGate(const script::StepGate& gate) const;

@@ -18,7 +18,7 @@ using std::chrono::milliseconds;
 namespace {
 
 /// Heartbeat registers for a program that replaces the control program.
-script::Heartbeat heartbeatOf(const Controller::Private& d, MotionId run, bool hasGate) {
+script::Heartbeat heartbeatOf(const Controller::Private& d, MotionId run, const ScriptTerms& terms) {
     const int first = firstRegister(d.options.registers);
     script::Heartbeat heartbeat;
     heartbeat.number = first;
@@ -26,8 +26,8 @@ script::Heartbeat heartbeatOf(const Controller::Private& d, MotionId run, bool h
     heartbeat.lastEpoch = {first + kEpochRegister, static_cast<std::int32_t>(run)};
     heartbeat.expired = {first + kStateRegister, static_cast<std::int32_t>(ScriptState::HeartbeatExpired)};
     heartbeat.timeout = kHoldTime;
-    if (hasGate) {
-        heartbeat.gate = first + kChoiceRegister;
+    if (terms.gate) {
+        heartbeat.gate = {first + kChoiceRegister, first + kWholeRegister, first, terms.variables};
     }
     return heartbeat;
 }
@@ -106,7 +106,7 @@ Result<Motion> beginScript(Controller& controller, std::uint64_t epoch, const Sc
     MotionCommand command;
     command.kind = MotionCommand::Kind::Script;
     command.held = terms.holding == Holding::Held;
-    command.choice = terms.gate.value_or(script::StepGate{}).value();
+    setGateOf(command, terms.gate.value_or(script::StepGate{}));
     const MotionId id = d.mailbox.startAfter(epoch, command, d.now());
     if (id == kNoMotion) {
         return stopped(context);
@@ -279,8 +279,7 @@ Result<void> Programs::runScript(const Text& program, const Deadline& deadline, 
         if (outcome) {
             const script::SupervisedProgram sent =
                 attended
-                    ? script::supervised(program, heartbeatOf(d, run.motion.id(), terms.gate.has_value()),
-                                         d.program.version())
+                    ? script::supervised(program, heartbeatOf(d, run.motion.id(), terms), d.program.version())
                     : script::unsupervised(program);
             d.program.yieldTo(sent);
             run.played = d.loop.status().playing;

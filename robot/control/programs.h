@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "robot/control/controller.h"
 #include "robot/control/motion.h"
@@ -24,6 +25,8 @@ struct ScriptTerms {
     /// If set, the program can call the functions of script::stepGateScript(), with this initial gate.
     /// Motion::setGate() changes the gate. Requires Supervision::Heartbeat.
     std::optional<script::StepGate> gate = {};
+    /// Global variables of the program that the gate can change.
+    std::vector<script::GateVariable> variables = {};
     /// The program does not start if the number of stops (Controller::stops()) differs from this value.
     std::optional<std::uint64_t> stops = {};
     /// Called once in the calling thread, immediately before the program is sent, with the motion that

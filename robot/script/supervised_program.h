@@ -31,8 +31,8 @@ struct Heartbeat {
     /// missing, so that a running client can read why the program ended.
     std::optional<Expected> expired = {};
     std::chrono::milliseconds timeout{0};  ///< maximum time without a heartbeat
-    /// Integer register of the step gate. If set, the program can call the functions of stepGateScript().
-    std::optional<int> gate = {};
+    /// If set, the program can call the functions of stepGateScript().
+    std::optional<GateInputs> gate = {};
 };
 
 struct SupervisedProgram {

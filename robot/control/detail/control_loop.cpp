@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <thread>
 
 #include "robot/core/clock.h"
@@ -21,6 +22,14 @@ std::int32_t inMillimetres(double cap) {
     constexpr double kLargest = 1e6;
     constexpr double kMillimetresPerMetre = 1000;
     return static_cast<std::int32_t>(std::clamp(std::round(cap * kMillimetresPerMetre), 1.0, kLargest));
+}
+
+/// The integer closest to a value; 0 without one.
+std::int32_t wholeOf(double value) {
+    using Limits = std::numeric_limits<std::int32_t>;
+    return std::isfinite(value) ? static_cast<std::int32_t>(
+                                      std::clamp<double>(std::round(value), Limits::min(), Limits::max()))
+                                : 0;
 }
 
 double fastest(const JointVelocities& qd) {
@@ -523,6 +532,7 @@ void ControlLoop::compose(const Feedback& data, Command& command) {
         composeJog(*motion, data, command);
     } else if (followsScript_) {
         command.choice = motion->choice;
+        command.values = motion->target;
     } else {
         composeProgram(*motion, data, {period_, true, evenNs_, ageNs_}, command);
     }
@@ -663,6 +673,7 @@ void ControlLoop::seal(Command& command, std::int64_t nowNs) {
     } else {
         const ScriptCommand kind = moves ? ScriptCommand::Idle : command.kind;
         const std::int32_t gate = command.choice;
+        const std::array<double, 6> change = command.values;
         const std::uint64_t dead = mailbox_.epoch().expiredUpTo();
         const Brake brake = mailbox_.brake(dead);
         command = {};
@@ -674,9 +685,14 @@ void ControlLoop::seal(Command& command, std::int64_t nowNs) {
         sentMotion_ = followsScript_ && mailbox_.epoch().isActive(followed_) ? followed_ : kNoMotion;
         if (sentMotion_ != kNoMotion) {
             command.choice = gate;
+            command.values = change;
         }
     }
     command.request = request_.newest();
+    if (followsScript_ && sentMotion_ != kNoMotion) {
+        // No control program that could read a request is running.
+        command.request.whole = wholeOf(command.values[0]);
+    }
     command.forcePermitted = sentForce_ = forcePermitted_.load(std::memory_order_acquire);
     command.speedFraction = data_.speedFraction;
     constexpr std::int32_t kWrap = 0x3fffffff;

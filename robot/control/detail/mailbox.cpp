@@ -5,6 +5,12 @@
 
 namespace tiller::control {
 
+void setGateOf(MotionCommand& command, const script::StepGate& gate) {
+    const script::VariableChange& change = gate.change;
+    command.choice = gate.value();
+    command.target = {change.value, static_cast<double>(change.variable), static_cast<double>(change.number)};
+}
+
 MotionId Mailbox::start(MotionCommand command, std::int64_t nowNs) {
     const std::lock_guard lock(callers_);
     // Store the time first. Otherwise, the control thread could see the new motion with the previous refresh
@@ -63,13 +69,13 @@ bool Mailbox::change(MotionId motion, const MotionCommand& values, std::int64_t 
     return replace(motion, values, nowNs);
 }
 
-bool Mailbox::setGate(MotionId motion, std::int32_t value) {
+bool Mailbox::setGate(MotionId motion, const script::StepGate& gate) {
     const std::lock_guard lock(callers_);
     if (!epoch_.isActive(motion) || last_.id != motion || last_.kind != MotionCommand::Kind::Script) {
         return false;
     }
     MotionCommand changed = last_;
-    changed.choice = value;
+    setGateOf(changed, gate);
     publish(changed);
     return true;
 }

@@ -13,6 +13,7 @@
 #include "robot/control/detail/epoch.h"
 #include "robot/control/motion_types.h"
 #include "robot/realtime/triple_buffer.h"
+#include "robot/script/step_gate.h"
 
 namespace tiller::control {
 
@@ -30,7 +31,8 @@ struct MotionCommand {
     std::int32_t program = 0;  ///< only for Program: a ScriptCommand
     /// Program: see control.script; Script: script::StepGate::value()
     std::int32_t choice = 0;
-    /// MoveJ: q [rad]; MoveL: pose in the base frame [m, rad]; Program: see control.script
+    /// MoveJ: q [rad]; MoveL: pose in the base frame [m, rad]; Program: see control.script; Script: value, variable and
+    /// number of a script::VariableChange
     std::array<double, 6> target{};
     double speed = 0;
     double acceleration = 0;
@@ -40,6 +42,9 @@ struct MotionCommand {
     /// Maximum time without a heartbeat for a Free move or path; 0: default.
     std::chrono::milliseconds silence{0};
 };
+
+/// Sets the step gate of a Script.
+void setGateOf(MotionCommand& command, const script::StepGate& gate);
 
 /// A stop with a given deceleration; valid for the epoch created by the stop.
 struct Brake {
@@ -69,7 +74,7 @@ public:
     bool change(MotionId motion, const MotionCommand& values, std::int64_t nowNs);
     /// Sets the step gate of a Script. Does not refresh the motion.
     /// Returns  false if the motion has ended
-    bool setGate(MotionId motion, std::int32_t value);
+    bool setGate(MotionId motion, const script::StepGate& gate);
     enum class Change : std::uint8_t { Done, Ended, Refused };
     /// Like change(), if mayFollow(previous command, time since its last refresh [ns]) returns true.
     template <class MayFollow>

@@ -24,6 +24,7 @@ int firstRegister(RegisterRange range);     ///< 0 or 24
 inline constexpr int kEpochRegister = 1;    ///< integer input, relative to the first register
 inline constexpr int kChoiceRegister = 3;   ///< integer input, relative to the first register
 inline constexpr int kSessionRegister = 4;  ///< integer input, relative to the first register
+inline constexpr int kWholeRegister = 7;    ///< integer input, relative to the first register
 inline constexpr int kStateRegister = 2;    ///< integer output, relative to the first register
 
 enum class ScriptCommand : std::int32_t {
@@ -128,8 +129,9 @@ struct Command {
     ScriptCommand kind = ScriptCommand::Idle;
     /// Jogs: a JogFrame. User programs: script::StepGate::value(). Other commands: see control.script.
     std::int32_t choice = 0;
-    std::int32_t session = 0;          ///< identifies the instance of the program
-    std::array<double, 6> values{};    ///< twist, joint speeds, torques or target pose/positions
+    std::int32_t session = 0;  ///< identifies the instance of the program
+    /// Twist, joint speeds, torques or target pose/positions. User programs: a script::VariableChange.
+    std::array<double, 6> values{};
     double speed = 0;                  ///< moves only
     double acceleration = 0;           ///< [m/s2] or [rad/s2]
     double rotationAcceleration = 0;   ///< [rad/s2]
