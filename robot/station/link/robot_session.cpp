@@ -438,9 +438,9 @@ Result<RobotSession::MotionId> RobotSession::beginPath(control::MotionPath path,
     return start.ticket;
 }
 
-Result<RobotSession::MotionId> RobotSession::beginProgram(const QString& name, const QString& script,
-                                                          control::Holding holding, std::uint64_t stops,
-                                                          const script::StepGate& gate) {
+Result<RobotSession::MotionId> RobotSession::beginProgram(
+    const QString& name, const QString& script, control::Holding holding, std::uint64_t stops,
+    const script::StepGate& gate, const std::vector<script::GateVariable>& variables) {
     if (!d_->link || !d_->state.canMove()) {
         return notMovable(d_->state);
     }
@@ -459,34 +459,35 @@ Result<RobotSession::MotionId> RobotSession::beginProgram(const QString& name, c
     run.shared = std::make_shared<ProgramRun::Shared>();
     run.shared->heldNs = d_->clock->nowNs();
     run.shared->gate = gate;
-    d_->controlling.post(
-        this, [this, ticket = run.ticket, generation = d_->generation, shared = run.shared, script, holding,
-               stops, gate, clock = d_->clock, controller = d_->link->controller](const CancelToken& token) {
-            control::ScriptTerms terms;
-            terms.holding = holding;
-            terms.stops = stops;
-            terms.gate = gate;
-            terms.starting = [&](const control::Motion& motion) {
-                const std::lock_guard lock(shared->mutex);
-                const bool held =
-                    clock->nowNs() - shared->heldNs <= std::chrono::nanoseconds(control::kHoldTime).count();
-                if (shared->cancelled || (holding == control::Holding::Held && !held)) {
-                    return false;
-                }
-                shared->motion = motion;
-                shared->isStarted = true;
-                motion.setGate(shared->gate);  // the gate may have changed since the call
-                return true;
-            };
-            const Result<void> outcome =
-                control::Programs(*controller).runScript(script, Deadline::never(token), terms);
-            return std::function<void()>([this, ticket, generation, outcome] {
-                if (generation == d_->generation && ticket == d_->link->program.ticket) {
-                    d_->link->program.outcome = outcome;
-                    refresh();
-                }
-            });
+    d_->controlling.post(this, [this, ticket = run.ticket, generation = d_->generation, shared = run.shared,
+                                script, holding, stops, gate, variables, clock = d_->clock,
+                                controller = d_->link->controller](const CancelToken& token) {
+        control::ScriptTerms terms;
+        terms.holding = holding;
+        terms.stops = stops;
+        terms.gate = gate;
+        terms.variables = variables;
+        terms.starting = [&](const control::Motion& motion) {
+            const std::lock_guard lock(shared->mutex);
+            const bool held =
+                clock->nowNs() - shared->heldNs <= std::chrono::nanoseconds(control::kHoldTime).count();
+            if (shared->cancelled || (holding == control::Holding::Held && !held)) {
+                return false;
+            }
+            shared->motion = motion;
+            shared->isStarted = true;
+            motion.setGate(shared->gate);  // the gate may have changed since the call
+            return true;
+        };
+        const Result<void> outcome =
+            control::Programs(*controller).runScript(script, Deadline::never(token), terms);
+        return std::function<void()>([this, ticket, generation, outcome] {
+            if (generation == d_->generation && ticket == d_->link->program.ticket) {
+                d_->link->program.outcome = outcome;
+                refresh();
+            }
         });
+    });
     refresh();
     return run.ticket;
 }
@@ -881,12 +882,16 @@ void RobotSession::reportControllerMessages() {
         Q_EMIT controllerMessage(m);
         if (m.kind == MessageKind::Key && m.title.endsWith(QLatin1String("STARTED"))) {
             d_->startedProgram = m.text;
+            d_->programNode.clear();
             d_->changesConfirmed = false;  // a new program may have replaced the confirmed one without a stop
         }
         const Severity severity = m.severity >= script::MessageSeverity::Violation ? Severity::Error
                                   : m.severity == script::MessageSeverity::Warning ? Severity::Warning
                                                                                    : Severity::Info;
         switch (m.kind) {
+            case MessageKind::ProgramLabel:
+                d_->programNode = m.text;
+                break;
             case MessageKind::Text:
                 Q_EMIT message(severity, tr("Program: %1").arg(m.text), Origin::Robot);
                 break;

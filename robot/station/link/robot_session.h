@@ -177,9 +177,11 @@ public:
     /// holding  Held: needs hold() like every motion, and also ends when the program is paused
     /// stops    as MoveRequest::stops
     /// gate     which steps may begin; the script calls the functions of script::stepGateScript()
+    /// variables  of the script that the gate can change
     /// Errors   those of permits() that do not depend on the target, and of the project guard
     Result<MotionId> beginProgram(const QString& name, const QString& script, control::Holding holding,
-                                  std::uint64_t stops, const script::StepGate& gate = {});
+                                  std::uint64_t stops, const script::StepGate& gate = {},
+                                  const std::vector<script::GateVariable>& variables = {});
     /// Name of the program of beginProgram() that is active without hold-to-run; empty if there is none.
     std::optional<QString> freeProgram() const;
     void setStepGate(MotionId program, const script::StepGate& gate);

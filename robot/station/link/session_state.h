@@ -17,6 +17,7 @@
 #include "robot/core/spatial.h"
 #include "robot/core/version.h"
 #include "robot/dashboard/robot_command.h"
+#include "robot/script/program_variables.h"
 #include "robot/station/text/mode_words.h"
 
 namespace tiller {
@@ -98,7 +99,12 @@ struct SessionState {
     QString operationalMode;  ///< "MANUAL", "AUTOMATIC"; empty: not set, or unknown
     QString loadedProgram;    ///< loaded on the robot; empty: no program
     QString runningProgram;   ///< name of the program that is running or paused; empty: none, or unknown
-    double speedCap = 0.250;  ///< speed limit of Tiller for TCP and elbow [m/s]
+    /// Node of the running or paused program, as the robot names it; empty: none, or not published.
+    QString programNode;
+    /// Variables of the running or paused program; null: none, or not published.
+    script::ProgramVariables programVariables;
+    std::uint64_t primaryStates = 0;  ///< robot states received on the primary interface; 0: not connected
+    double speedCap = 0.250;          ///< speed limit of Tiller for TCP and elbow [m/s]
     ControlState control = ControlState::None;
     QString controlReason;  ///< why the arm cannot be moved now, as a sentence; empty if it can
     /// The connection was lost while in control, and control has not been taken or released since. Space and

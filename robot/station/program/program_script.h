@@ -43,6 +43,11 @@ struct ProgramScript {
     std::vector<GateLine> gateLines;
     std::vector<int> cycles;  ///< step numbers of the outermost endless loops
     std::optional<Pose> tcp;  ///< TCP required by the waypoints if the script does not set one
+    /// Variables whose values can be changed while the program waits at a step gate. Empty if changesMayMove.
+    std::vector<script::GateVariable> variables;
+    /// The program contains URScript text in a thread or in a parallel watch, which could move the arm after a change
+    /// of a variable while the program waits.
+    bool changesMayMove = false;
     std::vector<ProgramProblem> problems;
 
     bool ok() const { return !text.isEmpty(); }  ///< True if the program can run.

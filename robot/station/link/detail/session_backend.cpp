@@ -123,6 +123,10 @@ void SessionBackend::readLink() {
     state.simulated = address.simulated;
     state.version = receiver.version();
     const auto told = link->primary ? link->primary->configuration() : std::nullopt;
+    const script::PrimaryState primary =
+        link->primary && link->primary->isConnected() ? link->primary->state() : script::PrimaryState();
+    state.primaryStates = primary.packages;
+    state.programVariables = primary.variables;
     state.modelKnown = told.has_value();
     if (told) {
         state.model = robotModelByType(told->robotType, state.version.isCb3()).value_or(state.model);
@@ -172,10 +176,12 @@ void SessionBackend::readSample() {
     state.loadedProgram = report.program;
     if (state.runtimeState == RuntimeState::Stopped) {
         startedProgram.clear();
+        programNode.clear();
     }
     // PolyScope calls a program without a file "<unnamed>". A script of another client does not change the loaded
     // program.
     const bool isLoaded = !report.programIsStopped && report.program != QLatin1String("<unnamed>");
+    state.programNode = programNode;
     state.runningProgram = state.runtimeState == RuntimeState::Stopped ? QString()
                            : isLoaded && !report.program.isEmpty()     ? report.program
                                                                        : startedProgram;

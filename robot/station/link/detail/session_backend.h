@@ -161,6 +161,7 @@ struct SessionBackend {
     std::optional<std::int64_t> externalEndNs;  ///< end of that program, until it is reported
     bool readySeen = false;                     ///< the last reported robot mode was Running
     QString startedProgram;                     ///< name in the controller's newest message about a start
+    QString programNode;                        ///< newest node label of the running program
     bool changesConfirmed = false;  ///< the operator agreed to changes while this program runs, own or not
 
     QStringList extraFields;                 ///< requested in addition to the standard fields

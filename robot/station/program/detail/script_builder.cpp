@@ -36,6 +36,23 @@ const char* initialValue(VariableType type) {
     return "0";
 }
 
+/// Empty for a type whose values cannot be changed during a run.
+std::optional<script::GateVariable::Type> gateType(VariableType type) {
+    using Type = script::GateVariable::Type;
+    switch (type) {
+        case VariableType::Number:
+            return Type::Number;
+        case VariableType::Whole:
+            return Type::Whole;
+        case VariableType::Flag:
+            return Type::Flag;
+        case VariableType::Text:
+        case VariableType::Pose:
+            break;
+    }
+    return std::nullopt;
+}
+
 RobotModelId modelOf(const project::Project& project, const ScriptOptions& options) {
     return options.model.value_or(project.robot.value_or(RobotModelId::UR5e));
 }
@@ -454,6 +471,9 @@ ProgramScript StepWriter::Private::write(const QUuid& id) {
     put(QStringLiteral("  # The number of the running step is in output_int_register_%1.").arg(kStepRegister),
         0);
     for (const auto& [name, type] : variables) {
+        if (const auto changed = gateType(type); changed && !result.changesMayMove) {
+            result.variables.push_back({name, *changed});
+        }
         put(QStringLiteral("  global %1 = %2").arg(name, QLatin1String(initialValue(type))), 0);
     }
     for (const QString& helper : helpers) {
@@ -743,6 +763,10 @@ void StepWriter::noteMove(const std::optional<Pose>& target, double blend) {
                   .arg(numberText(blend, Unit::Length), numberText(last.blend, Unit::Length),
                        numberText(distance, Unit::Length)));
     }
+}
+
+void StepWriter::noteOwnThread() {
+    d_.result.changesMayMove = true;
 }
 
 void StepWriter::error(const char* key, const QString& text) {

@@ -21,11 +21,13 @@ void RunGate::pause(const StepLog& log) {
 }
 
 void RunGate::resume(const StepLog& log) {
+    withdrawChange();
     gate_.permitted = StepGate::kUnlimited + (log.isWaiting() ? log.begun() + 1 : 0);
 }
 
 void RunGate::step(const StepLog& log) {
     if (isPaused(log) && log.isWaiting()) {
+        withdrawChange();
         gate_.permitted = log.begun() + 1;
     }
 }

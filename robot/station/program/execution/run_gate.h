@@ -25,6 +25,11 @@ public:
     void step(const StepLog& log);    ///< A waiting program runs one step.
     /// True: the program ends before the next iteration of its outermost endless loop.
     void setEndsWithCycle(bool ends) { gate_.endsWithCycle = ends; }
+    /// A waiting program takes this change of a variable.
+    void change(const script::VariableChange& change) { gate_.change = change; }
+    /// A change that the program has not taken has no effect any more. resume() and step() do the same, because the
+    /// program could otherwise take it when it waits again.
+    void withdrawChange() { gate_.change.number = 0; }
 
     friend bool operator==(const RunGate&, const RunGate&) = default;
 

@@ -219,9 +219,11 @@ Result<RobotSession::MotionId> ProgramRunner::start(const RunPlan& plan, control
     holding_ = holding;
     endsByPause_ = false;
     gate_ = RunGate(permitted);
+    variables_.begin(script_);
+    Q_EMIT variablesChanged();
     const QSet<QUuid> breakpoints = holding == control::Holding::Free ? breakpoints_ : QSet<QUuid>();
     const auto begun = session_.beginProgram(plan.name, script_.gatedText(breakpoints), holding,
-                                             session_.stops(), gate_.value());
+                                             session_.stops(), gate_.value(), script_.variables);
     if (!begun) {
         state_ = State::Idle;
         return begun.error();
@@ -276,6 +278,9 @@ void ProgramRunner::pause() {
 }
 
 void ProgramRunner::resume() {
+    if (!variables_.pending().isEmpty()) {
+        return;
+    }
     RunGate gate = gate_;
     gate.resume(log_);
     setGate(gate);
@@ -293,7 +298,7 @@ void ProgramRunner::passRemovedBreakpoint() {
 }
 
 void ProgramRunner::step() {
-    if (isWaiting()) {
+    if (isWaiting() && variables_.pending().isEmpty()) {
         RunGate gate = gate_;
         gate.step(log_);
         setGate(gate);
@@ -304,6 +309,50 @@ void ProgramRunner::setEndsWithCycle(bool ends) {
     RunGate gate = gate_;
     gate.setEndsWithCycle(ends);
     setGate(gate);
+}
+
+QString ProgramRunner::changeObstacle(const script::ProgramVariable& variable) const {
+    const QString fixed = variables_.fixedReason(variable);
+    return !fixed.isEmpty() ? fixed
+           : !isActive()    ? ProgramText::tr("No program is running.")
+           : isPausedOnRobot()
+               ? ProgramText::tr("The program is paused on the robot. Resume it on the teach pendant.")
+           : !isWaiting() ? ProgramText::tr("Pause the program first.")
+           : !variables_.pending().isEmpty()
+               ? ProgramText::tr("Wait until the robot has confirmed the new value of “%1”.")
+                     .arg(variables_.pending())
+               : QString();
+}
+
+Result<void> ProgramRunner::changeVariable(const QString& name, const QString& text) {
+    const std::vector<script::ProgramVariable>& list = variables_.list();
+    const auto variable =
+        std::find_if(list.begin(), list.end(), [&](const auto& each) { return each.name == name; });
+    if (variable != list.end()) {
+        if (const QString obstacle = changeObstacle(*variable); !obstacle.isEmpty()) {
+            return Error{ErrorCode::InvalidArgument, obstacle, {}};
+        }
+    }
+    const Result<script::VariableChange> change = variables_.change(name, text);
+    if (!change) {
+        return change.error();
+    }
+    RunGate gate = gate_;
+    gate.change(*change);
+    setGate(gate);
+    return {};
+}
+
+void ProgramRunner::followVariables() {
+    if (variables_.follow(session_.state().programVariables, session_.state().primaryStates)) {
+        Q_EMIT variablesChanged();
+    }
+    if (const auto outcome = variables_.takeOutcome()) {
+        RunGate gate = gate_;
+        gate.withdrawChange();
+        setGate(gate);
+        Q_EMIT variableChanged(outcome->text, outcome->isConfirmed);
+    }
 }
 
 void ProgramRunner::take(const SampleBatch& batch) {
@@ -339,6 +388,7 @@ void ProgramRunner::follow() {
     if (!isActive() || id_ == control::kNoMotion) {
         return;
     }
+    followVariables();
     const Result<control::MotionProgress> progress = session_.motionProgress(id_);
     if (progress && progress->phase == control::MotionPhase::Active) {
         if (state_ == State::Running && log_.hasEnded()) {
@@ -373,6 +423,7 @@ void ProgramRunner::finish(const Result<control::MotionProgress>& progress) {
                                      : End::Completed;
     }
     state_ = State::Ended;
+    variables_.forgetChange();
     Q_EMIT changed();
 }
 

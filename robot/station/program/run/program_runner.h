@@ -15,6 +15,7 @@
 #include "robot/station/program/execution/run_gate.h"
 #include "robot/station/program/execution/step_log.h"
 #include "robot/station/program/program_script.h"
+#include "robot/station/program/run/run_variables.h"
 #include "robot/station/program/run/start_step.h"
 
 namespace tiller::program {
@@ -121,6 +122,16 @@ public:
     /// True: the program ends at standstill before the next iteration of its outermost endless loop.
     void setEndsWithCycle(bool ends);
 
+    /// Changes the value of a variable while the program waits. The program takes it before it continues, and
+    /// resume() and step() have no effect until variableChanged() reports the result.
+    /// text  as typed
+    /// Errors  InvalidArgument with a sentence
+    Result<void> changeVariable(const QString& name, const QString& text);
+    /// Why the value of a variable cannot be changed now, as a sentence; empty if it can.
+    QString changeObstacle(const script::ProgramVariable& variable) const;
+    /// Variables of the current or last run.
+    const RunVariables& variables() const { return variables_; }
+
     bool endsWithCycle() const { return gate_.value().endsWithCycle; }
 
     /// True after pause() or step(), and while the program waits at a breakpoint.
@@ -150,8 +161,13 @@ Q_SIGNALS:
     /// step     number of the step
     /// isFirst  true for its first run
     void stepBegan(int step, bool isFirst);
+    /// variables() has other values.
+    void variablesChanged();
+    /// The robot has confirmed a changed value, or has not done so in time.
+    void variableChanged(const QString& text, bool isConfirmed);
 
 private:
+    void followVariables();
     void take(const SampleBatch& batch);
     void follow();
     void finish(const Result<control::MotionProgress>& progress);
@@ -169,6 +185,7 @@ private:
     ProgramScript script_;
     StepLog log_;
     RunGate gate_;
+    RunVariables variables_;
     QSet<QUuid> breakpoints_;
     double expected_ = 0;
     SpeedLimits limits_;

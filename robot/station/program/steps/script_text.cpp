@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <QRegularExpression>
+
 #include "robot/station/program/detail/fields.h"
 #include "robot/station/program/detail/step_kinds.h"
 #include "robot/station/program/detail/step_writer.h"
@@ -23,6 +25,10 @@ const StepKind& scriptTextStep() {
                 }
                 if (!hasWholeBlocks(text)) {
                     writer.error("text", ProgramText::tr("Each block in the script needs an “end”."));
+                }
+                static const QRegularExpression kThread(QStringLiteral("\\bthread\\s+\\w+\\s*\\("));
+                if (writer.scope().isParallel || text.contains(kThread)) {
+                    writer.noteOwnThread();
                 }
                 for (const QString& line : text.split(QLatin1Char('\n'))) {
                     writer.line(line);

@@ -35,10 +35,18 @@ struct RunBench {
     QUuid program;
     QList<int> steps;  ///< numbers of the steps, in the order in which they ran
 
-    explicit RunBench(const JointPositions& start = sampleProject().waypoints.at(0).joints)
+    QStringList changes;  ///< results of changed variables
+
+    explicit RunBench(const JointPositions& start = sampleProject().waypoints.at(0).joints,
+                      const QStringList& assumptions = {})
         : cell(clock, session, [&] {
             simulator::SimulatorOptions options = VirtualCell::options();
             options.startJoints = start;
+            for (const QString& assumption : assumptions) {
+                if (const auto done = simulator::assume(options.assumptions, assumption); !done) {
+                    qFatal("%s", qPrintable(done.error().toString()));
+                }
+            }
             return options;
         }()) {
         QObject::connect(&runner, &ProgramRunner::changed, &runner, [this] {
@@ -46,6 +54,32 @@ struct RunBench {
                 steps.append(now);
             }
         });
+        QObject::connect(&runner, &ProgramRunner::variableChanged, &runner,
+                         [this](const QString& text) { changes.append(text); });
+    }
+    static project::ProgramStep assign(const char* variable, const char* type, const char* value) {
+        return step("assign", {{"variable", variable}, {"type", type}, {"value", value}});
+    }
+    script::ProgramVariable variable(const char* name) const {
+        const auto& list = runner.variables().list();
+        const auto found = std::find_if(list.begin(), list.end(),
+                                        [&](const auto& each) { return each.name == QLatin1String(name); });
+        return found == list.end() ? script::ProgramVariable{} : *found;
+    }
+    /// Waits until the variables have these values, as "name value".
+    bool showsVariables(const QStringList& expected) {
+        const auto shown = [this] {
+            QStringList texts;
+            for (const script::ProgramVariable& each : runner.variables().list()) {
+                texts << each.name + ' ' + each.text;
+            }
+            return texts;
+        };
+        if (cell.advanceUntil([&] { return shown() == expected; }, kLongMs)) {
+            return true;
+        }
+        qWarning("%s", qPrintable(shown().join(", ")));
+        return false;
     }
     void setSteps(std::vector<project::ProgramStep> list) {
         const project::Program made = makeProgram("Test", std::move(list));
@@ -581,6 +615,182 @@ private Q_SLOTS:
         QVERIFY(bench.awaitEnd());
         bench.runner.setBreakpoints({});
         QVERIFY(bench.standstill() == 0);
+    }
+
+    void variablesAreShownAndChangedAtABreakpoint_data() {
+        QTest::addColumn<QString>("assumption");
+        for (const char* assumption :
+             {"inputs=whole", "inputs=first-half", "inputs=last-half", "inputs=scattered",
+              "outputs=next-period", "registers=zeroed", "thread-order=main-first"}) {
+            QTest::newRow(assumption) << assumption;
+        }
+    }
+    void variablesAreShownAndChangedAtABreakpoint() {
+        QFETCH(QString, assumption);
+        RunBench bench(sampleProject().waypoints.at(0).joints, {assumption});
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.setSteps(
+            {bench.assign("count", "whole", "2"), bench.assign("depth", "number", "0.5"),
+             bench.assign("done", "flag", "False"), bench.assign("label", "text", "\"a\""),
+             step("script", {{"text", "global own = 4"}}), bench.move("pick"),
+             step("while", {{"condition", "count > 2 and done and depth == -2.5"}}, {bench.move("place")}),
+             step("setOutput", {{"output", 1}})});
+        const ProgramScript script = bench.plan().script;
+        QVERIFY2(!script.text.contains("tiller_take_change"), "an exported script runs without a PC");
+        bench.runner.setBreakpoints({script.steps.at(5).step, script.steps.at(6).step});
+        QVERIFY(bench.begin(Holding::Free));
+        QVERIFY(bench.reachWaiting());
+        QVERIFY(bench.showsVariables({"count 2", "depth 0.5", "done False", "label \"a\"", "own 4"}));
+        const auto variable = [&](const char* name) { return bench.variable(name); };
+        QVERIFY(bench.runner.changeObstacle(variable("count")).isEmpty());
+        QVERIFY(bench.runner.changeObstacle(variable("label")).contains("Only numbers"));
+        QVERIFY(bench.runner.changeObstacle(variable("own")).contains("step of the program"));
+        for (const auto& [name, text] :
+             {std::pair("count", "2.5"), std::pair("count", "3000000000"), std::pair("depth", "deep"),
+              std::pair("depth", "nan"), std::pair("done", "1"), std::pair("label", "b"),
+              std::pair("own", "5"), std::pair("unknown", "5")}) {
+            QVERIFY2(!bench.runner.changeVariable(name, text), name);
+        }
+        QVERIFY(bench.runner.isWaiting() && bench.runner.variables().pending().isEmpty());
+        // A change moves nothing and continues nothing.
+        const auto change = [&](const char* name, const char* text) {
+            const qsizetype changes = bench.changes.size();
+            if (!bench.runner.changeVariable(name, text) ||
+                bench.runner.variables().pending() != QLatin1String(name) ||
+                bench.runner.changeVariable(name, text)) {
+                return false;
+            }
+            bench.runner.resume();
+            bench.runner.step();
+            return bench.cell.advanceUntil([&] { return bench.changes.size() > changes; }, kLongMs) &&
+                   bench.runner.isWaiting() && bench.standstill() == 0;
+        };
+        QVERIFY(change("count", "7"));
+        QVERIFY(change("depth", "-2.5"));
+        QVERIFY(change("done", "true"));
+        QCOMPARE(bench.changes, (QStringList{"Variable “count”: 2 → 7", "Variable “depth”: 0.5 → -2.5",
+                                             "Variable “done”: False → True"}));
+        QCOMPARE(variable("count").text, QStringLiteral("7"));
+        QVERIFY(bench.runner.variables().pending().isEmpty());
+        // The program uses the values.
+        bench.runner.resume();
+        QVERIFY(bench.reachStep(7));
+        QVERIFY(bench.reachWaiting());
+        QVERIFY(change("count", "-2147483648"));
+        QVERIFY(change("count", "2147483647"));
+        bench.runner.resume();
+        QVERIFY(bench.reachStep(8));
+        QVERIFY(bench.runner.changeObstacle(variable("count")).contains("Pause the program"));
+        QVERIFY(!bench.runner.changeVariable("count", "3"));
+        bench.runner.pause();
+        QVERIFY(bench.reachWaiting());
+        QVERIFY(
+            bench.showsVariables({"count 2147483647", "depth -2.5", "done True", "label \"a\"", "own 4"}));
+        QVERIFY(change("done", "False"));
+        bench.runner.resume();
+        QVERIFY(bench.awaitEnd());
+        QCOMPARE(bench.runner.end(), ProgramRunner::End::Completed);
+        QVERIFY(bench.runner.changeObstacle(variable("count")).contains("No program is running"));
+        QCOMPARE(variable("count").text, QStringLiteral("2147483647"));  // the last values
+    }
+
+    // A step that sets the variable later has effect, although the registers still contain the change.
+    void aChangeIsTakenOnce() {
+        RunBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.setSteps({step("wait", {{"time", 0.1}}), bench.assign("n", "whole", "1"),
+                        step("wait", {{"time", 0.1}}), step("wait", {{"time", 0.1}})});
+        QVERIFY(bench.begin(Holding::Free, 1));
+        QVERIFY(bench.reachWaiting());
+        QVERIFY(bench.showsVariables({"n 0"}));
+        QVERIFY(bench.runner.changeVariable("n", "5"));
+        QVERIFY(bench.cell.advanceUntil([&] { return bench.changes.size() == 1; }, kLongMs));
+        for (int i = 0; i < 2; ++i) {
+            const int begun = bench.runner.log().begun();
+            bench.runner.step();
+            QVERIFY(bench.cell.advanceUntil([&] { return bench.runner.log().begun() > begun; }, kLongMs));
+            QVERIFY(bench.reachWaiting());
+            bench.cell.advanceMs(300);
+            QVERIFY(bench.showsVariables({"n 1"}));
+        }
+        bench.runner.stop(StopCause::StopButton);
+        QVERIFY(bench.awaitEnd());
+    }
+
+    void aChangeThatTheRobotDoesNotTakeIsReported() {
+        RunBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.setSteps({bench.assign("n", "whole", "1"), bench.move("pick"), bench.move("place")});
+        QVERIFY(bench.begin(Holding::Free, 1));
+        QVERIFY(bench.reachWaiting());
+        QVERIFY(bench.showsVariables({"n 1"}));
+        // The pause on the pendant is known after the change was made, and before the program takes it.
+        QVERIFY(bench.sendFromOutside("pause program\n"));
+        while (bench.cell.truth().runtimeState != RuntimeState::Paused) {
+            bench.clock.advanceNs(2 * kNsPerMs);
+            bench.cell.robot.step();
+        }
+        QVERIFY(bench.runner.changeVariable("n", "5"));
+        QVERIFY(bench.cell.advanceUntil([&] { return bench.runner.isPausedOnRobot(); }, kLongMs));
+        QVERIFY(bench.runner.changeObstacle(bench.variable("n")).contains("teach pendant"));
+        QVERIFY(bench.cell.advanceUntil([&] { return bench.changes.size() == 1; }, kLongMs));
+        QVERIFY2(bench.changes.at(0).contains("did not confirm"), qPrintable(bench.changes.at(0)));
+        // The change has no effect when the program is resumed.
+        QVERIFY(bench.sendFromOutside("run program\n"));
+        QVERIFY(bench.cell.advanceUntil([&] { return !bench.runner.isPausedOnRobot(); }, kLongMs));
+        bench.cell.advanceMs(500);
+        QVERIFY(bench.runner.isWaiting());
+        QVERIFY(bench.showsVariables({"n 1"}));
+        bench.runner.stop(StopCause::StopButton);
+        QVERIFY(bench.awaitEnd());
+    }
+
+    void valuesStayFixedIfAChangeCouldMoveTheArm_data() {
+        QTest::addColumn<bool>("inWatch");
+        QTest::newRow("thread") << false;
+        QTest::newRow("parallel watch") << true;
+    }
+    void valuesStayFixedIfAChangeCouldMoveTheArm() {
+        QFETCH(bool, inWatch);
+        RunBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        const QString move = QStringLiteral("movej([0, -1.6, 1.6, -1.5, -1.5, 0])\n");
+        bench.setSteps({bench.assign("go", "flag", "False"),
+                        inWatch ? step("watch", {{"condition", "go"}}, {step("script", {{"text", move}})})
+                                : step("script", {{"text", "thread mover():\nwhile not go:\nsync()\nend\n" +
+                                                               move + "end\nmovers = run mover()"}}),
+                        step("wait", {{"time", 0.1}}), bench.move("pick")});
+        bench.runner.setBreakpoints({bench.plan().script.steps.back().step});
+        QVERIFY(bench.begin(Holding::Free));
+        QVERIFY(bench.reachWaiting());
+        QVERIFY(bench.cell.advanceUntil([&] { return bench.variable("go").text == "False"; }, kLongMs));
+        QVERIFY(bench.runner.changeObstacle(bench.variable("go")).contains("URScript step"));
+        QVERIFY(!bench.runner.changeVariable("go", "True"));
+        bench.cell.advanceMs(500);
+        QVERIFY(bench.standstill() == 0);
+        bench.runner.stop(StopCause::StopButton);
+        QVERIFY(bench.awaitEnd());
+    }
+
+    void theVariablesAndTheNodeOfAnotherProgramAreShown() {
+        RunBench bench;
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        QVERIFY(
+            bench.sendFromOutside("def other():\n  global parts = 3\n  $ 2 \"Wait for part\"\n  while "
+                                  "True:\n    sync()\n  end\nend\n"));
+        QVERIFY(bench.cell.advanceUntil(
+            [&] {
+                return !bench.session.state().programNode.isEmpty() && bench.session.state().programVariables;
+            },
+            kLongMs));
+        QCOMPARE(bench.session.state().programNode, QStringLiteral("Wait for part"));
+        const auto parts = [&] { return bench.session.state().programVariables->front(); };
+        QVERIFY(bench.cell.advanceUntil([&] { return parts().text == "3"; }, kLongMs));
+        QCOMPARE(parts().name, QStringLiteral("parts"));
+        QVERIFY(bench.runner.variables().list().empty());
+        QVERIFY(bench.sendFromOutside("stop program\n"));
+        QVERIFY(bench.cell.advanceUntil([&] { return !bench.session.state().programVariables; }, kLongMs));
+        QCOMPARE(bench.session.state().programNode, QString());
     }
 
     void singleStepsRunInTheOrderOfTheModel() {

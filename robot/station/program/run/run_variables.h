@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The variables of a running program: the values that the robot publishes, and a change of a value until the robot
+// has confirmed it.
+
+#include <QString>
+#include <optional>
+#include <vector>
+
+#include "robot/core/result.h"
+#include "robot/script/program_variables.h"
+#include "robot/script/step_gate.h"
+#include "robot/station/program/program_script.h"
+
+namespace tiller::program {
+
+class RunVariables {
+public:
+    /// A new run begins.
+    /// script  of the program; the object keeps a copy of its variables
+    void begin(const ProgramScript& script);
+    /// Takes the published values. Values of other programs have no effect.
+    /// states   number of received robot states, see SessionState::primaryStates
+    /// Returns  true if a value has changed
+    bool follow(const script::ProgramVariables& published, std::uint64_t states);
+
+    /// Without the variables that Tiller adds. After the run: the last values.
+    const std::vector<script::ProgramVariable>& list() const { return list_; }
+    /// Type of a variable whose value can be changed; empty if it cannot.
+    std::optional<script::GateVariable::Type> changeableType(const QString& name) const;
+    /// Why the value cannot be changed even while the program waits, as a sentence; empty if it can.
+    QString fixedReason(const script::ProgramVariable& variable) const;
+
+    /// Prepares the change that the program must take.
+    /// text    the new value as typed
+    /// Errors  InvalidArgument with a sentence
+    Result<script::VariableChange> change(const QString& name, const QString& text);
+    /// Name of the variable whose change the robot has not confirmed yet; empty if there is none.
+    QString pending() const { return pending_ ? pending_->name : QString(); }
+    struct Outcome {
+        QString text;  ///< a sentence for the log
+        bool isConfirmed = false;
+    };
+    /// The result of a change, once, when the robot has published the new value, or has not done so in two seconds.
+    std::optional<Outcome> takeOutcome();
+    void forgetChange() { pending_.reset(); }
+
+private:
+    struct Pending {
+        QString name;
+        script::GateVariable::Type type = script::GateVariable::Type::Number;
+        QString before;
+        double value = 0;
+        std::uint64_t since = 0;  ///< number of robot states
+    };
+    const script::ProgramVariable* find(const QString& name) const;
+
+    std::vector<script::GateVariable> changeable_;
+    bool changesMayMove_ = false;
+    script::ProgramVariables published_;
+    std::uint64_t states_ = 0;
+    std::vector<script::ProgramVariable> list_;
+    std::int32_t changes_ = 0;
+    std::optional<Pending> pending_;
+};
+
+}  // namespace tiller::program
