@@ -14,6 +14,7 @@
 
 #include "robot/kinematics/arm_kinematics.h"
 #include "robot/station/link/obstacles.h"
+#include "robot/station/program/step_uses.h"
 #include "robot/station/route/path_watch.h"
 #include "robot/station/route/waypoint_motion.h"
 #include "robot/station/text/format.h"
@@ -351,6 +352,8 @@ void WaypointsTab::onSelection() {
     const int row = currentRow();
     const QUuid id = row < 0 ? QUuid() : document_.waypoints().at(row).id;
     details_->setWaypoint(row);
+    const int uses = row < 0 ? 0 : program::countUses(document_.project(), document_.waypoints().at(row));
+    details_->setUsedIn(uses > 0 ? std::optional(uses) : std::nullopt);
     details_->setVisible(model_->rowCount() > 0);
     if (id == lastSelected_) {
         return;

@@ -618,6 +618,27 @@ private Q_SLOTS:
                                   60'000);
     }
 
+    void detailsShowTheStepsThatUseTheWaypoint() {
+        teachThree();
+        tab_->selectRow(0);
+        auto* details = tab_->findChild<WaypointDetails*>("waypoint.details");
+        QVERIFY2(!details->headline().contains("used in"), qPrintable(details->headline()));
+        project::ProgramStep step;
+        step.id = QUuid::createUuid();
+        step.kind = "moveL";
+        step.fields["waypoint"] = document_->waypoints().at(0).id.toString();
+        project::Program program;
+        program.id = QUuid::createUuid();
+        program.name = "p";
+        program.steps = {step};
+        project::ProgramList programs;
+        programs.append(program);
+        document_->changePrograms(programs, "add");
+        QVERIFY2(details->headline().contains("used in 1 step"), qPrintable(details->headline()));
+        tab_->selectRow(1);
+        QVERIFY2(!details->headline().contains("used in"), qPrintable(details->headline()));
+    }
+
     void aPoseAloneCanBePasted() {
         feed(liveState());
         tab_->teach();

@@ -5,6 +5,7 @@
 
 #include "program_samples.h"
 #include "robot/station/program/program_edit.h"
+#include "robot/station/program/step_uses.h"
 
 using namespace tiller;
 using namespace tiller::program;
@@ -62,6 +63,26 @@ class TestProgramEdit : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    void theUsesOfAWaypointAreCounted() {
+        project::Project project = sampleProject();
+        const QString pick = waypointId(project, "pick");
+        const project::Program program = makeProgram(
+            "p", {step("moveL", {{"waypoint", pick}}),
+                  step("loop", {},
+                       {step("moveCircle", {{"via", waypointId(project, "place")}, {"waypoint", pick}}),
+                        step("moveGroup", {{"group", "row"}}), step("forEachWaypoint", {{"group", "row"}})}),
+                  step("log", {{"text", pick}}), step("future", {{"waypoint", pick}})});
+        project.programs.append(program);
+        project.programs.append(makeProgram("q", {step("moveJ", {{"waypoint", pick}})}));
+        const auto uses = [&](const char* name) {
+            const int row = project.waypoints.indexOf(QUuid(waypointId(project, name)));
+            return countUses(project, project.waypoints.at(row));
+        };
+        QCOMPARE(uses("pick"), 3);
+        QCOMPARE(uses("row 1"), 2);
+        QCOMPARE(uses("home"), 0);
+    }
+
     void stepsAreFound() {
         const project::Program program = sample();
         QCOMPARE(shapeOf(program.steps), QString("a b(c d(e) f) g"));
