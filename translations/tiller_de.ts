@@ -3289,6 +3289,70 @@
         <source>Last known step: %1 (%2). %3</source>
         <translation>Letzter bekannter Schritt: %1 (%2). %3</translation>
     </message>
+    <message>
+        <source>No program is running.</source>
+        <translation>Es läuft kein Programm.</translation>
+    </message>
+    <message>
+        <source>The program is paused on the robot. Resume it on the teach pendant.</source>
+        <translation>Das Programm ist auf dem Roboter pausiert. Setzen Sie es am Teach-Pendant fort.</translation>
+    </message>
+    <message>
+        <source>Pause the program first.</source>
+        <translation>Pausieren Sie zuerst das Programm.</translation>
+    </message>
+    <message>
+        <source>Wait until the robot has confirmed the new value of “%1”.</source>
+        <translation>Warten Sie, bis der Roboter den neuen Wert von „%1“ bestätigt hat.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number. Enter a number.</source>
+        <translation>„%1“ ist keine Zahl. Geben Sie eine Zahl ein.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a whole number. Enter a number without decimals.</source>
+        <translation>„%1“ ist keine ganze Zahl. Geben Sie eine Zahl ohne Nachkommastellen ein.</translation>
+    </message>
+    <message>
+        <source>“%1” is not True or False. Enter one of these values.</source>
+        <translation>„%1“ ist nicht True oder False. Geben Sie einen dieser Werte ein.</translation>
+    </message>
+    <message>
+        <source>List</source>
+        <translation>Liste</translation>
+    </message>
+    <message>
+        <source>Matrix</source>
+        <translation>Matrix</translation>
+    </message>
+    <message>
+        <source>The values of a program of another client cannot be changed.</source>
+        <translation>Die Werte eines Programms eines anderen Clients können nicht geändert werden.</translation>
+    </message>
+    <message>
+        <source>A URScript step in this program could move the arm after a change.</source>
+        <translation>Ein URScript-Schritt dieses Programms könnte den Arm nach einer Änderung bewegen.</translation>
+    </message>
+    <message>
+        <source>Only numbers and True or False values can be changed.</source>
+        <translation>Nur Zahlen und die Werte True und False können geändert werden.</translation>
+    </message>
+    <message>
+        <source>Only variables that a step of the program sets can be changed.</source>
+        <translation>Nur Variablen, die ein Schritt des Programms setzt, können geändert werden.</translation>
+    </message>
+    <message>
+        <source>The program has no variable “%1”.</source>
+        <translation>Das Programm hat keine Variable „%1“.</translation>
+    </message>
+    <message>
+        <source>Variable “%1”: %2 → %3</source>
+        <translation>Variable „%1“: %2 → %3</translation>
+    </message>
+    <message>
+        <source>The robot did not confirm the new value of “%1”. Check the value in the list.</source>
+        <translation>Der Roboter hat den neuen Wert von „%1“ nicht bestätigt. Prüfen Sie den Wert in der Liste.</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -8994,6 +9058,10 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <source>%1, breakpoint</source>
         <translation>%1, Haltepunkt</translation>
     </message>
+    <message>
+        <source>%1, changed</source>
+        <translation>%1, geändert</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProgramTab</name>
@@ -9287,6 +9355,13 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     <message>
         <source>Simulated: the program takes %1 s. No problems found. Not run: %2.</source>
         <translation>Simuliert: Das Programm dauert %1 s. Keine Probleme gefunden. Nicht ausgeführt: %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s) changed with the project. Press “Preview” to simulate the program.</source>
+        <translation>
+            <numerusform>%n Schritt hat sich mit dem Projekt geändert. Drücken Sie „Vorschau“, um das Programm zu simulieren.</numerusform>
+            <numerusform>%n Schritte haben sich mit dem Projekt geändert. Drücken Sie „Vorschau“, um das Programm zu simulieren.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -10202,6 +10277,10 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>The value of “%1” is being changed.</source>
+        <translation>Der Wert von „%1“ wird geändert.</translation>
     </message>
 </context>
 <context>
@@ -13305,6 +13384,32 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     <message>
         <source>Practice: add “%1”</source>
         <translation>Übung: „%1“ hinzufügen</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::VariableList</name>
+    <message>
+        <source>Variables of the program</source>
+        <translation>Variablen des Programms</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::VariableModel</name>
+    <message>
+        <source>%1 (changing…)</source>
+        <translation>%1 (wird geändert …)</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
     </message>
 </context>
 </TS>

@@ -3289,6 +3289,70 @@
         <source>Last known step: %1 (%2). %3</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>No program is running.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program is paused on the robot. Resume it on the teach pendant.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pause the program first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wait until the robot has confirmed the new value of “%1”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is not a number. Enter a number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is not a whole number. Enter a number without decimals.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is not True or False. Enter one of these values.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>List</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Matrix</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The values of a program of another client cannot be changed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A URScript step in this program could move the arm after a change.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only numbers and True or False values can be changed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only variables that a step of the program sets can be changed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program has no variable “%1”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Variable “%1”: %2 → %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot did not confirm the new value of “%1”. Check the value in the list.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -8981,6 +9045,10 @@ Release the button to stop the arm.</source>
         <source>%1, breakpoint</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1, changed</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProgramTab</name>
@@ -9274,6 +9342,13 @@ Release the button to stop the arm.</source>
     <message>
         <source>Simulated: the program takes %1 s. No problems found. Not run: %2.</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s) changed with the project. Press “Preview” to simulate the program.</source>
+        <translation>
+            <numerusform>%n step changed with the project. Press “Preview” to simulate the program.</numerusform>
+            <numerusform>%n steps changed with the project. Press “Preview” to simulate the program.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -10188,6 +10263,10 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The value of “%1” is being changed.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -13288,6 +13367,32 @@ Jog the arm to a position and press “Teach here” (T).</source>
     </message>
     <message>
         <source>Practice: add “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::VariableList</name>
+    <message>
+        <source>Variables of the program</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::VariableModel</name>
+    <message>
+        <source>%1 (changing…)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Value</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

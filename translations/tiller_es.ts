@@ -3289,6 +3289,70 @@
         <source>Last known step: %1 (%2). %3</source>
         <translation>Último paso conocido: %1 (%2). %3</translation>
     </message>
+    <message>
+        <source>No program is running.</source>
+        <translation>No se ejecuta ningún programa.</translation>
+    </message>
+    <message>
+        <source>The program is paused on the robot. Resume it on the teach pendant.</source>
+        <translation>El programa está en pausa en el robot. Reanúdelo en la consola portátil.</translation>
+    </message>
+    <message>
+        <source>Pause the program first.</source>
+        <translation>Pause primero el programa.</translation>
+    </message>
+    <message>
+        <source>Wait until the robot has confirmed the new value of “%1”.</source>
+        <translation>Espere hasta que el robot haya confirmado el nuevo valor de «%1».</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number. Enter a number.</source>
+        <translation>«%1» no es un número. Introduzca un número.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a whole number. Enter a number without decimals.</source>
+        <translation>«%1» no es un número entero. Introduzca un número sin decimales.</translation>
+    </message>
+    <message>
+        <source>“%1” is not True or False. Enter one of these values.</source>
+        <translation>«%1» no es True ni False. Introduzca uno de estos valores.</translation>
+    </message>
+    <message>
+        <source>List</source>
+        <translation>Lista</translation>
+    </message>
+    <message>
+        <source>Matrix</source>
+        <translation>Matriz</translation>
+    </message>
+    <message>
+        <source>The values of a program of another client cannot be changed.</source>
+        <translation>Los valores de un programa de otro cliente no se pueden cambiar.</translation>
+    </message>
+    <message>
+        <source>A URScript step in this program could move the arm after a change.</source>
+        <translation>Un paso URScript de este programa podría mover el brazo después de un cambio.</translation>
+    </message>
+    <message>
+        <source>Only numbers and True or False values can be changed.</source>
+        <translation>Solo se pueden cambiar números y los valores True o False.</translation>
+    </message>
+    <message>
+        <source>Only variables that a step of the program sets can be changed.</source>
+        <translation>Solo se pueden cambiar las variables que establece un paso del programa.</translation>
+    </message>
+    <message>
+        <source>The program has no variable “%1”.</source>
+        <translation>El programa no tiene ninguna variable «%1».</translation>
+    </message>
+    <message>
+        <source>Variable “%1”: %2 → %3</source>
+        <translation>Variable «%1»: %2 → %3</translation>
+    </message>
+    <message>
+        <source>The robot did not confirm the new value of “%1”. Check the value in the list.</source>
+        <translation>El robot no confirmó el nuevo valor de «%1». Compruebe el valor en la lista.</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -8994,6 +9058,10 @@ Suelte el botón para detener el brazo.</translation>
         <source>%1, breakpoint</source>
         <translation>%1, punto de parada</translation>
     </message>
+    <message>
+        <source>%1, changed</source>
+        <translation>%1, modificado</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProgramTab</name>
@@ -9287,6 +9355,13 @@ Suelte el botón para detener el brazo.</translation>
     <message>
         <source>Simulated: the program takes %1 s. No problems found. Not run: %2.</source>
         <translation>Simulado: el programa dura %1 s. No se han encontrado problemas. No ejecutado: %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s) changed with the project. Press “Preview” to simulate the program.</source>
+        <translation>
+            <numerusform>%n paso ha cambiado con el proyecto. Pulse «Vista previa» para simular el programa.</numerusform>
+            <numerusform>%n pasos han cambiado con el proyecto. Pulse «Vista previa» para simular el programa.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -10202,6 +10277,10 @@ Suelte el botón para detener el brazo.</translation>
     <message>
         <source>Cancel</source>
         <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>The value of “%1” is being changed.</source>
+        <translation>Se está cambiando el valor de «%1».</translation>
     </message>
 </context>
 <context>
@@ -13305,6 +13384,32 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     <message>
         <source>Practice: add “%1”</source>
         <translation>Ejercicio: añadir «%1»</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::VariableList</name>
+    <message>
+        <source>Variables of the program</source>
+        <translation>Variables del programa</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::VariableModel</name>
+    <message>
+        <source>%1 (changing…)</source>
+        <translation>%1 (cambiando…)</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valor</translation>
     </message>
 </context>
 </TS>

@@ -3289,6 +3289,70 @@
         <source>Last known step: %1 (%2). %3</source>
         <translation>Dernière étape connue : %1 (%2). %3</translation>
     </message>
+    <message>
+        <source>No program is running.</source>
+        <translation>Aucun programme en cours.</translation>
+    </message>
+    <message>
+        <source>The program is paused on the robot. Resume it on the teach pendant.</source>
+        <translation>Le programme est en pause sur le robot. Reprenez-le sur le pupitre.</translation>
+    </message>
+    <message>
+        <source>Pause the program first.</source>
+        <translation>Mettez d&apos;abord le programme en pause.</translation>
+    </message>
+    <message>
+        <source>Wait until the robot has confirmed the new value of “%1”.</source>
+        <translation>Attendez que le robot ait confirmé la nouvelle valeur de « %1 ».</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number. Enter a number.</source>
+        <translation>« %1 » n&apos;est pas un nombre. Saisissez un nombre.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a whole number. Enter a number without decimals.</source>
+        <translation>« %1 » n&apos;est pas un nombre entier. Saisissez un nombre sans décimales.</translation>
+    </message>
+    <message>
+        <source>“%1” is not True or False. Enter one of these values.</source>
+        <translation>« %1 » n&apos;est ni True ni False. Saisissez l&apos;une de ces valeurs.</translation>
+    </message>
+    <message>
+        <source>List</source>
+        <translation>Liste</translation>
+    </message>
+    <message>
+        <source>Matrix</source>
+        <translation>Matrice</translation>
+    </message>
+    <message>
+        <source>The values of a program of another client cannot be changed.</source>
+        <translation>Les valeurs d&apos;un programme d&apos;un autre client ne peuvent pas être modifiées.</translation>
+    </message>
+    <message>
+        <source>A URScript step in this program could move the arm after a change.</source>
+        <translation>Une étape URScript de ce programme pourrait déplacer le bras après une modification.</translation>
+    </message>
+    <message>
+        <source>Only numbers and True or False values can be changed.</source>
+        <translation>Seuls les nombres et les valeurs True ou False peuvent être modifiés.</translation>
+    </message>
+    <message>
+        <source>Only variables that a step of the program sets can be changed.</source>
+        <translation>Seules les variables définies par une étape du programme peuvent être modifiées.</translation>
+    </message>
+    <message>
+        <source>The program has no variable “%1”.</source>
+        <translation>Le programme n&apos;a pas de variable « %1 ».</translation>
+    </message>
+    <message>
+        <source>Variable “%1”: %2 → %3</source>
+        <translation>Variable « %1 » : %2 → %3</translation>
+    </message>
+    <message>
+        <source>The robot did not confirm the new value of “%1”. Check the value in the list.</source>
+        <translation>Le robot n&apos;a pas confirmé la nouvelle valeur de « %1 ». Vérifiez la valeur dans la liste.</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -8994,6 +9058,10 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <source>%1, breakpoint</source>
         <translation>%1, point d’arrêt</translation>
     </message>
+    <message>
+        <source>%1, changed</source>
+        <translation>%1, modifiée</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProgramTab</name>
@@ -9287,6 +9355,13 @@ Relâchez le bouton pour arrêter le bras.</translation>
     <message>
         <source>Simulated: the program takes %1 s. No problems found. Not run: %2.</source>
         <translation>Simulé : le programme dure %1 s. Aucun problème trouvé. Non exécuté : %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s) changed with the project. Press “Preview” to simulate the program.</source>
+        <translation>
+            <numerusform>%n étape a changé avec le projet. Appuyez sur « Aperçu » pour simuler le programme.</numerusform>
+            <numerusform>%n étapes ont changé avec le projet. Appuyez sur « Aperçu » pour simuler le programme.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -10202,6 +10277,10 @@ Relâchez le bouton pour arrêter le bras.</translation>
     <message>
         <source>Cancel</source>
         <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>The value of “%1” is being changed.</source>
+        <translation>La valeur de « %1 » est en cours de modification.</translation>
     </message>
 </context>
 <context>
@@ -13305,6 +13384,32 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     <message>
         <source>Practice: add “%1”</source>
         <translation>Exercice : ajouter « %1 »</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::VariableList</name>
+    <message>
+        <source>Variables of the program</source>
+        <translation>Variables du programme</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::VariableModel</name>
+    <message>
+        <source>%1 (changing…)</source>
+        <translation>%1 (modification…)</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valeur</translation>
     </message>
 </context>
 </TS>

@@ -3289,6 +3289,70 @@
         <source>Last known step: %1 (%2). %3</source>
         <translation>最後に確認されたステップ: %1 (%2)。%3</translation>
     </message>
+    <message>
+        <source>No program is running.</source>
+        <translation>実行中のプログラムはありません。</translation>
+    </message>
+    <message>
+        <source>The program is paused on the robot. Resume it on the teach pendant.</source>
+        <translation>プログラムはロボット側で一時停止中です。ティーチペンダントで再開してください。</translation>
+    </message>
+    <message>
+        <source>Pause the program first.</source>
+        <translation>先にプログラムを一時停止してください。</translation>
+    </message>
+    <message>
+        <source>Wait until the robot has confirmed the new value of “%1”.</source>
+        <translation>ロボットが「%1」の新しい値を確認するまで待ってください。</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number. Enter a number.</source>
+        <translation>「%1」は数値ではありません。数値を入力してください。</translation>
+    </message>
+    <message>
+        <source>“%1” is not a whole number. Enter a number without decimals.</source>
+        <translation>「%1」は整数ではありません。小数のない数値を入力してください。</translation>
+    </message>
+    <message>
+        <source>“%1” is not True or False. Enter one of these values.</source>
+        <translation>「%1」は True または False ではありません。どちらかの値を入力してください。</translation>
+    </message>
+    <message>
+        <source>List</source>
+        <translation>リスト</translation>
+    </message>
+    <message>
+        <source>Matrix</source>
+        <translation>行列</translation>
+    </message>
+    <message>
+        <source>The values of a program of another client cannot be changed.</source>
+        <translation>他のクライアントのプログラムの値は変更できません。</translation>
+    </message>
+    <message>
+        <source>A URScript step in this program could move the arm after a change.</source>
+        <translation>このプログラムの URScript ステップが、変更後にアームを動かす可能性があります。</translation>
+    </message>
+    <message>
+        <source>Only numbers and True or False values can be changed.</source>
+        <translation>変更できるのは数値と True または False の値だけです。</translation>
+    </message>
+    <message>
+        <source>Only variables that a step of the program sets can be changed.</source>
+        <translation>変更できるのは、プログラムのステップが設定する変数だけです。</translation>
+    </message>
+    <message>
+        <source>The program has no variable “%1”.</source>
+        <translation>プログラムに変数「%1」はありません。</translation>
+    </message>
+    <message>
+        <source>Variable “%1”: %2 → %3</source>
+        <translation>変数「%1」: %2 → %3</translation>
+    </message>
+    <message>
+        <source>The robot did not confirm the new value of “%1”. Check the value in the list.</source>
+        <translation>ロボットは「%1」の新しい値を確認しませんでした。リストの値を確認してください。</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -8975,6 +9039,10 @@ Release the button to stop the arm.</source>
         <source>%1, breakpoint</source>
         <translation>%1、ブレークポイント</translation>
     </message>
+    <message>
+        <source>%1, changed</source>
+        <translation>%1、変更あり</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProgramTab</name>
@@ -9267,6 +9335,12 @@ Release the button to stop the arm.</source>
     <message>
         <source>Simulated: the program takes %1 s. No problems found. Not run: %2.</source>
         <translation>シミュレーション：プログラムの所要時間は %1 秒です。問題はありません。未実行：%2。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s) changed with the project. Press “Preview” to simulate the program.</source>
+        <translation>
+            <numerusform>プロジェクトの変更により %n ステップが変わりました。「プレビュー」を押してプログラムをシミュレートしてください。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -10177,6 +10251,10 @@ Release the button to stop the arm.</source>
     <message>
         <source>Cancel</source>
         <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>The value of “%1” is being changed.</source>
+        <translation>「%1」の値を変更しています。</translation>
     </message>
 </context>
 <context>
@@ -13263,6 +13341,32 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>Practice: add “%1”</source>
         <translation>練習：「%1」を追加</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::VariableList</name>
+    <message>
+        <source>Variables of the program</source>
+        <translation>プログラムの変数</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::VariableModel</name>
+    <message>
+        <source>%1 (changing…)</source>
+        <translation>%1(変更中…)</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>変数</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>型</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>値</translation>
     </message>
 </context>
 </TS>

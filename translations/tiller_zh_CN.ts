@@ -3289,6 +3289,70 @@
         <source>Last known step: %1 (%2). %3</source>
         <translation>最后已知的步骤：%1（%2）。%3</translation>
     </message>
+    <message>
+        <source>No program is running.</source>
+        <translation>没有程序在运行。</translation>
+    </message>
+    <message>
+        <source>The program is paused on the robot. Resume it on the teach pendant.</source>
+        <translation>程序已在机器人上暂停。请在示教器上恢复。</translation>
+    </message>
+    <message>
+        <source>Pause the program first.</source>
+        <translation>请先暂停程序。</translation>
+    </message>
+    <message>
+        <source>Wait until the robot has confirmed the new value of “%1”.</source>
+        <translation>请等待机器人确认“%1”的新值。</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number. Enter a number.</source>
+        <translation>“%1”不是数字。请输入数字。</translation>
+    </message>
+    <message>
+        <source>“%1” is not a whole number. Enter a number without decimals.</source>
+        <translation>“%1”不是整数。请输入不带小数的数字。</translation>
+    </message>
+    <message>
+        <source>“%1” is not True or False. Enter one of these values.</source>
+        <translation>“%1”不是 True 或 False。请输入其中一个值。</translation>
+    </message>
+    <message>
+        <source>List</source>
+        <translation>列表</translation>
+    </message>
+    <message>
+        <source>Matrix</source>
+        <translation>矩阵</translation>
+    </message>
+    <message>
+        <source>The values of a program of another client cannot be changed.</source>
+        <translation>无法更改其他客户端程序的值。</translation>
+    </message>
+    <message>
+        <source>A URScript step in this program could move the arm after a change.</source>
+        <translation>此程序中的 URScript 步骤可能在更改后移动机械臂。</translation>
+    </message>
+    <message>
+        <source>Only numbers and True or False values can be changed.</source>
+        <translation>只能更改数字以及 True 或 False 值。</translation>
+    </message>
+    <message>
+        <source>Only variables that a step of the program sets can be changed.</source>
+        <translation>只能更改由程序步骤设置的变量。</translation>
+    </message>
+    <message>
+        <source>The program has no variable “%1”.</source>
+        <translation>程序没有变量“%1”。</translation>
+    </message>
+    <message>
+        <source>Variable “%1”: %2 → %3</source>
+        <translation>变量“%1”：%2 → %3</translation>
+    </message>
+    <message>
+        <source>The robot did not confirm the new value of “%1”. Check the value in the list.</source>
+        <translation>机器人未确认“%1”的新值。请检查列表中的值。</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -8975,6 +9039,10 @@ Release the button to stop the arm.</source>
         <source>%1, breakpoint</source>
         <translation>%1，断点</translation>
     </message>
+    <message>
+        <source>%1, changed</source>
+        <translation>%1，已更改</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProgramTab</name>
@@ -9267,6 +9335,12 @@ Release the button to stop the arm.</source>
     <message>
         <source>Simulated: the program takes %1 s. No problems found. Not run: %2.</source>
         <translation>仿真：程序用时 %1 秒。未发现问题。未运行：%2。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s) changed with the project. Press “Preview” to simulate the program.</source>
+        <translation>
+            <numerusform>项目的更改使 %n 个步骤发生变化。按“预览”对程序进行仿真。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -10177,6 +10251,10 @@ Release the button to stop the arm.</source>
     <message>
         <source>Cancel</source>
         <translation>取消</translation>
+    </message>
+    <message>
+        <source>The value of “%1” is being changed.</source>
+        <translation>正在更改“%1”的值。</translation>
     </message>
 </context>
 <context>
@@ -13263,6 +13341,32 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>Practice: add “%1”</source>
         <translation>练习：添加“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::VariableList</name>
+    <message>
+        <source>Variables of the program</source>
+        <translation>程序的变量</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::VariableModel</name>
+    <message>
+        <source>%1 (changing…)</source>
+        <translation>%1（正在更改…）</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>变量</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>值</translation>
     </message>
 </context>
 </TS>

@@ -153,6 +153,13 @@ void ProgramModel::setBreakpoints(const QSet<QUuid>& steps) {
     changed();
 }
 
+void ProgramModel::setChanged(const QSet<QUuid>& steps) {
+    if (steps != changed_) {
+        changed_ = steps;
+        changed();
+    }
+}
+
 void ProgramModel::setRun(const program::ProgramScript* script, const program::StepLog* log) {
     running_ = {};
     if (log != nullptr) {
@@ -245,6 +252,7 @@ QVariant ProgramModel::data(const QModelIndex& index, int role) const {
                                                                     : program::recoveryMark(node.recovery);
         }
     };
+    const bool isChanged = changed_.contains(node.step->id);
     const bool hasBreakpoint = breakpoints_.contains(node.step->id);
     switch (role) {
         case Qt::DisplayRole:
@@ -261,6 +269,7 @@ QVariant ProgramModel::data(const QModelIndex& index, int role) const {
             return node.step->disabled && index.column() == Step ? tr("%1, disabled").arg(text())
                    : isRunning(node) && index.column() == Step   ? tr("%1, running").arg(text())
                    : hasBreakpoint && index.column() == Step     ? tr("%1, breakpoint").arg(text())
+                   : isChanged && index.column() == Step         ? tr("%1, changed").arg(text())
                                                                  : text();
         case Qt::FontRole: {
             QFont font;
@@ -269,6 +278,8 @@ QVariant ProgramModel::data(const QModelIndex& index, int role) const {
             font.setBold(isRunning(node));
             return font;
         }
+        case Qt::BackgroundRole:
+            return isChanged ? QVariant(Theme::current().warningBackground) : QVariant();
         case Qt::ForegroundRole:
             return node.step->disabled || node.isComment() ? QVariant(Theme::current().secondary)
                                                            : QVariant();

@@ -39,6 +39,9 @@ public:
     /// Marks the steps before which a run pauses.
     void setBreakpoints(const QSet<QUuid>& steps);
 
+    /// Highlights the steps that an edit outside of the program has changed.
+    void setChanged(const QSet<QUuid>& steps);
+
     /// Shows the steps of a run: the running step, and the number of runs and the mean time of each step.
     /// script  script of the run; null: no run
     void setRun(const program::ProgramScript* script, const program::StepLog* log);
@@ -83,6 +86,7 @@ private:
     QHash<QUuid, Node*> nodes_;
     QUuid running_;  ///< null if no step is running
     QSet<QUuid> breakpoints_;
+    QSet<QUuid> changed_;
 };
 
 }  // namespace tiller

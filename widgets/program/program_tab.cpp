@@ -20,6 +20,7 @@
 
 #include "robot/core/atomic_file.h"
 #include "robot/station/document/project_document.h"
+#include "robot/station/program/step_uses.h"
 #include "robot/station/text/texts.h"
 #include "widgets/common/choice_box.h"
 #include "widgets/common/elided_label.h"
@@ -32,6 +33,7 @@
 #include "widgets/program/step_form.h"
 #include "widgets/program/step_palette.h"
 #include "widgets/program/step_tree.h"
+#include "widgets/program/variable_list.h"
 
 namespace tiller {
 
@@ -150,10 +152,11 @@ void ProgramTab::buildLayout() {
     columns->addWidget(area, 1);
     auto* side = new QWidget;
     auto* sideLayout = new QVBoxLayout(side);
+    side_ = sideLayout;
     sideLayout->setContentsMargins(0, 0, 0, 0);
     sideLayout->setSpacing(6);
     sideLayout->addWidget(sides_);
-    sideLayout->addLayout(columns, 1);
+    sideLayout->addLayout(columns, 2);
     auto* parts = new QSplitter;
     parts->setObjectName("program.parts");
     parts->setChildrenCollapsible(false);
@@ -182,6 +185,15 @@ void ProgramTab::setRobot(RobotSession& session, HoldPolicy& policy, std::functi
     rows->insertWidget(rows->count() - 1, runBar_);
     connect(runBar_, &RunBar::refused, this,
             [this](const QString& reason) { showStatus(tr("⚠ %1").arg(reason)); });
+    auto* variables = new VariableList(runBar_->runner());
+    side_->addWidget(variables, 1);
+    connect(variables, &VariableList::edited, runBar_, &RunBar::changeVariable);
+    connect(variables, &VariableList::refused, runBar_, &RunBar::refused);
+    connect(&runBar_->runner(), &program::ProgramRunner::variableChanged, this,
+            [this](const QString& text, bool isConfirmed) {
+                Q_EMIT session_->message(isConfirmed ? Severity::Info : Severity::Warning, text);
+                showStatus(isConfirmed ? text : tr("⚠ %1").arg(text));
+            });
     connect(runBar_, &RunBar::runChanged, this, &ProgramTab::showRun);
     connect(runBar_, &RunBar::stepBegan, this,
             [this](int step, bool isFirst) { Q_EMIT session_->stepBegan(stepLabel(step), isFirst); });
@@ -362,6 +374,7 @@ const project::Program* ProgramTab::current() const {
 }
 
 void ProgramTab::follow() {
+    hasEdit_ = true;
     if (runBar_ != nullptr) {
         mayEndOffer_ = mayEndOffer_ || runBar_->offersContinuation();
         runBar_->clearStartStep();
@@ -405,14 +418,29 @@ program::ProgramScript ProgramTab::completeScript() const {
     return program::writeScript(document_.project(), program_, options);
 }
 
+// Edits of the program itself change the numbers of its steps, and their effect is visible in the tree.
+void ProgramTab::highlightLastEdit(const program::ProgramScript& before) {
+    if (!std::exchange(hasEdit_, false)) {
+        return;
+    }
+    const project::Project& now = document_.project();
+    const bool isOther = checkedPrograms_ != now.programs || checkedProgram_ != program_;
+    checkedPrograms_ = now.programs;
+    checkedProgram_ = program_;
+    editedSteps_ = isOther ? QSet<QUuid>() : program::changedSteps(before, script_);
+    model_->setChanged(editedSteps_);
+}
+
 void ProgramTab::check() {
     const project::Program* program = current();
+    const program::ProgramScript before = std::exchange(script_, {});
     script_ = program != nullptr ? program::writeScript(document_.project(), program_, scriptOptions())
                                  : program::ProgramScript();
     if (runBar_ != nullptr) {
         runBar_->setProgram(program_, script_);
     }
     model_->setProblems(script_.problems);
+    highlightLastEdit(before);
     if (program != nullptr) {
         dropImpossibleBreakpoints(*program);
     }
@@ -446,7 +474,11 @@ void ProgramTab::check() {
         showStatus(first.number > 0 ? tr("⚠ Step %1: %2").arg(first.number).arg(first.text)
                                     : tr("⚠ %1").arg(first.text));
     } else if (isStale) {
-        showStatus(endsOffer ? changedText() : tr("The program can run. Press “Preview” to simulate it."));
+        showStatus(endsOffer ? changedText()
+                   : !editedSteps_.isEmpty()
+                       ? tr("%n step(s) changed with the project. Press “Preview” to simulate the program.",
+                            nullptr, static_cast<int>(editedSteps_.size()))
+                       : tr("The program can run. Press “Preview” to simulate it."));
     }
     showKey_->setVisible(!marks_.empty());
     showSelection();

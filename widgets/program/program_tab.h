@@ -18,6 +18,7 @@
 #include "robot/station/program/recover/recovery_runner.h"
 
 class QAction;
+class QBoxLayout;
 class QComboBox;
 class QPushButton;
 
@@ -83,6 +84,9 @@ private:
     void addCommands();
     void follow();
     void check();
+    /// Highlights the steps of the current program that an edit outside of the programs has changed.
+    /// before  script of the last check
+    void highlightLastEdit(const program::ProgramScript& before);
     bool isSameCell(const project::Project& before) const;
     program::ScriptOptions scriptOptions() const;
     /// Script that runs the program from the beginning on the connected robot.
@@ -153,7 +157,8 @@ private:
     StepForm* form_;
     QWidget* formArea_ = nullptr;
     RobotSession* session_ = nullptr;
-    RunBar* runBar_ = nullptr;  ///< null without a robot
+    QBoxLayout* side_ = nullptr;  ///< layout of the right column
+    RunBar* runBar_ = nullptr;    ///< null without a robot
     SegmentedControl* sides_;
     ElidedLabel* status_;
     QPushButton* showKey_;
@@ -162,7 +167,11 @@ private:
     QList<QAction*> selectionActions_;  ///< actions that require selected steps
     QUuid program_;
     program::ProgramScript script_;
-    program::ProgramScript previewed_;  ///< script of the displayed or running preview
+    QSet<QUuid> editedSteps_;               ///< highlighted steps
+    bool hasEdit_ = false;                  ///< the project has changed since the last check
+    project::ProgramList checkedPrograms_;  ///< programs of the project at the last check
+    QUuid checkedProgram_;                  ///< program_ at the last check
+    program::ProgramScript previewed_;      ///< script of the displayed or running preview
     project::Project previewedProject_;
     std::vector<Eigen::Vector3d> path_;
     std::vector<Mark> marks_;  ///< steps with problems, or with findings of the preview

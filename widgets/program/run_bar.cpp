@@ -138,6 +138,7 @@ RunBar::RunBar(RobotSession& session, HoldPolicy& policy, const ProjectDocument&
     connect(finish_, &QPushButton::toggled, &runner_, &program::ProgramRunner::setEndsWithCycle);
     connect(&runner_, &program::ProgramRunner::changed, this, &RunBar::showRun);
     connect(&runner_, &program::ProgramRunner::stepBegan, this, &RunBar::stepBegan);
+    connect(&runner_, &program::ProgramRunner::variableChanged, this, &RunBar::updateGateKeys);
     connect(&session_, &RobotSession::stateChanged, this, &RunBar::follow);
     updateAvailability();
 }
@@ -292,6 +293,13 @@ void RunBar::stepOnce() {
     } else {
         run(1);
     }
+}
+
+void RunBar::changeVariable(const QString& name, const QString& text) {
+    if (const Result<void> changed = runner_.changeVariable(name, text); !changed) {
+        Q_EMIT refused(changed.error().context);
+    }
+    updateGateKeys();
 }
 
 void RunBar::setSelectedStep(const QUuid& step) {
@@ -453,13 +461,16 @@ void RunBar::updateGateKeys() {
                          : runner_.isPausedOnRobot()
                              ? tr("The program is paused on the robot. Resume it on the teach pendant.")
                              : QString();
+    const QString pending = runner_.variables().pending();
+    const QString changing =
+        pending.isEmpty() ? QString() : tr("The value of “%1” is being changed.").arg(pending);
     pause_->setText(isPaused ? tr("Resume") : tr("Pause"));
-    setReason(*pause_, idle,
+    setReason(*pause_, !idle.isEmpty() ? idle : changing,
               isPaused ? tr("Continues the program") : tr("Pauses the program before its next step"));
     setReason(*step_,
               runner_.isPausedOnRobot() ? idle
-              : runner_.isActive()      ? runner_.isWaiting() ? QString() : tr("Pause the program first.")
-                   : run_->isEnabled() ? QString()
+              : runner_.isActive()      ? !runner_.isWaiting() ? tr("Pause the program first.") : changing
+              : run_->isEnabled()       ? QString()
                                         : run_->toolTip(),
               tr("Runs one step and then pauses the program"));
     setReason(*finish_,

@@ -65,6 +65,9 @@ public:
     QString keepPlace();
     void showSpeed();
     const program::ProgramRunner& runner() const { return runner_; }
+    /// Changes a variable of the waiting program. Emits refused() if this is not possible.
+    /// text  as typed
+    void changeVariable(const QString& name, const QString& text);
     void setBreakpoints(const QSet<QUuid>& steps) { runner_.setBreakpoints(steps); }
     /// True while a program runs without hold-to-run.
     bool runsFreely() const { return runner_.isActive() && !isHeld_; }

@@ -168,8 +168,11 @@ ModeLook controlLook(const SessionState& state) {
     if (state.hasData() && state.runtimeState != RuntimeState::Stopped && !state.programAbandoned) {
         // A program of another client may be moving the arm.
         const ModeLook program = runtimeLook(state.runtimeState);
-        const QString name =
+        QString name =
             state.runningProgram.isEmpty() ? QString() : QStringLiteral(": ") + state.runningProgram;
+        if (!state.programNode.isEmpty()) {
+            name += QStringLiteral(" › ") + state.programNode;
+        }
         return {(told << program.text).join(dot), program.shape, program.emphasis, program.advice + name,
                 program.mark};
     }

@@ -36,7 +36,7 @@ REASONS = {
     "PaintWatch": EVENTS, "PaperColors": "selects the theme for printing", "PartModel": MODEL,
     "PhysicalKeys": "the pressed keys of the keyboard, from key events",
     "PlotComparison": "the recordings compared in the plots, and their offsets on the time axis",
-    "Practice": TUTORIAL, "PracticeCheck": TUTORIAL, "ProgramModel": MODEL,
+    "Practice": TUTORIAL, "PracticeCheck": TUTORIAL, "ProgramModel": MODEL, "VariableModel": MODEL,
     "ProjectFiles": "wraps UndoableDocument, whose QUndoStack is part of Qt Gui", "RecoverCheck": TUTORIAL,
     "SceneTrace": VIEW, "Shade": VIEW, "SpaceMouse": DEVICE, "SpaceMouseSource": DEVICE, "TimeWindow": PLOT,
     "TouchUpCheck": TUTORIAL, "WaypointModel": MODEL, "XcbKeyStateProbe": PROBE,

@@ -385,6 +385,11 @@ void ProgramRunner::take(const SampleBatch& batch) {
 }
 
 void ProgramRunner::follow() {
+    const SessionState& now = session_.state();
+    const bool isOther = now.hasForeignProgram() && now.control != ControlState::Taking;
+    if (!isActive() && variables_.followOther(isOther ? now.programVariables : nullptr)) {
+        Q_EMIT variablesChanged();
+    }
     if (!isActive() || id_ == control::kNoMotion) {
         return;
     }

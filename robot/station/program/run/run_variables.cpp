@@ -68,9 +68,32 @@ bool isShown(const ProgramVariable& variable) {
 
 }  // namespace
 
+QString typeName(ProgramVariable::Type type) {
+    switch (type) {
+        case ProgramVariable::Type::None:
+            break;
+        case ProgramVariable::Type::Flag:
+            return ProgramText::tr("True or false");
+        case ProgramVariable::Type::Whole:
+            return ProgramText::tr("Whole number");
+        case ProgramVariable::Type::Number:
+            return ProgramText::tr("Number");
+        case ProgramVariable::Type::Text:
+            return ProgramText::tr("Text");
+        case ProgramVariable::Type::Pose:
+            return ProgramText::tr("Pose");
+        case ProgramVariable::Type::List:
+            return ProgramText::tr("List");
+        case ProgramVariable::Type::Matrix:
+            return ProgramText::tr("Matrix");
+    }
+    return {};
+}
+
 void RunVariables::begin(const ProgramScript& script) {
     changeable_ = script.variables;
     changesMayMove_ = script.changesMayMove;
+    isOther_ = false;
     published_.reset();
     list_.clear();
     changes_ = 0;
@@ -83,12 +106,28 @@ bool RunVariables::follow(const script::ProgramVariables& published, std::uint64
         std::none_of(published->begin(), published->end(), isGateCounter)) {
         return false;
     }
+    return show(published);
+}
+
+bool RunVariables::followOther(const script::ProgramVariables& published) {
+    if (published == published_ || (!published && !isOther_)) {
+        return false;
+    }
+    begin({});
+    isOther_ = published != nullptr;
+    show(published);
+    return true;
+}
+
+bool RunVariables::show(const script::ProgramVariables& published) {
     published_ = published;
     std::vector<ProgramVariable> shown;
-    std::copy_if(published->begin(), published->end(), std::back_inserter(shown), isShown);
-    const bool isOther = shown != list_;
+    if (published) {
+        std::copy_if(published->begin(), published->end(), std::back_inserter(shown), isShown);
+    }
+    const bool isNew = shown != list_;
     list_ = std::move(shown);
-    return isOther;
+    return isNew;
 }
 
 const ProgramVariable* RunVariables::find(const QString& name) const {
@@ -107,7 +146,8 @@ QString RunVariables::fixedReason(const ProgramVariable& variable) const {
     using Type = ProgramVariable::Type;
     const bool isSimple =
         variable.type == Type::Number || variable.type == Type::Whole || variable.type == Type::Flag;
-    return changesMayMove_
+    return isOther_ ? ProgramText::tr("The values of a program of another client cannot be changed.")
+           : changesMayMove_
                ? ProgramText::tr("A URScript step in this program could move the arm after a change.")
            : !isSimple ? ProgramText::tr("Only numbers and True or False values can be changed.")
            : !changeableType(variable.name)

@@ -15,6 +15,9 @@
 
 namespace tiller::program {
 
+/// Name of a type in the words of the "Set variable" step.
+QString typeName(script::ProgramVariable::Type type);
+
 class RunVariables {
 public:
     /// A new run begins.
@@ -24,6 +27,10 @@ public:
     /// states   number of received robot states, see SessionState::primaryStates
     /// Returns  true if a value has changed
     bool follow(const script::ProgramVariables& published, std::uint64_t states);
+
+    /// Shows the variables of a program of another client; null: there is none.
+    /// Returns  true if a value has changed
+    bool followOther(const script::ProgramVariables& published);
 
     /// Without the variables that Tiller adds. After the run: the last values.
     const std::vector<script::ProgramVariable>& list() const { return list_; }
@@ -54,10 +61,12 @@ private:
         double value = 0;
         std::uint64_t since = 0;  ///< number of robot states
     };
+    bool show(const script::ProgramVariables& published);
     const script::ProgramVariable* find(const QString& name) const;
 
     std::vector<script::GateVariable> changeable_;
     bool changesMayMove_ = false;
+    bool isOther_ = false;  ///< the list belongs to a program of another client
     script::ProgramVariables published_;
     std::uint64_t states_ = 0;
     std::vector<script::ProgramVariable> list_;

@@ -219,6 +219,54 @@ private Q_SLOTS:
         QCOMPARE(action->text().startsWith("Cancel"), !status().contains("cancelled"));
     }
 
+    void movesThatAWaypointEditChangesAreHighlighted() {
+        const auto move = [this](const char* waypoint) {
+            return program::step("moveL", {{"waypoint", waypointId(document_->project(), waypoint)}});
+        };
+        const std::vector<project::ProgramStep> moves{
+            move("pick"), program::step("folder", {}, {move("pick"), move("place")}),
+            program::step("moveGroup", {{"group", "row"}}), program::step("wait", {{"time", 0.1}})};
+        project::ProgramList programs;
+        programs.append(makeProgram("Test", moves));
+        document_->changePrograms(programs, "steps");
+        QVERIFY(QTest::qWaitFor([this] { return status().contains("can run"); }, 60'000));
+        const auto isChanged = [this](const QUuid& id) {
+            return model().indexOf(id).data(Qt::BackgroundRole).isValid() &&
+                   model().indexOf(id).data(Qt::AccessibleTextRole).toString().endsWith("changed");
+        };
+        const QList<QUuid> ids{moves[0].id, moves[1].steps[0].id, moves[1].steps[1].id, moves[2].id,
+                               moves[3].id};
+        const auto changed = [&] {
+            QString marks;
+            for (const QUuid& id : ids) {
+                marks += isChanged(id) ? 'x' : '-';
+            }
+            return marks;
+        };
+        const auto edit = [this](const char* name, auto change) {
+            const int row = document_->waypoints().indexOf(QUuid(waypointId(document_->project(), name)));
+            project::Waypoint waypoint = document_->waypoints().at(row);
+            change(waypoint);
+            document_->changeWaypoint(row, waypoint, "edit");
+        };
+        QCOMPARE(changed(), QString("-----"));
+        edit("pick", [](project::Waypoint& waypoint) { waypoint.pose.position.x() += 0.01; });
+        QTRY_COMPARE_WITH_TIMEOUT(changed(), QString("xx---"), 60'000);
+        QVERIFY2(status().startsWith("2 step(s) changed"), qPrintable(status()));
+        edit("row 2", [](project::Waypoint& waypoint) { waypoint.pose.position.x() += 0.01; });
+        QTRY_COMPARE_WITH_TIMEOUT(changed(), QString("---x-"), 60'000);
+        // A note changes no move, and an edit of the program ends the highlight.
+        edit("row 2", [](project::Waypoint& waypoint) { waypoint.note = "n"; });
+        QTRY_COMPARE_WITH_TIMEOUT(changed(), QString("-----"), 60'000);
+        document_->undo();
+        document_->undo();
+        QTRY_COMPARE_WITH_TIMEOUT(changed(), QString("---x-"), 60'000);
+        tree().selectIds({moves[3].id});
+        tree().setFocus();
+        QTest::keyClick(&tree(), Qt::Key_Up, Qt::ControlModifier);
+        QTRY_COMPARE_WITH_TIMEOUT(changed(), QString("-----"), 60'000);
+    }
+
     void selectionStaysWhileTheProgramChanges() {
         openTray();
         const QUuid id = steps()[3].steps[0].steps[2].id;

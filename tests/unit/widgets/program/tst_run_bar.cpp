@@ -4,9 +4,12 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QComboBox>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTest>
+#include <QTreeView>
 
 #include "program_samples.h"
 #include "robot/script/script_client.h"
@@ -466,6 +469,91 @@ private Q_SLOTS:
         QVERIFY(bench.awaitEnd());
         QCOMPARE(bench.runner().end(), ProgramRunner::End::Stopped);
         QVERIFY(bench.session.state().canMove());
+    }
+
+    void variablesAreEditedWhileTheProgramWaits() {
+        TabBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        auto& list = bench.find<QTreeView>("program.variables");
+        QVERIFY(!list.isVisible());
+        std::vector<project::ProgramStep> steps = bench.moves({"pick", "place"});
+        const auto assign = [](const char* variable, const char* type, const char* value) {
+            return program::step("assign", {{"variable", variable}, {"type", type}, {"value", value}});
+        };
+        steps.insert(steps.begin() + 1, {assign("count", "whole", "2"), assign("done", "flag", "False"),
+                                         assign("label", "text", "\"a\"")});
+        bench.setProgram(steps);
+        bench.tab.tree().selectIds({steps.at(4).id});
+        bench.find<QAction>("program.action.breakpoint").trigger();
+        QStringList log;
+        QObject::connect(&bench.session, &RobotSession::message, &bench.tab,
+                         [&log](Severity, const QString& text) { log << text; });
+        QVERIFY(bench.preview() && bench.moveToStart());
+        bench.cell.advanceMs(20);
+        bench.run().click();
+        QVERIFY(bench.reachWaiting());
+        const auto text = [&](int row, int column) {
+            return list.model()->index(row, column).data().toString();
+        };
+        QVERIFY(bench.cell.advanceUntil([&] { return text(0, 2) == "2" && text(2, 2) == "\"a\""; }, kLongMs));
+        QVERIFY(list.isVisible());
+        QCOMPARE(text(0, 0) + ' ' + text(0, 1), QStringLiteral("count Whole number"));
+        QCOMPARE(text(1, 0) + ' ' + text(1, 1) + ' ' + text(1, 2),
+                 QStringLiteral("done True or false False"));
+        const auto index = [&](int row) { return list.model()->index(row, 2); };
+        const auto select = [&](int row) {
+            list.setFocus();
+            list.setCurrentIndex(index(row));
+        };
+        // A text is shown only, with the reason.
+        select(2);
+        QVERIFY(index(2).data(Qt::ToolTipRole).toString().contains("Only numbers"));
+        Q_EMIT list.activated(index(2));
+        QVERIFY2(bench.status().contains("Only numbers"), qPrintable(bench.status()));
+        // A wrong value is refused.
+        const auto type = [&](int row, const char* typed) {
+            select(row);
+            list.edit(index(row));
+            auto* editor = list.findChild<QLineEdit*>();
+            if (editor == nullptr) {
+                return false;
+            }
+            editor->selectAll();
+            QTest::keyClicks(editor, typed);
+            QTest::keyClick(editor, Qt::Key_Return);
+            QCoreApplication::processEvents();  // the delegate commits later
+            QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+            return true;
+        };
+        QVERIFY(type(0, "2.5"));
+        QVERIFY2(bench.status().contains("not a whole number"), qPrintable(bench.status()));
+        QCOMPARE(text(0, 2), QStringLiteral("2"));
+        // The change is shown as such until the robot confirms it.
+        QVERIFY(type(0, "7"));
+        QCOMPARE(text(0, 2), QStringLiteral("2 (changing…)"));
+        QVERIFY(!bench.pause().isEnabled() && !bench.step().isEnabled());
+        QVERIFY(bench.pause().toolTip().contains("count"));
+        QVERIFY(bench.cell.advanceUntil([&] { return text(0, 2) == "7"; }, kLongMs));
+        QVERIFY(log.contains("Variable “count”: 2 → 7"));
+        QVERIFY(bench.status().contains("2 → 7"));
+        QVERIFY(bench.pause().isEnabled() && bench.step().isEnabled() && bench.isStill());
+        // A flag is chosen.
+        select(1);
+        list.edit(index(1));
+        auto* flag = list.findChild<QComboBox*>();
+        QVERIFY(flag != nullptr);
+        flag->setCurrentIndex(1);
+        QTest::keyClick(flag, Qt::Key_Return);
+        QVERIFY(bench.cell.advanceUntil([&] { return text(1, 2) == "True"; }, kLongMs));
+        QVERIFY(log.contains("Variable “done”: False → True"));
+        QVERIFY(bench.standstill() == 0 && bench.runner().isWaiting());
+        // While the program runs, and after its end, the values are shown only.
+        bench.pause().click();
+        QVERIFY(bench.reachMotion());
+        QVERIFY(!index(0).flags().testFlag(Qt::ItemIsEditable));
+        QVERIFY(bench.awaitEnd());
+        QVERIFY(list.isVisible() && text(0, 2) == "7");
+        QVERIFY(index(0).data(Qt::ToolTipRole).toString().contains("No program is running"));
     }
 
     void finishCycleEndsAnEndlessProgram() {

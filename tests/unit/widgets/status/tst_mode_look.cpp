@@ -101,6 +101,8 @@ private Q_SLOTS:
         state.runningProgram = QStringLiteral("pick.urp");
         QCOMPARE(controlLook(state).text, QStringLiteral("Remote · Automatic · Program running"));
         QVERIFY(controlLook(state).advice.contains(QStringLiteral("pick.urp")));
+        state.programNode = QStringLiteral("Wait: 0.5");
+        QVERIFY(controlLook(state).advice.contains(QStringLiteral("pick.urp › Wait: 0.5")));
     }
 
     void anUnknownModeNumberIsNeverShownAsNormal() {

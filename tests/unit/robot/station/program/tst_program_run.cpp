@@ -787,10 +787,13 @@ private Q_SLOTS:
         const auto parts = [&] { return bench.session.state().programVariables->front(); };
         QVERIFY(bench.cell.advanceUntil([&] { return parts().text == "3"; }, kLongMs));
         QCOMPARE(parts().name, QStringLiteral("parts"));
-        QVERIFY(bench.runner.variables().list().empty());
+        QVERIFY(bench.showsVariables({"parts 3"}));
+        QVERIFY(bench.runner.changeObstacle(bench.variable("parts")).contains("another client"));
+        QVERIFY(!bench.runner.changeVariable("parts", "4"));
         QVERIFY(bench.sendFromOutside("stop program\n"));
         QVERIFY(bench.cell.advanceUntil([&] { return !bench.session.state().programVariables; }, kLongMs));
         QCOMPARE(bench.session.state().programNode, QString());
+        QVERIFY(bench.showsVariables({}));
     }
 
     void singleStepsRunInTheOrderOfTheModel() {
