@@ -69,6 +69,30 @@ class TestSupervisedProgram : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    void theGateCompilesOnEverySoftware() {
+        using Type = GateVariable::Type;
+        for (const SoftwareVersion& version : {SoftwareVersion{3, 15, 0, 0}, SoftwareVersion{5, 0, 0, 0},
+                                               SoftwareVersion{5, 22, 0, 0}, SoftwareVersion{10, 12, 0, 0}}) {
+            Heartbeat gated = heartbeat();
+            gated.gate =
+                GateInputs{27, 31, 24, {{"x", Type::Number}, {"n", Type::Whole}, {"ok", Type::Flag}}};
+            const QString text =
+                supervised(
+                    "def p():\n  global x = 0.0\n  global n = 0\n  global ok = False\n  tiller_step(1)\n"
+                    "  tiller_break(2)\n  n = tiller_turn(n + 1)\nend\n",
+                    gated, version)
+                    .text;
+            urscript::CompileOptions options;
+            options.version = version;
+            const auto compiled = urscript::compile(text.toStdString(), options);
+            QVERIFY2(compiled, compiled.error.text.c_str());
+            QCOMPARE(text.count("tiller_take_change()"), 3);  // the definition, and before each wait
+            // Without variables, the program only waits.
+            gated.gate->variables.clear();
+            QVERIFY(!supervised("def p():\n  tiller_step(1)\nend\n", gated, version).text.contains("change"));
+        }
+    }
+
     void aProgramEndsWithItsHeartbeat_data() {
         QTest::addColumn<QString>("program");
         QTest::newRow("loop") << kEndless;

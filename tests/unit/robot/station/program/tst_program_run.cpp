@@ -745,6 +745,27 @@ private Q_SLOTS:
         QVERIFY(bench.awaitEnd());
     }
 
+    // A stop before the robot has confirmed a change ends the run, and the next run does not take the change.
+    void aStopDuringAChangeEndsTheRun() {
+        RunBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.setSteps({step("wait", {{"time", 0.1}}), step("wait", {{"time", 0.1}}),
+                        bench.assign("n", "whole", "1"), bench.endless()});
+        for (int run = 0; run < 2; ++run) {
+            QVERIFY(bench.begin(Holding::Free, 1));
+            QVERIFY(bench.reachWaiting());
+            bench.cell.advanceMs(300);
+            QVERIFY(bench.showsVariables({"n 0"}));
+            QVERIFY(bench.runner.changeVariable("n", "5"));
+            bench.session.stop(StopCause::Escape);
+            QVERIFY(bench.standstill() == 0);
+            QVERIFY(bench.awaitEnd());
+            QCOMPARE(bench.runner.end(), ProgramRunner::End::Stopped);
+            QCOMPARE(bench.runner.variables().pending(), QString());
+        }
+        QVERIFY(bench.changes.isEmpty());
+    }
+
     void valuesStayFixedIfAChangeCouldMoveTheArm_data() {
         QTest::addColumn<bool>("inWatch");
         QTest::newRow("thread") << false;
