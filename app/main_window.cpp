@@ -1352,6 +1352,12 @@ void MainWindow::askForProgram() {
             session_->services().loadProgram(name.trimmed());
         }
     });
+    session_->services().listPrograms(dialog, [this, dialog](const QStringList& names) {
+        const QString typed = dialog->textValue();
+        dialog->setComboBoxItems(names);
+        dialog->setComboBoxEditable(true);
+        dialog->setTextValue(typed.isEmpty() ? session_->state().loadedProgram : typed);
+    });
     dialog->open();
 }
 

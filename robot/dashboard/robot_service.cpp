@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "robot/dashboard/robot_service.h"
 
+#include <QJsonArray>
+#include <QJsonObject>
 #include <QVersionNumber>
 #include <utility>
 
@@ -43,6 +45,9 @@ public:
     }
     Result<void> loadProgram(const Text& name, const Deadline& deadline) override {
         return client_->loadProgram(name, deadline);
+    }
+    Result<QStringList> programs(const Deadline&) override {
+        return Error{ErrorCode::VersionUnsupported, QStringLiteral("list the programs"), {}};
     }
     Result<ServiceReport> look(const Deadline& deadline) override {
         if (!cb3_) {
@@ -131,6 +136,18 @@ public:
         const auto loaded = client_.request("PUT", QStringLiteral("/program/v1/load"),
                                             {{QStringLiteral("programName"), bare}}, deadline);
         return noted(loaded ? Result<void>() : Result<void>(loaded.error()));
+    }
+    Result<QStringList> programs(const Deadline& deadline) override {
+        const auto reply = noted(client_.request("GET", QStringLiteral("/programs/v1/"), {}, deadline));
+        if (!reply) {
+            return reply.error();
+        }
+        QStringList names;
+        for (const QJsonValue& program : (*reply)[QLatin1String("programs")].toArray()) {
+            names << program.toObject()[QLatin1String("name")].toString();
+        }
+        names.removeAll(QString());
+        return names;
     }
     Result<ServiceReport> look(const Deadline& deadline) override {
         ServiceReport report;

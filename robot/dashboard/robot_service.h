@@ -6,6 +6,7 @@
 // available.
 
 #include <QString>
+#include <QStringList>
 #include <memory>
 #include <optional>
 
@@ -42,6 +43,8 @@ public:
     virtual Result<void> unlockProtectiveStop(const Deadline& deadline) = 0;
     /// name  as in the programs folder of the controller. For PolyScope X, the file extension is optional.
     virtual Result<void> loadProgram(const Text& name, const Deadline& deadline) = 0;
+    /// Names of the programs on the controller, for loadProgram(). Only PolyScope X 10.12 and newer reports them.
+    virtual Result<QStringList> programs(const Deadline& deadline) = 0;
     /// Reads control mode, operational mode and loaded program.
     virtual Result<ServiceReport> look(const Deadline& deadline) = 0;
 };

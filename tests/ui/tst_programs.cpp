@@ -3,6 +3,7 @@
 // Programs on the robot, controlled from the window: load, play, pause, stop, and a popup that blocks a
 // program.
 
+#include <QComboBox>
 #include <QFile>
 #include <QInputDialog>
 #include <QLabel>
@@ -171,7 +172,16 @@ private Q_SLOTS:
 
     void polyScopeXRunsItsProgramsTheSameWay() {
         begin(SoftwareVersion{10, 12, 0, 0});
-        QVERIFY(load("wait.urpx"));
+        // The programs are listed.
+        QTRY_COMPARE_WITH_TIMEOUT(state().service, dashboard::ServiceKind::RobotApi, 20'000);
+        QVERIFY(run("control.load"));
+        auto* dialog = window_->findChild<QInputDialog*>("programDialog");
+        QTRY_VERIFY_WITH_TIMEOUT(dialog->comboBoxItems().contains("wait"), 20'000);
+        QCOMPARE(dialog->textValue(), state().loadedProgram);
+        auto* list = dialog->findChild<QComboBox*>();
+        QVERIFY(list != nullptr && list->isVisible());
+        list->setCurrentText("wait");
+        dialog->accept();
         QTRY_COMPARE_WITH_TIMEOUT(state().loadedProgram, QStringLiteral("wait"), 20'000);
         for (const auto& [id, reached] : {std::pair{"control.play", RuntimeState::Playing},
                                           {"control.pause", RuntimeState::Paused},

@@ -128,6 +128,18 @@ void RobotServices::loadProgram(const QString& name) {
          [name](RobotService& s, const Deadline& d) { return s.loadProgram(name, d); });
 }
 
+void RobotServices::listPrograms(QObject* context, const std::function<void(const QStringList&)>& done) {
+    if (d_.link && d_.state.service == dashboard::ServiceKind::RobotApi) {
+        d_.link->watch->post([](RobotService& s, const Deadline& d) { return s.programs(d); }, context,
+                             [done](const Result<QStringList>& names) {
+                                 if (names) {
+                                     done(*names);
+                                 }
+                             },
+                             kReplyTime);
+    }
+}
+
 void RobotServices::stopPrograms(control::StopCause cause, std::uint64_t epoch) {
     if (!ExternalProgramStopper::isByStopKey(cause)) {
         return;

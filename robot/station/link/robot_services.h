@@ -7,7 +7,9 @@
 
 #include <QCoreApplication>
 #include <QString>
+#include <QStringList>
 #include <cstdint>
+#include <functional>
 #include <optional>
 
 #include "robot/control/control_status.h"
@@ -36,6 +38,9 @@ public:
     void unlockProtectiveStop(const UnlockConsent& consent);
     /// name  relative to the controller's programs folder
     void loadProgram(const QString& name);
+    /// Calls `done` with the names for loadProgram(). Never calls it if the robot does not report them, as e-Series.
+    /// context  `done` is not called after its end
+    void listPrograms(QObject* context, const std::function<void(const QStringList&)>& done);
 
     // For the session.
     /// Handles a stop by STOP, Esc or Space. Stops external programs. Also stops Tiller's own program on all

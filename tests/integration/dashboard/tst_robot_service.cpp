@@ -116,6 +116,19 @@ private Q_SLOTS:
         }
     }
 
+    void theProgramsAreListed_data() { everySoftware(); }
+    void theProgramsAreListed() {
+        QFETCH(SoftwareVersion, software);
+        Robot robot(software);
+        const auto names = robot.service->programs(patience());
+        if (software >= SoftwareVersion{10, 12, 0, 0}) {
+            QVERIFY2(names.ok(), qPrintable(names.error().toString()));
+            QVERIFY2(names->contains("wait"), qPrintable(names->join(", ")));
+        } else {
+            QCOMPARE(names.error().code, ErrorCode::VersionUnsupported);
+        }
+    }
+
     void everyServiceReportsItsCapabilities() {
         {
             Robot robot({10, 12, 0, 0});
