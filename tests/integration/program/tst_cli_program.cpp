@@ -143,8 +143,7 @@ private Q_SLOTS:
     void runsAfterTheMotionOfAnotherClient() {
         script::ScriptClient other(simulator_->listenAddress(), simulator_->ports().primary);
         QVERIFY(other.connect(test::patience()).ok());
-        QVERIFY(
-            other.send("movej([-1.6, -1.7, -2.2, -0.8, 1.6, 3], a=2, v=0.5)\n", test::patience()).ok());
+        QVERIFY(other.send("movej([-1.6, -1.7, -2.2, -0.8, 1.6, 3], a=2, v=0.5)\n", test::patience()).ok());
         QTRY_VERIFY_WITH_TIMEOUT(simulator_->truth().qd.values.cwiseAbs().maxCoeff() > 0.4,
                                  kProcessTimeoutMs);
         const Answer answer = run({"run", path(), "--robot", address_, "--program", "short"});
