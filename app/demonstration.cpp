@@ -44,9 +44,9 @@ Demonstration::Demonstration(MainWindow& window, const QString& folder, QObject*
                     jogStop_ = stop;
                 }
             });
-    connect(&window_.session(), &RobotSession::message, this, [this](Severity severity, const QString& text) {
-        if (severity != Severity::Info) {
-            troubles_ << text;
+    connect(&window_.session().journal(), &Journal::added, this, [this](const JournalEvent& event) {
+        if (event.isMessage() && event.severity != Severity::Info) {
+            troubles_ << event.text;
         }
     });
     addSteps();

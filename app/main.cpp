@@ -74,7 +74,7 @@ int sizeFor(const QStringList& arguments) {
 void showSizeHint(app::MainWindow& window) {
     if (app::needsLargerSize(*window.screen()) &&
         !app::SettingsView({}).contains(QStringLiteral("look/size"))) {
-        Q_EMIT window.session().message(
+        window.session().journal().add(
             Severity::Info,
             QCoreApplication::translate("InterfaceSize",
                                         "This screen has a high resolution. Increase “Interface size” in "
@@ -152,7 +152,7 @@ std::unique_ptr<app::MainWindow> openWindow(app::Application& application, const
     const app::StartProject project = projectOf(line, settings);
     window->openProject(project.path);
     if (!project.missing.isEmpty()) {
-        Q_EMIT window->session().message(
+        window->session().journal().add(
             Severity::Warning,
             QCoreApplication::translate("StartProject", "The last project no longer exists: %1")
                 .arg(project.missing));

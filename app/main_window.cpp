@@ -156,8 +156,8 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     , document_(std::make_unique<UndoableDocument>())
     , files_(std::make_unique<ProjectFiles>(*document_)) {
     settings_.setWriteFailed([this](const Error& error) {
-        Q_EMIT session_->message(Severity::Error,
-                                 tr("The settings could not be saved. %1").arg(texts::errorText(error)));
+        session_->journal().add(Severity::Error,
+                                tr("The settings could not be saved. %1").arg(texts::errorText(error)));
     });
     setObjectName("mainWindow");
     setAcceptDrops(true);
@@ -178,7 +178,7 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     io_ = new IoTab(*session_, this);
     gripper_ = new GripperPanel(*session_, this);
     ioPages_ = new IoPages(io_, gripper_, this);
-    log_ = new LogTab(*session_, this);
+    log_ = new LogTab(session_->journal(), this);
     status_ = new StatusLine(*session_, this);
     stopKeys_ = new StopKeys(*session_, clock, this);
     jog_->axisJog().setClock(clock);
@@ -192,14 +192,14 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
         keyboard_->followControl(state.control == ControlState::InControl);
     });
     connect(keyboard_, &KeyboardJog::armedChanged, this, [this](bool armed) {
-        Q_EMIT session_->message(
+        session_->journal().add(
             Severity::Info,
             armed ? tr("Keyboard jogging armed: arrow keys move X and Y, PgUp and PgDn move Z; with Alt, "
                        "they rotate. 1 to 6 with + and − move a joint. Space and Esc stop.")
                   : tr("Keyboard jogging disarmed"));
     });
     connect(keyboard_, &KeyboardJog::refused, this,
-            [this](const QString& why) { Q_EMIT session_->message(Severity::Warning, why); });
+            [this](const QString& why) { session_->journal().add(Severity::Warning, why); });
     connectDevices(clock);
     stops_ = new StopRecorder(*session_, this);
     connect(new SleepWatch(this), &SleepWatch::operatorLeaves, this,
@@ -285,7 +285,7 @@ void MainWindow::buildDocks() {
                           .tab = [this] { return tabs_->tabData(tabs_->currentIndex()).toString(); }},
                          this);
     connect(perspectives_, &Perspectives::message, this,
-            [this](Severity severity, const QString& text) { Q_EMIT session_->message(severity, text); });
+            [this](Severity severity, const QString& text) { session_->journal().add(severity, text); });
 
     statusBar()->setSizeGripEnabled(false);
     statusBar()->addWidget(status_, 1);
@@ -365,12 +365,12 @@ void MainWindow::fillTabs() {
 
 void MainWindow::connectParts() {
     connect(jog_, &JogColumn::refused, this,
-            [this](const QString& reason) { Q_EMIT session_->message(Severity::Warning, reason); });
+            [this](const QString& reason) { session_->journal().add(Severity::Warning, reason); });
     connect(jog_, &JogColumn::ghostWanted, this,
             [this](const Ghost& ghost) { scene_->view().setGhost(ghost); });
     connect(jog_, &JogColumn::ghostHidden, this, &MainWindow::updateScene);
     connect(waypoints_, &WaypointsTab::message, this,
-            [this](Severity severity, const QString& text) { Q_EMIT session_->message(severity, text); });
+            [this](Severity severity, const QString& text) { session_->journal().add(severity, text); });
     connect(waypoints_, &WaypointsTab::ghostChanged, this, &MainWindow::updateScene);
     connect(waypoints_, &WaypointsTab::marksChanged, this, &MainWindow::updateScene);
     connect(&scene_->view(), &SceneView::moveLimitChanged, this, [this](const QString& text) {
@@ -380,8 +380,11 @@ void MainWindow::connectParts() {
         const bool same = own && shown && own->name == shown->name && own->q == shown->q;
         waypoints_->setPathLimitText(same ? text : QString());
     });
-    connect(session_.get(), &RobotSession::message, this,
-            [](Severity, const QString& text) { rememberForCrash(text); });
+    connect(&session_->journal(), &Journal::added, this, [](const JournalEvent& event) {
+        if (event.isMessage()) {
+            rememberForCrash(event.text);
+        }
+    });
     connect(session_.get(), &RobotSession::takeControlQuestion, this, &MainWindow::askToTakeControl);
     connect(session_.get(), &RobotSession::changeQuestion, this, &MainWindow::askToChange);
     connect(session_.get(), &RobotSession::commandQuestion, this, &MainWindow::askToPerform);
@@ -431,10 +434,6 @@ void MainWindow::connectParts() {
 }
 
 void MainWindow::connectReplay() {
-    connect(plots_, &PlotDock::deviatedFromModel, this,
-            [this](const QString& text, const QString& details, const QString& path, double seconds) {
-                log_->appendMoment(Severity::Warning, text, details, path, seconds);
-            });
     connect(plots_, &PlotDock::replayChanged, this, [this](const Replay& moment) {
         scene_->setReplay(moment);
         io_->setReplay(moment);
@@ -464,7 +463,7 @@ void MainWindow::connectProject() {
         listProjects();
     });
     connect(files_.get(), &ProjectFiles::message, this,
-            [this](Severity severity, const QString& text) { Q_EMIT session_->message(severity, text); });
+            [this](Severity severity, const QString& text) { session_->journal().add(severity, text); });
     connect(files_.get(), &ProjectFiles::noticeWanted, waypoints_, &WaypointsTab::showNotice);
     connect(files_.get(), &ProjectFiles::noticeResolved, waypoints_, &WaypointsTab::resolveNotice);
     connect(document_.get(), &ProjectDocument::stepTaken, this, &MainWindow::showStep);
@@ -472,7 +471,7 @@ void MainWindow::connectProject() {
     connect(fit_.get(), &ProjectFit::questionOpens, this,
             [this] { stopMotion(control::StopCause::DialogOpened); });
     connect(fit_.get(), &ProjectFit::message, this,
-            [this](Severity severity, const QString& text) { Q_EMIT session_->message(severity, text); });
+            [this](Severity severity, const QString& text) { session_->journal().add(severity, text); });
     connect(fit_.get(), &ProjectFit::noticeWanted, waypoints_, [this](const Notice& notice) {
         showTab("waypoints");
         waypoints_->showNotice(notice);
@@ -482,7 +481,7 @@ void MainWindow::connectProject() {
 
 /// Shows the tab that an undo or redo affects, because a different tab may be selected.
 void MainWindow::showStep(const ProjectStep& step) {
-    Q_EMIT session_->message(
+    session_->journal().add(
         Severity::Info, (step.undone ? tr("Undone: %1") : tr("Redone: %1")).arg(step.text), Origin::Operator);
     switch (step.part) {
         case ProjectPart::Waypoints:
@@ -524,7 +523,7 @@ void MainWindow::publishIoNames() {
 
 void MainWindow::connectFrames() {
     connect(frames_, &FramesTab::message, this,
-            [this](Severity severity, const QString& text) { Q_EMIT session_->message(severity, text); });
+            [this](Severity severity, const QString& text) { session_->journal().add(severity, text); });
     const auto showMarks = [this] { scene_->view().setFrames(frames_->marks()); };
     connect(frames_, &FramesTab::marksChanged, this, showMarks);
     showMarks();
@@ -543,7 +542,7 @@ void MainWindow::connectFrames() {
 
 void MainWindow::connectTools() {
     connect(tools_, &ToolsTab::message, this,
-            [this](Severity severity, const QString& text) { Q_EMIT session_->message(severity, text); });
+            [this](Severity severity, const QString& text) { session_->journal().add(severity, text); });
     connect(tools_, &ToolsTab::frontWanted, this, [this] { showTab("tools"); });
     connect(program_, &ProgramTab::frontWanted, this, [this] { showTab("program"); });
     connect(program_, &ProgramTab::previewPathChanged, this, &MainWindow::showPaths);
@@ -564,14 +563,14 @@ void MainWindow::connectTools() {
 void MainWindow::connectDevices(const Clock& clock) {
     devices_ = new DeviceJog(jog_->axisJog(), this);
     connect(devices_, &DeviceJog::lost, this, [this](const QString& name) {
-        Q_EMIT session_->message(Severity::Warning, tr("%1 disconnected. The arm was stopped.").arg(name));
+        session_->journal().add(Severity::Warning, tr("%1 disconnected. The arm was stopped.").arg(name));
     });
     devices_->setClock(clock);
     connect(devices_, &DeviceJog::stoppedReporting, this, [this](const QString& name) {
-        Q_EMIT session_->message(Severity::Warning,
-                                 tr("%1 stopped sending data while it was moving the arm. The arm was "
-                                    "stopped. Release the device; if the problem persists, reconnect it.")
-                                     .arg(name));
+        session_->journal().add(Severity::Warning,
+                                tr("%1 stopped sending data while it was moving the arm. The arm was "
+                                   "stopped. Release the device; if the problem persists, reconnect it.")
+                                    .arg(name));
     });
     connect(devices_, &DeviceJog::tuned, this, [this](const QString& kind, const DeviceTuning& tuning) {
         if (preferences_.devices.value(kind) != tuning) {
@@ -662,7 +661,7 @@ void MainWindow::stopMotion(control::StopCause cause) {
 void MainWindow::connectSimulator() {
     const Result<RobotAddress> address = simulator_.start();
     if (!address) {
-        Q_EMIT session_->message(Severity::Error, texts::errorText(address.error()));
+        session_->journal().add(Severity::Error, texts::errorText(address.error()));
         return;
     }
     toRemember_.reset();
@@ -678,7 +677,7 @@ void MainWindow::simulateCell() {
     cellIsSimulated_ = !document_->cell().isEmpty();
     for (simulator::Simulator* robot : simulator_.controllers()) {
         if (const int over = app::simulateCell(*robot, *document_); over > 0) {
-            Q_EMIT session_->message(
+            session_->journal().add(
                 Severity::Warning,
                 tr("The cell has more boxes or planes than the simulated robot supports: %n are ignored.",
                    nullptr, over));
@@ -791,7 +790,6 @@ void MainWindow::setTheme(const QString& theme) {
 
 void MainWindow::keepIncidentsIn(const QString& folder) {
     incidents_ = new IncidentWatch(*session_, folder, this);
-    connect(incidents_, &IncidentWatch::told, log_, &LogTab::appendRecording);
     connect(log_, &LogTab::recordingWanted, this, &MainWindow::openRecording);
     keepProject();
 }
@@ -1500,7 +1498,7 @@ void MainWindow::showReport() {
         if (!crashReport_.isEmpty()) {
             QFile::remove(std::exchange(crashReport_, {}));
         }
-        Q_EMIT session_->message(Severity::Info, tr("Report saved: %1").arg(path), Origin::Operator);
+        session_->journal().add(Severity::Info, tr("Report saved: %1").arg(path), Origin::Operator);
     });
     dialog->open();
 }
@@ -1524,7 +1522,7 @@ void MainWindow::connectTransfer() {
     connect(transfer_, &SettingsTransfer::upToDateWanted, this, [this] { keepLayout(); });
     connect(transfer_, &SettingsTransfer::imported, this, &MainWindow::readSettingsAgain);
     connect(transfer_, &SettingsTransfer::message, this,
-            [this](Severity severity, const QString& text) { Q_EMIT session_->message(severity, text); });
+            [this](Severity severity, const QString& text) { session_->journal().add(severity, text); });
 }
 
 void MainWindow::readSettingsAgain() {
@@ -1553,7 +1551,7 @@ void MainWindow::applyPreferences(const Preferences& preferences) {
     }
     if (preferences.speedCap != session_->limits().tcpSpeed) {
         session_->setSpeedCap(preferences.speedCap);
-        Q_EMIT session_->message(
+        session_->journal().add(
             preferences.speedCap > Preferences::kOrdinaryCap ? Severity::Warning : Severity::Info,
             tr("Speed cap set to %1").arg(format::speed(preferences.speedCap)), Origin::Operator);
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/virtual_cell.h"
+#include "tests/support/event_spy.h"
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
@@ -91,12 +92,11 @@ bool VirtualCell::connect() {
         what_ = started.error().toString();
         return false;
     }
-    QObject::connect(&session, &RobotSession::message, &session,
-                     [this](Severity severity, const QString& text) {
-                         if (severity == Severity::Error) {
-                             what_ = text;
-                         }
-                     });
+    test::onMessage(session.journal(), &session, [this](Severity severity, const QString& text) {
+        if (severity == Severity::Error) {
+            what_ = text;
+        }
+    });
     session.connectTo({QStringLiteral("Virtual UR5e"), robot.listenAddress(), portOffset_, true});
     QElapsedTimer patience;
     patience.start();

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "robot/script/script_client.h"
+#include "tests/support/event_spy.h"
 #include "tests/support/waiting.h"
 #include "tests/support/window_bench.h"
 #include "tests/ui/jog_fixture.h"
@@ -60,12 +61,12 @@ struct ForeignProgramBench : WindowBench {
 
     explicit ForeignProgramBench(const simulator::SimulatorOptions& robot = VirtualCell::options())
         : WindowBench(robot) {
-        QObject::connect(&window.session(), &RobotSession::message, &window,
-                         [all = said](Severity severity, const QString& text) {
-                             if (severity == Severity::Error) {
-                                 *all << text;
-                             }
-                         });
+        test::onMessage(window.session().journal(), &window,
+                        [all = said](Severity severity, const QString& text) {
+                            if (severity == Severity::Error) {
+                                *all << text;
+                            }
+                        });
         window.devices().addSource(std::make_unique<PadSource>(pad));
         show();
     }

@@ -11,6 +11,7 @@
 #include "app/action_table.h"
 #include "robot/collision/collision_check.h"
 #include "robot/kinematics/arm_kinematics.h"
+#include "tests/support/event_spy.h"
 #include "tests/support/jog_window_test.h"
 #include "tests/support/pictures.h"
 #include "widgets/common/decimal_spin_box.h"
@@ -166,12 +167,12 @@ private Q_SLOTS:
         addWaypoint("far", turned(0, 0.8), project::MoveKind::Joint);
         window().waypoints().selectWaypoint(document().waypoints().at(0).id);
         QStringList warnings;
-        const auto watching = connect(&window().session(), &RobotSession::message, this,
-                                      [&](Severity severity, const QString& text) {
-                                          if (severity == Severity::Warning) {
-                                              warnings << text;
-                                          }
-                                      });
+        const auto watching =
+            test::onMessage(window().session().journal(), this, [&](Severity severity, const QString& text) {
+                if (severity == Severity::Warning) {
+                    warnings << text;
+                }
+            });
         project::CellBox box;
         box.id = QUuid::createUuid();
         box.name = QStringLiteral("crate");

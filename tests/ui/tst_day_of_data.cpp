@@ -84,7 +84,7 @@ private Q_SLOTS:
             state.q[0] = std::sin(second * 0.01);
             Q_EMIT session.stateChanged(state);
             if (second % 10 == 0) {
-                Q_EMIT session.message(Severity::Info, QStringLiteral("It is %1 s now").arg(second));
+                session.journal().add(Severity::Info, QStringLiteral("It is %1 s now").arg(second));
             }
             if (second % 600 == 0) {
                 QCoreApplication::processEvents();

@@ -12,6 +12,7 @@
 
 #include "resources/resources.h"
 #include "robot/script/script_client.h"
+#include "tests/support/event_spy.h"
 #include "tests/support/waiting.h"
 #include "tests/support/window_bench.h"
 #include "tests/ui/jog_fixture.h"
@@ -62,8 +63,8 @@ struct DeadLinkBench : WindowBench {
     std::unique_ptr<script::ScriptClient> pendant;
 
     DeadLinkBench() {
-        QObject::connect(&window.session(), &RobotSession::message, &window,
-                         [all = said](Severity, const QString& text) { *all << text; });
+        test::onMessage(window.session().journal(), &window,
+                        [all = said](Severity, const QString& text) { *all << text; });
         window.devices().addSource(std::make_unique<TestPadSource>(pad));
         show();
     }

@@ -13,6 +13,7 @@
 #include "resources/resources.h"
 #include "robot/io/outputs.h"
 #include "robot/station/link/robotiq_link.h"
+#include "tests/support/event_spy.h"
 #include "tests/support/go_on_until.h"
 #include "tests/support/raw_peer.h"
 #include "tests/support/window_bench.h"
@@ -73,8 +74,8 @@ private:
     void begin(const simulator::SimulatorOptions& robot = VirtualCell::options()) {
         bench_ = std::make_unique<WindowBench>(robot);
         said_.clear();
-        QObject::connect(&bench_->window.session(), &RobotSession::message, &bench_->window,
-                         [this](Severity, const QString& words) { said_ << words; });
+        test::onMessage(bench_->window.session().journal(), &bench_->window,
+                        [this](Severity, const QString& words) { said_ << words; });
         bench_->window.setTheme("light");
         bench_->show(QSize(1280, 720));
         panel().setClock(bench_->clock);

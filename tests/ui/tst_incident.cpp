@@ -224,12 +224,12 @@ void TestIncident::oneClickOpensTheRecordingAtTheStop() {
 void TestIncident::theScrubberMovesAllViewsTogether() {
     Bench bench;
     QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
-    Q_EMIT bench.window.session().message(Severity::Info, QStringLiteral("before all"), Origin::Operator);
+    bench.window.session().journal().add(Severity::Info, QStringLiteral("before all"), Origin::Operator);
     bench.cell.advanceMs(1000);
     const double early = bench.plots().history().lastTime();
     bench.cell.robot.setDigitalInput(2, true);
     bench.cell.advanceMs(100);
-    Q_EMIT bench.window.session().message(Severity::Info, QStringLiteral("input is on"), Origin::Operator);
+    bench.window.session().journal().add(Severity::Info, QStringLiteral("input is on"), Origin::Operator);
     QVERIFY(bench.move(0.4));
     QVERIFY(bench.within([&] { return !bench.state().moving; }));
     bench.cell.robot.setDigitalInput(2, false);
@@ -307,8 +307,8 @@ void TestIncident::theLogFollowsAgainAfterBackToLive() {
     Bench bench;
     QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
     for (int i = 0; i < 60; ++i) {
-        Q_EMIT bench.window.session().message(Severity::Info, QStringLiteral("line %1").arg(i),
-                                              Origin::Operator);
+        bench.window.session().journal().add(Severity::Info, QStringLiteral("line %1").arg(i),
+                                             Origin::Operator);
     }
     bench.window.showTab("log");
     PlotView& view = bench.plots().view();
@@ -327,8 +327,8 @@ void TestIncident::theLogFollowsAgainAfterBackToLive() {
     const QScrollBar* bar = bench.logTable().verticalScrollBar();
     int before = bar->maximum();
     for (int i = 0; i < 3; ++i) {
-        Q_EMIT bench.window.session().message(Severity::Info, QStringLiteral("later %1").arg(i),
-                                              Origin::Operator);
+        bench.window.session().journal().add(Severity::Info, QStringLiteral("later %1").arg(i),
+                                             Origin::Operator);
         // The new row counts only after the next layout update.
         QVERIFY(bench.within([&] { return bar->maximum() > before; }));
         QVERIFY(bench.within([&] { return bar->value() == bar->maximum(); }));

@@ -11,6 +11,7 @@
 #include <QTest>
 
 #include "resources/resources.h"
+#include "tests/support/event_spy.h"
 #include "tests/support/go_on_until.h"
 #include "tests/support/window_bench.h"
 #include "tests/ui/jog_fixture.h"
@@ -130,12 +131,12 @@ private Q_SLOTS:
     // This window started the pulse, so monitor-only mode must not leave the output on.
     void monitorOnlyEndsARunningPulse() {
         QStringList warnings;
-        QObject::connect(&bench_->window.session(), &RobotSession::message, &bench_->window,
-                         [&warnings](Severity severity, const QString& text) {
-                             if (severity != Severity::Info) {
-                                 warnings << text;
-                             }
-                         });
+        test::onMessage(bench_->window.session().journal(), &bench_->window,
+                        [&warnings](Severity severity, const QString& text) {
+                            if (severity != Severity::Info) {
+                                warnings << text;
+                            }
+                        });
         bench_->window.session().outputs().pulseDigitalOutput(4, 30);
         QVERIFY(until([this] { return output(4); }));
         QVERIFY(until([this] { return tab().output(4)->state() == IoChannel::State::On; }));
@@ -150,12 +151,12 @@ private Q_SLOTS:
     void releasingControlEndsARunningPulse() {
         QStringList warnings;
         RobotSession& session = bench_->window.session();
-        QObject::connect(&session, &RobotSession::message, &bench_->window,
-                         [&warnings](Severity severity, const QString& text) {
-                             if (severity != Severity::Info) {
-                                 warnings << text;
-                             }
-                         });
+        test::onMessage(session.journal(), &bench_->window,
+                        [&warnings](Severity severity, const QString& text) {
+                            if (severity != Severity::Info) {
+                                warnings << text;
+                            }
+                        });
         session.outputs().pulseDigitalOutput(4, 30);
         QVERIFY(until([this] { return output(4); }));
         QVERIFY(until([this] { return tab().output(4)->state() == IoChannel::State::On; }));

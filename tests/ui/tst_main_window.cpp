@@ -15,6 +15,7 @@
 #include "app/main_window.h"
 #include "resources/resources.h"
 #include "robot/simulator/simulator.h"
+#include "tests/support/event_spy.h"
 #include "tests/ui/jog_fixture.h"
 #include "widgets/common/segmented_control.h"
 #include "widgets/jog/joint_rows.h"
@@ -248,12 +249,11 @@ private Q_SLOTS:
     void unreachableAddressSuggestsASolution() {
         app::MainWindow window(settings());
         QStringList errors;
-        connect(&window.session(), &RobotSession::message, &window,
-                [&](Severity severity, const QString& text) {
-                    if (severity == Severity::Error) {
-                        errors << text;
-                    }
-                });
+        test::onMessage(window.session().journal(), &window, [&](Severity severity, const QString& text) {
+            if (severity == Severity::Error) {
+                errors << text;
+            }
+        });
         window.connectRobot({"Nobody", "127.0.0.254", 0, false});
         QTRY_VERIFY_WITH_TIMEOUT(!errors.isEmpty(), 20'000);
         QVERIFY2(errors.first().contains("127.0.0.254"), qPrintable(errors.first()));

@@ -14,6 +14,7 @@
 #include "app/action_table.h"
 #include "resources/resources.h"
 #include "robot/station/text/texts.h"
+#include "tests/support/event_spy.h"
 #include "tests/ui/foreign_program_bench.h"
 #include "widgets/common/state_chip.h"
 #include "widgets/jog/limiter_line.h"
@@ -47,12 +48,12 @@ struct Bench : ForeignProgramBench {
         std::make_shared<QStringList>();  ///< shared, because the window outlives this object
 
     Bench() {
-        QObject::connect(&window.session(), &RobotSession::message, &window,
-                         [all = warnings](Severity severity, const QString& text) {
-                             if (severity == Severity::Warning) {
-                                 *all << text;
-                             }
-                         });
+        test::onMessage(window.session().journal(), &window,
+                        [all = warnings](Severity severity, const QString& text) {
+                            if (severity == Severity::Warning) {
+                                *all << text;
+                            }
+                        });
     }
     void setMonitorOnly(bool on) {
         app::Preferences preferences;

@@ -18,6 +18,7 @@
 #include "app/settings_page.h"
 #include "program_samples.h"
 #include "resources/resources.h"
+#include "tests/support/event_spy.h"
 #include "tests/support/go_on_until.h"
 #include "tests/support/window_bench.h"
 #include "tests/ui/jog_fixture.h"
@@ -244,10 +245,10 @@ private Q_SLOTS:
             Q_EMIT kind.activated(kind.currentIndex());
         }
         QStringList done;
-        connect(&bench.window.session(), &RobotSession::message, &bench.window,
-                [&](Severity, const QString& text, Origin origin) {
-                    done << (origin == Origin::Operator ? QStringList(text) : QStringList());
-                });
+        test::onMessage(bench.window.session().journal(), &bench.window,
+                        [&](Severity, const QString& text, Origin origin) {
+                            done << (origin == Origin::Operator ? QStringList(text) : QStringList());
+                        });
         const std::uint64_t before = bench.cell.truth().digitalOutputs;
         change("gripper.close");
         QMessageBox* question = bench.question("changeQuestion");

@@ -28,6 +28,7 @@
 #include "app/panel_dock.h"
 #include "app/perspectives.h"
 #include "resources/resources.h"
+#include "tests/support/event_spy.h"
 #include "tests/support/pictures.h"
 #include "tests/support/window_bench.h"
 #include "tests/ui/clipping.h"
@@ -398,12 +399,11 @@ private Q_SLOTS:
         VirtualClock clock;
         app::MainWindow window(app::Settings(file), clock);
         QStringList warnings;
-        connect(&window.session(), &RobotSession::message, &window,
-                [&](Severity severity, const QString& text) {
-                    if (severity == Severity::Warning) {
-                        warnings << text;
-                    }
-                });
+        test::onMessage(window.session().journal(), &window, [&](Severity severity, const QString& text) {
+            if (severity == Severity::Warning) {
+                warnings << text;
+            }
+        });
         window.resize(1280, 720);
         window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&window));
@@ -445,12 +445,11 @@ private Q_SLOTS:
         VirtualClock clock;
         app::MainWindow window(app::Settings(bench.file), clock);
         QStringList warnings;
-        connect(&window.session(), &RobotSession::message, &window,
-                [&](Severity severity, const QString& text) {
-                    if (severity == Severity::Warning) {
-                        warnings << text;
-                    }
-                });
+        test::onMessage(window.session().journal(), &window, [&](Severity severity, const QString& text) {
+            if (severity == Severity::Warning) {
+                warnings << text;
+            }
+        });
         window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&window));
         run(window, "perspective.saved.1");

@@ -25,6 +25,7 @@
 #include "program_samples.h"
 #include "robot/station/history/state_lane.h"
 #include "robot/station/program/program_edit.h"
+#include "tests/support/event_spy.h"
 #include "tests/support/window_bench.h"
 #include "tests/ui/jog_fixture.h"
 #include "widgets/common/elided_label.h"
@@ -531,10 +532,10 @@ private Q_SLOTS:
             return;
         }
         const QString path = bench_->folder.filePath("run.csv");
-        QSignalSpy began(&window().session(), &RobotSession::stepBegan);
+        const test::EventSpy began(window().session().journal(), JournalEvent::Kind::Step);
         window().session().recording().start(path);
         QVERIFY(cell().advanceUntil([&] { return window().session().state().recording.active; }, 60'000));
-        QVERIFY(cell().advanceUntil([&] { return began.size() >= 4; }, 60'000));
+        QVERIFY(cell().advanceUntil([&] { return began.count() >= 4; }, 60'000));
         window().session().stop(control::StopCause::StopButton);
         cell().advanceMs(1000);
         window().session().recording().stop();
@@ -605,8 +606,8 @@ private Q_SLOTS:
         }
         QStringList log;
         const QObject listener;  // disconnects before the end of the log's lifetime
-        connect(&window().session(), &RobotSession::message, &listener,
-                [&](Severity, const QString& text) { log << text; });
+        test::onMessage(window().session().journal(), &listener,
+                        [&](Severity, const QString& text) { log << text; });
         window().openProject(file);
         QCOMPARE(document().project().programs.size(), std::size_t(1));
         QVERIFY2(log.join(' ').contains("A program is running"), qPrintable(log.join('\n')));

@@ -18,6 +18,7 @@
 #include "app/main_window.h"
 #include "resources/resources.h"
 #include "robot/simulator/simulator.h"
+#include "tests/support/event_spy.h"
 #include "tests/support/key_events.h"
 #include "widgets/common/state_chip.h"
 #include "widgets/common/theme.h"
@@ -86,12 +87,11 @@ private:
         QVERIFY(robot_->start().ok());
         window_ = std::make_unique<app::MainWindow>(app::Settings(folder_.filePath("settings.ini")));
         window_->show();
-        connect(&window_->session(), &RobotSession::message, this,
-                [this](Severity severity, const QString& text) {
-                    if (severity == Severity::Error) {
-                        errors_ << text;
-                    }
-                });
+        test::onMessage(window_->session().journal(), this, [this](Severity severity, const QString& text) {
+            if (severity == Severity::Error) {
+                errors_ << text;
+            }
+        });
         window_->session().connectTo({"Virtual UR5e", options.listenAddress, options.portOffset, true});
         QTRY_COMPARE_WITH_TIMEOUT(state().link, LinkState::Live, 20'000);
         QTRY_VERIFY_WITH_TIMEOUT(state().remoteControl || local, 20'000);

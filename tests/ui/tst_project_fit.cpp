@@ -10,6 +10,7 @@
 
 #include "robot/kinematics/arm_kinematics.h"
 #include "robot/project/project_file.h"
+#include "tests/support/event_spy.h"
 #include "tests/support/go_on_until.h"
 #include "tests/support/window_bench.h"
 #include "tests/ui/jog_fixture.h"
@@ -139,8 +140,8 @@ private Q_SLOTS:
         bench_ = std::make_unique<WindowBench>(options);
         bench_->show();
         said_.clear();
-        connect(&window().session(), &RobotSession::message, this,
-                [this](Severity, const QString& text) { said_ << text; });
+        test::onMessage(window().session().journal(), this,
+                        [this](Severity, const QString& text) { said_ << text; });
     }
     void cleanup() { bench_.reset(); }
 

@@ -29,6 +29,7 @@
 #include "resources/resources.h"
 #include "robot/recording/csv_reader.h"
 #include "robot/recording/formats/open_recording.h"
+#include "tests/support/event_spy.h"
 #include "tests/support/go_on_until.h"
 #include "tests/support/window_bench.h"
 #include "widgets/common/elided_label.h"
@@ -263,7 +264,7 @@ private Q_SLOTS:
         };
         QTest::mouseClick(&key, Qt::LeftButton);
         QVERIFY(until(active));
-        Q_EMIT bench.window.session().message(Severity::Info, QStringLiteral("seen"), Origin::Operator);
+        bench.window.session().journal().add(Severity::Info, QStringLiteral("seen"), Origin::Operator);
         QVERIFY(until([&] { return bench.window.session().state().recording.rows > 200; }));
         // The menu shows size, rate and free space.
         QMenu* menu = bench.find<QToolButton>("plots.recordMenu").menu();
@@ -294,14 +295,14 @@ private Q_SLOTS:
         WindowBench bench;
         bench.show(QSize(1280, 720));
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
-        QSignalSpy messages(&bench.window.session(), &RobotSession::message);
+        const test::EventSpy messages(bench.window.session().journal());
         const QString path = bench.folder.filePath("full.csv");
         bench.window.session().recording().start(
             {.path = path, .keepFree = std::numeric_limits<std::int64_t>::max()});
         const auto failure = [&] {
             for (const auto& message : messages) {
-                if (message[0].value<Severity>() == Severity::Error) {
-                    return message[1].toString();
+                if (message.severity == Severity::Error) {
+                    return message.text;
                 }
             }
             return QString();
@@ -327,7 +328,7 @@ private Q_SLOTS:
         auto& details = bench.find<ElidedLabel>("recordingDetails");
         recording.start(file + "/run.csv");
         QVERIFY(goOnUntil(bench.cell, [&] { return line.messageText().contains("run.csv"); }));
-        Q_EMIT bench.window.session().message(Severity::Info, QStringLiteral("Something else"));
+        bench.window.session().journal().add(Severity::Info, QStringLiteral("Something else"));
         bench.cell.advanceMs(2000);
         QVERIFY(!line.messageText().contains("run.csv"));
         QVERIFY2(details.fullText().contains("run.csv"), qPrintable(details.fullText()));

@@ -123,7 +123,7 @@ private Q_SLOTS:
         app::Settings settings(bench.file);
         settings.rememberRobot({"Paint shop", "10.1.2.3", 0, false});
         settings.setIoNames({{"DO 0", "secret valve"}});
-        Q_EMIT bench.window.session().message(
+        bench.window.session().journal().add(
             Severity::Warning, "Paint shop at 10.1.2.3 and 10.9.8.7: secret valve, " + QDir::homePath());
         app::ReportDialog& dialog = bench.openReport();
         const auto all = [&dialog] {

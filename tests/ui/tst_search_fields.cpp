@@ -40,7 +40,7 @@ private Q_SLOTS:
         QFETCH(QString, known);
         WindowBench bench;
         bench.show();
-        Q_EMIT bench.window.session().message(Severity::Info, QStringLiteral("Known line"));
+        bench.window.session().journal().add(Severity::Info, QStringLiteral("Known line"));
         bench.window.actions().find(QLatin1String(command))->trigger();
         auto& search = bench.find<QLineEdit>(field);
         auto& nothing = bench.find<EmptyState>(list + ".nothingFound");

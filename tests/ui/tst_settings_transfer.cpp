@@ -21,6 +21,7 @@
 #include "app/settings_page.h"
 #include "app/settings_transfer.h"
 #include "resources/resources.h"
+#include "tests/support/event_spy.h"
 #include "tests/support/window_bench.h"
 #include "tests/ui/clipping.h"
 #include "widgets/common/density.h"
@@ -115,7 +116,7 @@ private Q_SLOTS:
         app::Settings(bench.file).rememberRobot({"Lab UR5e", "10.0.0.7", 0, false});
         app::SettingsPage* page = bench.openSettings();
         QVERIFY(page != nullptr);
-        QSignalSpy said(&bench.window.session(), &RobotSession::message);
+        const test::EventSpy said(bench.window.session().journal());
         const QString path = bench.folder.filePath("exported.json");
         FileAnswer answer(path);
         QTest::mouseClick(page->findChild<QPushButton*>("settingsExport"), Qt::LeftButton);
@@ -124,7 +125,7 @@ private Q_SLOTS:
         QVERIFY2(read.ok(), qPrintable(read.error().toString()));
         QCOMPARE(read->values.value("robots/1/host").toString(), QString("10.0.0.7"));
         QVERIFY2(!read->part(SettingsPart::Layout).isEmpty(), "the layout as it is now");
-        QVERIFY(!said.isEmpty() && said.last()[1].toString().contains(path));
+        QVERIFY(!said.isEmpty() && said.last().text.contains(path));
     }
 
     void importListsReplacedSettingsAndAppliesAtOnce() {
@@ -148,7 +149,7 @@ private Q_SLOTS:
         QVERIFY2(found.isEmpty(), qPrintable(found.join('\n')));
         QVERIFY2(!Theme::current().isDark(), "not before the key is pressed");
 
-        QSignalSpy said(&bench.window.session(), &RobotSession::message);
+        const test::EventSpy said(bench.window.session().journal());
         QTest::mouseClick(dialog->findChild<QPushButton*>("importSettings.replace"), Qt::LeftButton);
         QTRY_VERIFY_WITH_TIMEOUT(bench.window.findChild<app::SettingsPage*>() == nullptr, 60'000);
         QVERIFY(Theme::current().isDark());
@@ -160,8 +161,8 @@ private Q_SLOTS:
             qPrintable(bench.robotsInTheMenu()));
         const QStringList kept = QDir(bench.folder.path()).entryList({"settings-before-import_*.json"});
         QCOMPARE(kept.size(), 1);
-        const bool told = std::any_of(said.begin(), said.end(), [&kept](const QList<QVariant>& message) {
-            return message[1].toString().contains(kept.first());
+        const bool told = std::any_of(said.begin(), said.end(), [&kept](const JournalEvent& message) {
+            return message.text.contains(kept.first());
         });
         QVERIFY2(told, "where the copy is");
 

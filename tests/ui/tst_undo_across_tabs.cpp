@@ -8,6 +8,7 @@
 #include <QTabBar>
 #include <QTest>
 
+#include "tests/support/event_spy.h"
 #include "tests/support/go_on_until.h"
 #include "tests/support/window_bench.h"
 #include "tests/ui/jog_fixture.h"
@@ -77,8 +78,8 @@ private Q_SLOTS:
         bench_->show();
         QVERIFY2(cell().bringUp(), qPrintable(cell().what()));
         said_.clear();
-        connect(&window().session(), &RobotSession::message, this,
-                [this](Severity, const QString& text) { said_ << text; });
+        test::onMessage(window().session().journal(), this,
+                        [this](Severity, const QString& text) { said_ << text; });
         QVERIFY(until([this] { return window().session().state().modelKnown; }));
     }
     void cleanup() { bench_.reset(); }

@@ -13,6 +13,7 @@
 #include <QTimer>
 
 #include "robot/kinematics/arm_kinematics.h"
+#include "tests/support/event_spy.h"
 #include "tests/support/go_on_until.h"
 #include "tests/support/jog_window_test.h"
 #include "widgets/common/decimal_spin_box.h"
@@ -165,8 +166,8 @@ private:
         driveKeys(cell(), keys, &window().jogColumn().axisJog());
         window().jogColumn().selectors().setSpeedClass(3);
         said_.clear();
-        QObject::connect(&window().session(), &RobotSession::message, &window(),
-                         [this](Severity, const QString& text) { said_ << text; });
+        test::onMessage(window().session().journal(), &window(),
+                        [this](Severity, const QString& text) { said_ << text; });
         cell().advanceMs(40);
     }
     void hold(HoldToRunButton& button) {

@@ -50,7 +50,7 @@ private Q_SLOTS:
         QCoreApplication::processEvents();
         PaintWatch paints;
         const std::uint64_t before = window.session().state().sequence;
-        Q_EMIT window.session().message(Severity::Warning, QStringLiteral("read later"));
+        window.session().journal().add(Severity::Warning, QStringLiteral("read later"));
         cell.advanceMs(3000);
         QVERIFY(window.session().state().sequence > before + 1000);
         QCOMPARE(paints.count, 0);

@@ -392,8 +392,8 @@ void GripperPanel::chosenByUser() {
     if (!robot_.isEmpty() && memory_.keep && complete) {
         memory_.keep(robot_, choice.toText());
     }
-    Q_EMIT session_.message(Severity::Info, tr("Gripper set to %1").arg(kind_->currentText()),
-                            Origin::Operator);
+    session_.journal().add(Severity::Info, tr("Gripper set to %1").arg(kind_->currentText()),
+                           Origin::Operator);
 }
 
 void GripperPanel::choose(const GripperChoice& choice) {

@@ -194,12 +194,12 @@ void IoTab::focusSearch() {
 }
 
 void IoTab::showNoSelection() {
-    Q_EMIT session_.message(Severity::Info, tr("Press the Tab key to select a row on the I/O tab first."));
+    session_.journal().add(Severity::Info, tr("Press the Tab key to select a row on the I/O tab first."));
 }
 
 int IoTab::chosenOutput() {
     if (replay_) {
-        Q_EMIT session_.message(Severity::Warning, tr("Replay is active. Press “Back to live” first."));
+        session_.journal().add(Severity::Warning, tr("Replay is active. Press “Back to live” first."));
         return -1;
     }
     for (int channel = 0; channel < kChannels; ++channel) {
@@ -210,7 +210,7 @@ int IoTab::chosenOutput() {
             continue;
         }
         if (!row->obstacle().isEmpty()) {
-            Q_EMIT session_.message(Severity::Warning, row->obstacle());
+            session_.journal().add(Severity::Warning, row->obstacle());
             return -1;
         }
         return channel;

@@ -12,7 +12,7 @@
 #include <deque>
 #include <optional>
 
-#include "robot/station/link/robot_session.h"
+#include "robot/station/journal/journal_event.h"
 
 namespace tiller {
 

@@ -17,6 +17,7 @@
 #include <cmath>
 
 #include "robot/core/atomic_file.h"
+#include "robot/core/clock.h"
 #include "robot/station/text/texts.h"
 #include "widgets/common/density.h"
 #include "widgets/common/empty_state.h"
@@ -34,9 +35,9 @@ constexpr double kMsPerSecond = 1e3;
 
 }  // namespace
 
-LogTab::LogTab(RobotSession& session, QWidget* parent)
+LogTab::LogTab(Journal& journal, QWidget* parent)
     : QWidget(parent)
-    , now_([] { return QDateTime::currentDateTime(); })
+    , journal_(journal)
     , model_(new LogModel(this))
     , replayModel_(new LogModel(this))
     , filter_(new LogFilter(this))
@@ -149,16 +150,10 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
         connect(filter_, changed, this, &LogTab::showEmptyState);
     }
     connect(search_, &QLineEdit::textChanged, this, &LogTab::showEmptyState);
-    connect(&session, &RobotSession::message, this, &LogTab::append);
-    connect(&session, &RobotSession::noteAdded, this, [this](const QString& text) {
-        append(Severity::Info, tr("Note: %1").arg(text), Origin::Operator);
-    });
-    // Only the first run of each step, so that a program with loops does not fill the log.
-    connect(&session, &RobotSession::stepBegan, this, [this](const QString& text, bool isFirst) {
-        if (isFirst) {
-            append(Severity::Info, text);
-        }
-    });
+    for (const JournalEvent& event : journal.events()) {
+        append(event);
+    }
+    connect(&journal, &Journal::added, this, &LogTab::append);
 }
 
 LogTab::~LogTab() = default;
@@ -171,20 +166,6 @@ void LogTab::fitColumn(int column, const QStringList& words) {
         width = std::max(width, metrics.horizontalAdvance(word) + kCellPadding);
     }
     table_->setColumnWidth(column, width);
-}
-
-void LogTab::append(Severity severity, const QString& text, Origin origin, const QString& detail) {
-    add(severity, text, origin, detail, {});
-}
-
-void LogTab::appendRecording(Severity severity, const QString& text, const QString& detail,
-                             const QString& path) {
-    add(severity, text, Origin::Tiller, detail, path);
-}
-
-void LogTab::appendMoment(Severity severity, const QString& text, const QString& detail, const QString& path,
-                          double seconds) {
-    add(severity, text, Origin::Tiller, detail, path, seconds);
 }
 
 void LogTab::openRecording() {
@@ -256,13 +237,19 @@ void LogTab::setReplay(const Replay& moment) {
     showEmptyState();
 }
 
-void LogTab::add(Severity severity, const QString& text, Origin origin, const QString& detail,
-                 const QString& recording, std::optional<double> moment) {
+void LogTab::append(const JournalEvent& event) {
+    // Only the first run of each step, so that a program with loops does not fill the log.
+    if (event.kind == JournalEvent::Kind::Step && !event.isFirstRun) {
+        return;
+    }
     // Follow the newest row unless the user has scrolled back.
     const QScrollBar* bar = table_->verticalScrollBar();
     const bool follow = bar->value() == bar->maximum();
-    model_->append(now_(), severity, text, origin, detail, recording, moment);
-    if (!recording.isEmpty()) {
+    const bool isNote = event.kind == JournalEvent::Kind::Note;
+    model_->append(QDateTime::fromMSecsSinceEpoch(event.utcNs / kNsPerMs), event.severity,
+                   isNote ? tr("Note: %1").arg(event.text) : event.text, event.origin, event.detail,
+                   event.recording, event.moment);
+    if (!event.recording.isEmpty()) {
         table_->setColumnHidden(LogModel::Open, false);
     }
     if (follow && band_->words().isEmpty()) {
@@ -351,9 +338,9 @@ void LogTab::exportToFile() {
         return;
     }
     if (const Result<void> written = exportTo(path); !written) {
-        append(Severity::Error, texts::errorText(written.error()));
+        journal_.add(Severity::Error, texts::errorText(written.error()));
     } else {
-        append(Severity::Info, tr("Log written to %1").arg(path));
+        journal_.add(Severity::Info, tr("Log written to %1").arg(path));
     }
 }
 

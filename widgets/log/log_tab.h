@@ -4,14 +4,13 @@
 // The tab "Log" shows events with time and severity, newest at the bottom. Repeated messages are merged. The
 // log can be filtered, copied and saved to a file.
 
-#include <QDateTime>
 #include <QWidget>
-#include <functional>
+#include <memory>
 #include <optional>
 
 #include "robot/core/result.h"
 #include "robot/station/history/replay_moment.h"
-#include "robot/station/link/robot_session.h"
+#include "robot/station/journal/journal.h"
 
 class QLabel;
 class QLineEdit;
@@ -31,15 +30,13 @@ class LogTab : public QWidget {
     Q_OBJECT
 
 public:
-    explicit LogTab(RobotSession& session, QWidget* parent = nullptr);
+    explicit LogTab(Journal& journal, QWidget* parent = nullptr);
     ~LogTab() override;
 
     LogModel& model() { return *model_; }
     /// Shows the log of a recording, or the live log at a past time, and selects the row of that time. Empty
     /// for live data.
     void setReplay(const Replay& moment);
-    /// For tests: replaces the system clock.
-    void setTimeSource(std::function<QDateTime()> now) { now_ = std::move(now); }
     /// The displayed rows as tab-separated text, one per line.
     QString shownText() const;
     /// All rows as tab-separated text, including the rows hidden by the filter.
@@ -49,14 +46,6 @@ public:
     Result<void> exportTo(const QString& path) const;
 
 public Q_SLOTS:
-    void append(tiller::Severity severity, const QString& text,
-                tiller::Origin origin = tiller::Origin::Tiller, const QString& detail = {});
-    /// Like append(), with the recording of an incident. The user can open the recording from the row.
-    void appendRecording(tiller::Severity severity, const QString& text, const QString& detail,
-                         const QString& path);
-    /// Like append(), with a recording and the position at which it opens [s].
-    void appendMoment(tiller::Severity severity, const QString& text, const QString& detail,
-                      const QString& path, double seconds);
     /// Emits recordingWanted() if the current row has a recording.
     void openRecording();
     /// Copies the selected rows, or all displayed rows if none is selected.
@@ -86,11 +75,10 @@ private:
     void fillReplay(const ReplayMoment& moment);
     void select(int row);
     void showEmptyState();
-    void add(Severity severity, const QString& text, Origin origin, const QString& detail,
-             const QString& recording, std::optional<double> moment = {});
+    void append(const JournalEvent& event);
     QString textOf(const QList<int>& rows) const;
 
-    std::function<QDateTime()> now_;
+    Journal& journal_;
     LogModel* model_;
     LogModel* replayModel_;  ///< log of the replayed recording
     std::shared_ptr<const std::vector<recording::RecordedEvent>> replayed_;  ///< events in replayModel_

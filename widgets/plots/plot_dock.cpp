@@ -191,7 +191,10 @@ PlotDock::PlotDock(RobotSession& session, QWidget* parent)
 
     pages_->setClock([this](double time) { return replay_->clockAt(time); });
     connect(replay_.get(), &PlotReplay::changed, this, &PlotDock::replayChanged);
-    connect(comparison_.get(), &PlotComparison::parted, this, &PlotDock::deviatedFromModel);
+    connect(comparison_.get(), &PlotComparison::parted, this,
+            [this](const QString& text, const QString& details, const QString& path, double seconds) {
+                session_.journal().addRecording(Severity::Warning, text, details, path, seconds);
+            });
     connect(comparison_.get(), &PlotComparison::limitsChanged, this, &PlotDock::arrangementChanged);
     connect(comparison_.get(), &PlotComparison::bandChanged, this, &PlotDock::makeSpace);
     connect(pages_, &PlotPages::windowChanged, this, [this] {
@@ -208,9 +211,9 @@ PlotDock::PlotDock(RobotSession& session, QWidget* parent)
     connect(pages_, &PlotPages::noteWanted, this, &PlotDock::askForNote);
     connect(marks_.get(), &PlotMarks::thresholdsChanged, this, &PlotDock::arrangementChanged);
     connect(marks_.get(), &PlotMarks::crossed, this, [this](const Threshold& threshold, double time) {
-        Q_EMIT session_.message(Severity::Warning, tr("%1, at %2 s on the time axis")
-                                                       .arg(marks_->words(threshold),
-                                                            format::number(store_->controllerTime(time), 3)));
+        session_.journal().add(Severity::Warning, tr("%1, at %2 s on the time axis")
+                                                      .arg(marks_->words(threshold),
+                                                           format::number(store_->controllerTime(time), 3)));
     });
     connect(pages_, &PlotPages::zeroChanged, this, &PlotDock::updateHeader);
     connect(pages_, &PlotPages::arrangementChanged, this, [this] {
@@ -224,9 +227,9 @@ PlotDock::PlotDock(RobotSession& session, QWidget* parent)
         Q_EMIT arrangementChanged();
     });
     connect(pages_, &PlotPages::tooManySignals, this,
-            [this] { Q_EMIT session_.message(Severity::Warning, store_->problem()); });
+            [this] { session_.journal().add(Severity::Warning, store_->problem()); });
     connect(store_.get(), &SignalStore::computationFailed, this,
-            [this](const QString& why) { Q_EMIT session_.message(Severity::Warning, why); });
+            [this](const QString& why) { session_.journal().add(Severity::Warning, why); });
     connect(tree_, &SignalTree::chosen, this, [this](const QStringList& keys) { view().addSignals(keys); });
     connect(tree_, &SignalTree::derivationEntered, this, [this](const QString& text) {
         const Result<int> made = store_->derive(text);
@@ -335,7 +338,7 @@ void PlotDock::addNote(double time, const QString& text) {
     marks_->addNote(time, text);
     const QDateTime moment = replay_->clockAt(time);
     const QDateTime stored = moment.isValid() ? moment : QDateTime::currentDateTimeUtc();
-    Q_EMIT session_.noteAdded(text.simplified(), stored.toMSecsSinceEpoch() * kNsPerMs);
+    session_.journal().addNote(text.simplified(), stored.toMSecsSinceEpoch() * kNsPerMs);
 }
 
 void PlotDock::askForNote(double time) {
@@ -358,8 +361,8 @@ void PlotDock::setTimeAxis(TimeAxis axis) {
 
 void PlotDock::copyPicture() {
     QApplication::clipboard()->setImage(pages_->grab().toImage());
-    Q_EMIT session_.message(Severity::Info, tr("The plots were copied to the clipboard as an image."),
-                            Origin::Operator);
+    session_.journal().add(Severity::Info, tr("The plots were copied to the clipboard as an image."),
+                           Origin::Operator);
 }
 
 void PlotDock::searchSignals() {
@@ -492,7 +495,7 @@ void PlotDock::openRecording(const QString& path, std::optional<double> at,
             } else if (opened->error().code == ErrorCode::InvalidArgument) {
                 askForFormat(path, at, format, opened->error().controllerMessage);
             } else {
-                Q_EMIT session_.message(Severity::Error, texts::errorText(opened->error()));
+                session_.journal().add(Severity::Error, texts::errorText(opened->error()));
             }
         });
     });
@@ -596,8 +599,8 @@ bool PlotDock::turnTo(const QString& recording) {
     if (const int page = pages_->pageOf(recording); page >= 0) {
         pages_->setCurrent(page);
     } else if (!pages_->addPage(pageFor(recording))) {
-        Q_EMIT session_.message(
-            Severity::Warning, tr("The maximum number of plot pages has been reached. Remove a page first."));
+        session_.journal().add(Severity::Warning,
+                               tr("The maximum number of plot pages has been reached. Remove a page first."));
         return true;
     }
     const SeriesBuffer& times = *store_->timesOf(recording);
@@ -638,7 +641,7 @@ void PlotDock::showRecording(std::unique_ptr<recording::Recording> file, std::op
     }
     const Result<QString> opened = store_->open(std::move(file), begin);
     if (!opened) {
-        Q_EMIT session_.message(Severity::Error, texts::errorText(opened.error()));
+        session_.journal().add(Severity::Error, texts::errorText(opened.error()));
         return;
     }
     if (incident) {
@@ -652,9 +655,9 @@ void PlotDock::showRecording(std::unique_ptr<recording::Recording> file, std::op
     if (incident) {
         comparison_->begin(*opened);
     }
-    Q_EMIT session_.message(problems.isEmpty() ? Severity::Info : Severity::Warning,
-                            tr("Opened the recording %1").arg(*opened), Origin::Operator,
-                            problems.join(QLatin1Char(' ')));
+    session_.journal().add(problems.isEmpty() ? Severity::Info : Severity::Warning,
+                           tr("Opened the recording %1").arg(*opened), Origin::Operator,
+                           problems.join(QLatin1Char(' ')));
 }
 
 void PlotDock::compareWithModel() {
@@ -701,7 +704,7 @@ void PlotDock::askToSaveArrangement() {
         path += QStringLiteral(".json");
     }
     if (const Result<void> saved = saveArrangement(path); !saved) {
-        Q_EMIT session_.message(Severity::Error, texts::errorText(saved.error()));
+        session_.journal().add(Severity::Error, texts::errorText(saved.error()));
     }
 }
 
@@ -712,7 +715,7 @@ void PlotDock::askToOpenArrangement() {
         return;
     }
     if (const Result<void> opened = openArrangement(path); !opened) {
-        Q_EMIT session_.message(Severity::Error, texts::errorText(opened.error()));
+        session_.journal().add(Severity::Error, texts::errorText(opened.error()));
     }
 }
 
@@ -847,9 +850,9 @@ void PlotDock::setForceZeroed(bool zeroed) {
     if (!zeroed) {
         view().clearZero();
     } else if (!view().zeroForce()) {
-        Q_EMIT session_.message(Severity::Warning,
-                                tr("Cannot zero the force: the plots show no samples. Connect to a robot, or "
-                                   "scroll to a time with samples."));
+        session_.journal().add(Severity::Warning,
+                               tr("Cannot zero the force: the plots show no samples. Connect to a robot, or "
+                                  "scroll to a time with samples."));
     }
     updateHeader();
 }
@@ -1067,8 +1070,8 @@ Result<void> PlotDock::exportPicture(const QString& path) const {
 }
 
 void PlotDock::showNothingToExport() {
-    Q_EMIT session_.message(Severity::Warning, tr("Cannot export: the plots show no samples. Connect to a "
-                                                  "robot, or scroll to a time with samples."));
+    session_.journal().add(Severity::Warning, tr("Cannot export: the plots show no samples. Connect to a "
+                                                 "robot, or scroll to a time with samples."));
 }
 
 bool PlotDock::exportTo(const QString& path, ExportRange range) {
@@ -1080,14 +1083,14 @@ bool PlotDock::exportTo(const QString& path, ExportRange range) {
     const Result<void> result = isTable ? exportValues(path, range) : exportPicture(path);
     if (result) {
         const bool isBetween = isTable && range == ExportRange::BetweenCursors;
-        Q_EMIT session_.message(Severity::Info,
-                                (isBetween ? tr("Exported the range between cursors A and B to %1")
-                                           : tr("Exported the visible range to %1"))
-                                    .arg(path));
+        session_.journal().add(Severity::Info,
+                               (isBetween ? tr("Exported the range between cursors A and B to %1")
+                                          : tr("Exported the visible range to %1"))
+                                   .arg(path));
     } else if (isTable && result.error().code == ErrorCode::InvalidArgument) {
         showNothingToExport();
     } else {
-        Q_EMIT session_.message(Severity::Error, texts::errorText(result.error()));
+        session_.journal().add(Severity::Error, texts::errorText(result.error()));
     }
     return result.ok();
 }

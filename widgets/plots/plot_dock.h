@@ -134,8 +134,6 @@ Q_SIGNALS:
     void recordingOptionsWanted();
     /// The replayed time has changed. Empty if all data are live.
     void replayChanged(const tiller::Replay& moment);
-    /// Arm and model of a recording deviate. The time is on the time axis of the recording.
-    void deviatedFromModel(const QString& text, const QString& details, const QString& path, double seconds);
     /// Pages, plots, their signals or the memory limit have changed.
     void arrangementChanged();
 

@@ -196,7 +196,7 @@ void ProgramTab::setRobot(RobotSession& session, HoldPolicy& policy, std::functi
             });
     connect(runBar_, &RunBar::runChanged, this, &ProgramTab::showRun);
     connect(runBar_, &RunBar::stepBegan, this,
-            [this](int step, bool isFirst) { Q_EMIT session_->stepBegan(stepLabel(step), isFirst); });
+            [this](int step, bool isFirst) { session_->journal().addStep(stepLabel(step), isFirst); });
     connect(runBar_, &RunBar::stopChanged, this, [this] {
         if (const QString text = offerContinuation(); !text.isEmpty()) {
             showStatus(text);
@@ -214,7 +214,7 @@ void ProgramTab::setRobot(RobotSession& session, HoldPolicy& policy, std::functi
     connect(&document_, &ProjectDocument::removalRefused, this, [this] {
         const QString text = tr("The program is running, so it cannot be deleted. Stop the program first.");
         showStatus(tr("⚠ %1").arg(text));
-        Q_EMIT session_->message(Severity::Warning, text);
+        session_->journal().add(Severity::Warning, text);
     });
     // The script depends on the software version of the robot.
     connect(&session, &RobotSession::connected, this, &ProgramTab::check);
@@ -255,8 +255,8 @@ void ProgramTab::showRun() {
             showEnd(runner);
             using End = program::ProgramRunner::End;
             const bool isExpected = runner.end() == End::Completed || runner.end() == End::Stopped;
-            Q_EMIT session_->message(isExpected ? Severity::Info : Severity::Warning,
-                                     runner.endText(document_.project()));
+            session_->journal().add(isExpected ? Severity::Info : Severity::Warning,
+                                    runner.endText(document_.project()));
             Q_EMIT runEnded();
             break;
         }
@@ -290,7 +290,7 @@ void ProgramTab::showRunningStep(const program::ProgramRunner& runner) {
                                    : tr("Running step %1 (%2)").arg(step).arg(name));
     const bool isOther = std::exchange(wasWaiting_, isWaiting) != isWaiting;
     if (std::exchange(wasPausedOnRobot_, isPausedOnRobot) != isPausedOnRobot || isOther) {
-        Q_EMIT session_->message(isPausedOnRobot ? Severity::Warning : Severity::Info, status_->fullText());
+        session_->journal().add(isPausedOnRobot ? Severity::Warning : Severity::Info, status_->fullText());
     }
 }
 
@@ -610,8 +610,8 @@ void ProgramTab::removeProgram() {
         programs.remove(static_cast<std::size_t>(index));
         document_.changePrograms(programs, tr("Delete “%1”").arg(name));
         if (session_ != nullptr && document_.project().programs.size() == programs.size()) {
-            Q_EMIT session_->message(Severity::Info,
-                                     tr("Program “%1” deleted. Ctrl+Z restores it.").arg(name));
+            session_->journal().add(Severity::Info,
+                                    tr("Program “%1” deleted. Ctrl+Z restores it.").arg(name));
         }
     }
 }

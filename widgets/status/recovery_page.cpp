@@ -119,9 +119,9 @@ RecoveryPage::RecoveryPage(RobotSession& session, const StopRecorder& stops, QWi
     setAttribute(Qt::WA_DeleteOnClose);
     build();
     connect(&session_, &RobotSession::stateChanged, this, &RecoveryPage::applyState);
-    connect(&session_, &RobotSession::message, this, [this](Severity severity) {
+    connect(&session_.journal(), &Journal::added, this, [this](const JournalEvent& event) {
         // The robot rejected the command, so the user may try again.
-        if (severity == Severity::Error && sent_) {
+        if (event.isMessage() && event.severity == Severity::Error && sent_) {
             sent_ = false;
             showKey();
         }

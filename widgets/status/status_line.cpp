@@ -106,7 +106,11 @@ StatusLine::StatusLine(QWidget* parent)
 StatusLine::StatusLine(RobotSession& session, QWidget* parent) : StatusLine(parent) {
     applyState(session.state());
     connect(&session, &RobotSession::stateChanged, this, &StatusLine::applyState);
-    connect(&session, &RobotSession::message, this, &StatusLine::showMessage);
+    connect(&session.journal(), &Journal::added, this, [this](const JournalEvent& event) {
+        if (event.isMessage()) {
+            showMessage(event.severity, event.text);
+        }
+    });
 }
 
 void StatusLine::addKey(QWidget* key) {

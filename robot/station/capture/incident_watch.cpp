@@ -36,14 +36,11 @@ IncidentWatch::IncidentWatch(RobotSession& session, const QString& folder, QObje
     connect(&session, &RobotSession::linkBegan, this, &IncidentWatch::restart);
     connect(&session, &RobotSession::extraFieldsChanged, this, &IncidentWatch::followExtraFields);
     connect(&session, &RobotSession::connected, this, &IncidentWatch::learnIdentity);
-    connect(&session, &RobotSession::message, this,
-            [this](Severity severity, const QString& text, Origin origin) {
-                box_.note(recordedNote(severity, text, origin));
-            });
-    connect(&session, &RobotSession::noteAdded, this,
-            [this](const QString& text, qint64 utcNs) { box_.note(operatorNote(text, utcNs)); });
-    connect(&session, &RobotSession::stepBegan, this,
-            [this](const QString& text) { box_.note(stepNote(text)); });
+    connect(&session.journal(), &Journal::added, this, [this](const JournalEvent& event) {
+        if (const auto note = recordedNote(event)) {
+            box_.note(*note);
+        }
+    });
 }
 
 // The destructor of the black box completes the current incident, so the worker must be destroyed first.
@@ -62,7 +59,7 @@ void IncidentWatch::restart() {
     options.facts["written_by"] = "tiller";
     options.written = [this](const recording::Incident& incident) {
         QMetaObject::invokeMethod(
-            this, [this, incident] { tell(incident); }, Qt::QueuedConnection);
+            this, [this, incident] { report(incident); }, Qt::QueuedConnection);
     };
     // Run in the worker, because starting the black box may first write an incident of the previous
     // connection.
@@ -107,14 +104,15 @@ void IncidentWatch::learnIdentity() {
     });
 }
 
-void IncidentWatch::tell(const recording::Incident& incident) {
+void IncidentWatch::report(const recording::Incident& incident) {
     const QString what = reasonText(incident.reason);
     if (incident.error.code != ErrorCode::None) {
-        Q_EMIT told(Severity::Error, tr("The incident (%1) could not be recorded.").arg(what),
-                    texts::errorText(incident.error), QString());
+        session_.journal().addRecording(Severity::Error,
+                                        tr("The incident (%1) could not be recorded.").arg(what),
+                                        texts::errorText(incident.error), QString());
         return;
     }
-    Q_EMIT told(
+    session_.journal().addRecording(
         Severity::Warning, tr("Incident recorded: %1").arg(what),
         tr("The recording %2 starts %1 s before the stop. Double-click this entry to open the recording.")
             .arg(incident.secondsBefore, 0, 'f', 0)

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Incident recorder of the window. It runs while a robot is connected, receives the log messages, and reports
-// the file of each incident. The files also contain the additional fields displayed in plots.
+// Incident recorder of the window. It runs while a robot is connected, stores the events of the journal, and
+// adds the file of each incident to the journal. The files also contain the additional fields displayed in
+// plots.
 
 #include <QObject>
 #include <QString>
@@ -27,17 +28,11 @@ public:
     /// Number of packets received on this connection.
     std::uint64_t packets() const { return box_.packets(); }
 
-Q_SIGNALS:
-    /// text    sentence about the file
-    /// detail  suggested action
-    /// path    of the file; empty if it could not be written
-    void told(tiller::Severity severity, const QString& text, const QString& detail, const QString& path);
-
 private:
     void restart();
     void followExtraFields();
     void learnIdentity();
-    void tell(const recording::Incident& incident);
+    void report(const recording::Incident& incident);
 
     RobotSession& session_;
     const QString folder_;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "robot/station/link/recorded_note.h"
 
-#include <QDateTime>
-
 namespace tiller {
 
 namespace {
@@ -33,17 +31,25 @@ const char* sourceOf(Origin origin) {
 
 }  // namespace
 
-recording::RecordedNote recordedNote(Severity severity, const QString& text, Origin origin) {
-    return {QDateTime::currentMSecsSinceEpoch() * kNsPerMs, levelOf(severity), Text(sourceOf(origin)), text};
+std::optional<recording::RecordedNote> recordedNote(const JournalEvent& event) {
+    const auto from = [&event](const char* source) {
+        return recording::RecordedNote{event.utcNs, levelOf(event.severity), Text(source), event.text};
+    };
+    switch (event.kind) {
+        case JournalEvent::Kind::Message:
+            return from(sourceOf(event.origin));
+        case JournalEvent::Kind::Note:
+            return operatorNote(event.text, event.noteUtcNs);
+        case JournalEvent::Kind::Step:
+            return from(recording::kStepSource);
+        case JournalEvent::Kind::Recording:
+            break;
+    }
+    return {};
 }
 
 recording::RecordedNote operatorNote(const QString& text, std::int64_t utcNs) {
     return {utcNs, levelOf(Severity::Info), Text(recording::kNoteSource), text};
-}
-
-recording::RecordedNote stepNote(const QString& text) {
-    return {QDateTime::currentMSecsSinceEpoch() * kNsPerMs, levelOf(Severity::Info),
-            Text(recording::kStepSource), text};
 }
 
 }  // namespace tiller

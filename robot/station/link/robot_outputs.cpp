@@ -167,7 +167,7 @@ void RobotOutputs::claim() {
             }
             holders_ = holders;
             if (!result && result.error().code != ErrorCode::Cancelled) {
-                Q_EMIT session_.message(Severity::Warning, texts::errorText(result.error()));
+                session_.journal().add(Severity::Warning, texts::errorText(result.error()));
             }
         });
     });
@@ -290,7 +290,7 @@ void RobotOutputs::pulseDigitalOutput(int output, double seconds) {
         return;
     }
     if (const QString obstacle = pulseObstacle(); !obstacle.isEmpty()) {
-        Q_EMIT session_.message(Severity::Warning, obstacle);
+        session_.journal().add(Severity::Warning, obstacle);
         return;
     }
     const QString done = changeText(output, true, OutputOrder::Pulse{seconds, {}});
@@ -318,10 +318,10 @@ void RobotOutputs::followPulses() {
     std::erase_if(pulses_, overdue);
     for (const RunningPulse& pulse : ended) {
         if ((d_.state.digitalOutputs >> pulse.output & 1U) != 0) {
-            Q_EMIT session_.message(Severity::Warning,
-                                    tr("The robot did not end the pulse on %1 because the program on the "
-                                       "robot was stopped or paused. Tiller switches the output off.")
-                                        .arg(terminalText(ioTerminal(true, pulse.output))));
+            session_.journal().add(Severity::Warning,
+                                   tr("The robot did not end the pulse on %1 because the program on the "
+                                      "robot was stopped or paused. Tiller switches the output off.")
+                                       .arg(terminalText(ioTerminal(true, pulse.output))));
             writeDigitalOutput(pulse.output, false);
         }
     }
@@ -400,9 +400,9 @@ void RobotOutputs::report(std::uint64_t generation, const QString& done, const R
         return;
     }
     if (result) {
-        Q_EMIT session_.message(Severity::Info, done, Origin::Operator);
+        session_.journal().add(Severity::Info, done, Origin::Operator);
     } else {
-        Q_EMIT session_.message(Severity::Error, texts::errorText(result.error()));
+        session_.journal().add(Severity::Error, texts::errorText(result.error()));
     }
 }
 
@@ -428,7 +428,7 @@ void RobotOutputs::setSpeedSlider(double fraction) {
             }
             sliderBusy_ = false;
             if (!result) {
-                Q_EMIT session_.message(Severity::Error, texts::errorText(result.error()));
+                session_.journal().add(Severity::Error, texts::errorText(result.error()));
             }
             if (sliderWanted_) {
                 setSpeedSlider(*std::exchange(sliderWanted_, std::nullopt));
@@ -453,8 +453,8 @@ void RobotOutputs::reportSlider() {
     } else if (std::abs(fraction - *sliderLogged_) > kSame && now - sliderMovedNs_ >= kRestNs) {
         sliderLogged_ = fraction;
         const bool ours = sliderAskedNs_ != 0 && sliderMovedNs_ - sliderAskedNs_ < kOursNs;
-        Q_EMIT session_.message(Severity::Info, tr("Speed slider: %1 %").arg(fraction * 100, 0, 'f', 0),
-                                ours ? Origin::Operator : Origin::Robot);
+        session_.journal().add(Severity::Info, tr("Speed slider: %1 %").arg(fraction * 100, 0, 'f', 0),
+                               ours ? Origin::Operator : Origin::Robot);
     }
 }
 

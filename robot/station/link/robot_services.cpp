@@ -29,7 +29,7 @@ void send(
     RobotSession& session, const std::unique_ptr<RobotLink>& link, const QString& what, Call call,
     const std::function<void(bool)>& after = [](bool) {}) {
     if (!link) {
-        Q_EMIT session.message(Severity::Error, texts::errorText({ErrorCode::NotConnected, what, {}}));
+        session.journal().add(Severity::Error, texts::errorText({ErrorCode::NotConnected, what, {}}));
         after(false);
         return;
     }
@@ -37,9 +37,9 @@ void send(
         std::move(call), &session,
         [&session, what, after](const Result<void>& result) {
             if (result) {
-                Q_EMIT session.message(Severity::Info, what, Origin::Operator);
+                session.journal().add(Severity::Info, what, Origin::Operator);
             } else {
-                Q_EMIT session.message(
+                session.journal().add(
                     Severity::Error,
                     RobotServices::tr("%1 failed. %2").arg(what, texts::errorText(result.error())));
             }
@@ -93,7 +93,7 @@ void RobotServices::perform(RobotCommand command, bool confirmed) {
         return;
     }
     if (const QString why = serviceObstacle(d_.state, command); !why.isEmpty()) {
-        Q_EMIT session_.message(Severity::Error, tr("%1 failed. %2").arg(commandText(command), why));
+        session_.journal().add(Severity::Error, tr("%1 failed. %2").arg(commandText(command), why));
         Q_EMIT session_.commandDone(command, false);
         return;
     }
@@ -155,9 +155,9 @@ void RobotServices::stopPrograms(control::StopCause cause, std::uint64_t epoch) 
     // The last step, because connected slots may take time.
     const bool isControlAlive = now.control == ControlState::InControl && d_.stopEvidence().inControl;
     if (!now.isFresh() && !isControlAlive && !std::exchange(hasReportedSilence_, true)) {
-        Q_EMIT session_.message(Severity::Error,
-                                tr("The robot sends no data, so a stop may not reach the robot. Press the "
-                                   "emergency stop if the arm must stop."));
+        session_.journal().add(Severity::Error,
+                               tr("The robot sends no data, so a stop may not reach the robot. Press the "
+                                  "emergency stop if the arm must stop."));
     }
 }
 
@@ -186,11 +186,11 @@ void RobotServices::followForeignStop(const SampleBatch& batch) {
         case ExternalProgramStopper::Outcome::None:
             break;
         case ExternalProgramStopper::Outcome::Stopped:
-            Q_EMIT session_.message(Severity::Info, tr("The program on the robot was stopped."),
-                                    Origin::Operator);
+            session_.journal().add(Severity::Info, tr("The program on the robot was stopped."),
+                                   Origin::Operator);
             break;
         case ExternalProgramStopper::Outcome::Failed:
-            Q_EMIT session_.message(
+            session_.journal().add(
                 Severity::Error,
                 tr("The program on the robot could not be stopped. Stop the program on the teach pendant. %1")
                     .arg(texts::errorText(d_.link->foreignStop->error())));
@@ -251,7 +251,7 @@ void RobotServices::leaveForLocal() {
     const QString why =
         tr("The robot was switched to Local control: the motion was stopped and control was given back. "
            "Switch the robot to Remote control on the teach pendant, then take control again.");
-    Q_EMIT session_.message(Severity::Warning, why, Origin::Robot);
+    session_.journal().add(Severity::Warning, why, Origin::Robot);
     d_.taking.cancel();
     const std::uint64_t generation = d_.generation;
     d_.controlling.post(&session_,

@@ -165,9 +165,10 @@ void RobotSession::connectTo(const RobotAddress& address) {
     d_->sample = receive::Sample(d_->link->receiver->layout());
     d_->abandoned.reset();
     d_->followExtraFields();
+    journal_.setRobot(address.name, {});
     Q_EMIT linkBegan();
-    Q_EMIT message(Severity::Info, tr("Connecting to %1 (%2)").arg(address.name, address.host),
-                   Origin::Operator);
+    journal_.add(Severity::Info, tr("Connecting to %1 (%2)").arg(address.name, address.host),
+                 Origin::Operator);
     refresh();
 }
 
@@ -200,7 +201,7 @@ void RobotSession::disconnectFromRobot() {
     d_->ownUnmeasured = d_->foreignUnmeasured = d_->unmeasuredSeen = 0;
     d_->foreignStops = 0;
     d_->linkSeen = LinkState::Disconnected;
-    Q_EMIT message(Severity::Info, tr("Disconnected from %1").arg(d_->address.name));
+    journal_.add(Severity::Info, tr("Disconnected from %1").arg(d_->address.name));
     refresh();
 }
 
@@ -248,11 +249,10 @@ void RobotSession::setMonitorOnly(bool on) {
     }
     d_->monitorOnly = on;
     d_->refusal.clear();
-    Q_EMIT message(
-        Severity::Info,
-        on ? tr("Monitor only: this window does not change anything on the robot. STOP still works.")
-           : tr("“Monitor only” is off. Commands to the robot are enabled."),
-        Origin::Operator);
+    journal_.add(Severity::Info,
+                 on ? tr("Monitor only: this window does not change anything on the robot. STOP still works.")
+                    : tr("“Monitor only” is off. Commands to the robot are enabled."),
+                 Origin::Operator);
     if (on && d_->link && d_->state.hasData()) {
         outputs_.release();
     }
@@ -265,7 +265,7 @@ bool RobotSession::isMonitorOnly() const {
 
 bool RobotSession::refusesCommand(const QString& command) {
     if (d_->monitorOnly) {
-        Q_EMIT message(Severity::Warning, tr("%1: refused. %2").arg(command, texts::monitorOnlyObstacle()));
+        journal_.add(Severity::Warning, tr("%1: refused. %2").arg(command, texts::monitorOnlyObstacle()));
     }
     return d_->monitorOnly;
 }
@@ -279,7 +279,7 @@ void RobotSession::takeControl(ForeignProgram program) {
     }
     if (program == ForeignProgram::Ask && !d_->state.hasData()) {
         // Whether an external program is running is unknown.
-        Q_EMIT message(Severity::Warning, d_->state.controlReason);
+        journal_.add(Severity::Warning, d_->state.controlReason);
         return;
     }
     if (program == ForeignProgram::Ask && d_->state.hasForeignProgram()) {
@@ -287,8 +287,8 @@ void RobotSession::takeControl(ForeignProgram program) {
         return;
     }
     if (d_->state.hasForeignProgram()) {
-        Q_EMIT message(Severity::Warning, tr("Stopping the other client's program to take control."),
-                       Origin::Operator);
+        journal_.add(Severity::Warning, tr("Stopping the other client's program to take control."),
+                     Origin::Operator);
     }
     d_->takingControl = true;
     d_->refusal.clear();
@@ -311,14 +311,14 @@ void RobotSession::takeControl(ForeignProgram program) {
             }
             d_->takingControl = false;
             if (result) {
-                Q_EMIT message(Severity::Info, tr("In control"), Origin::Operator);
+                journal_.add(Severity::Info, tr("In control"), Origin::Operator);
             } else if (result.error().code == ErrorCode::Cancelled) {
-                Q_EMIT message(Severity::Info, tr("Taking control was cancelled by a stop."));
+                journal_.add(Severity::Info, tr("Taking control was cancelled by a stop."));
             } else {
                 d_->refusal = texts::errorText(result.error());
                 d_->localRefuses =
                     d_->localRefuses || result.error().code == ErrorCode::RemoteControlRequired;
-                Q_EMIT message(Severity::Error, d_->refusal);
+                journal_.add(Severity::Error, d_->refusal);
             }
             refresh();
         });
@@ -346,7 +346,7 @@ void RobotSession::setSurroundings(const collision::CellSurroundings& cell) {
     d_->guard.setSurroundings(cell);
     if (isNew) {
         for (const collision::UnplacedObject& object : cell.unplaced) {
-            Q_EMIT message(Severity::Warning, tr("Moves are refused. %1.").arg(unplacedText(object)));
+            journal_.add(Severity::Warning, tr("Moves are refused. %1.").arg(unplacedText(object)));
         }
     }
     refresh();
@@ -711,6 +711,8 @@ void RobotSession::refresh() {
     const SampleBatch batch = d_->drain(room);
     const bool isNewConnection = d_->sample.connection != connection;
     d_->read();
+    journal_.setRobot(d_->state.robotName,
+                      d_->state.hasData() ? std::optional(d_->state.robotTime) : std::nullopt);
     if (!batch.samples.empty() || batch.lost > 0) {
         Q_EMIT samplesReceived(batch);
     }
@@ -738,8 +740,8 @@ void RobotSession::reportChanges() {
     if (state.lastStop.count > d_->stopsSeen) {
         d_->stopsSeen = state.lastStop.count;
         Q_EMIT motionStopped(state.lastStop);
-        Q_EMIT message(Severity::Info, stopSentence(state.lastStop, state.safety()),
-                       isOperatorStop(state.lastStop.cause) ? Origin::Operator : Origin::Tiller);
+        journal_.add(Severity::Info, stopSentence(state.lastStop, state.safety()),
+                     isOperatorStop(state.lastStop.cause) ? Origin::Operator : Origin::Tiller);
     }
     if (state.unmeasuredStop.count > d_->unmeasuredSeen) {
         d_->unmeasuredSeen = state.unmeasuredStop.count;
@@ -747,42 +749,42 @@ void RobotSession::reportChanges() {
         const QString cause = causeWords(stop.cause, state.safety());
         if (stop.reason == control::UnmeasuredStop::Reason::DataGap && state.isFresh() && state.moving) {
             // The stop did not reach the robot, e.g. because the connection was interrupted.
-            Q_EMIT message(Severity::Error,
-                           tr("Not stopped: the arm moves (%1). Press STOP again.").arg(cause));
+            journal_.add(Severity::Error,
+                         tr("Not stopped: the arm moves (%1). Press STOP again.").arg(cause));
         } else {
-            Q_EMIT message(Severity::Warning,
-                           tr("Stopped: %1 (%2)").arg(cause, texts::unmeasuredText(stop.reason)));
+            journal_.add(Severity::Warning,
+                         tr("Stopped: %1 (%2)").arg(cause, texts::unmeasuredText(stop.reason)));
         }
     }
     if (state.link != d_->linkSeen) {
         if (state.link == LinkState::Live && d_->linkSeen != LinkState::Stale) {
-            Q_EMIT message(Severity::Info, tr("Connected to %1").arg(state.robotName));
+            journal_.add(Severity::Info, tr("Connected to %1").arg(state.robotName));
         } else if (state.link == LinkState::Lost) {
-            Q_EMIT message(Severity::Error, state.linkReason);
+            journal_.add(Severity::Error, state.linkReason);
         }
         d_->linkSeen = state.link;
     }
     if (d_->loss != d_->lossSeen) {
         d_->lossSeen = d_->loss;
         if (d_->loss == control::ControlLoss::LinkLost) {
-            Q_EMIT message(Severity::Error,
-                           tr("Control was lost: the control connection did not respond for 0.5 s or was "
-                              "closed. STOP, Space and Esc still stop the robot. Take control again."));
+            journal_.add(Severity::Error,
+                         tr("Control was lost: the control connection did not respond for 0.5 s or was "
+                            "closed. STOP, Space and Esc still stop the robot. Take control again."));
         }
     }
     reportExternalProgram();
     if (state.isFresh() && d_->readySeen != (state.robotMode == RobotMode::Running)) {
         d_->readySeen = !d_->readySeen;
         if (!d_->readySeen) {
-            Q_EMIT message(Severity::Info, tr("Robot mode: %1").arg(robotModeWords(state.robotMode).text),
-                           Origin::Robot);
+            journal_.add(Severity::Info, tr("Robot mode: %1").arg(robotModeWords(state.robotMode).text),
+                         Origin::Robot);
         }
     }
     if (state.hasData() && state.safety() != d_->safetySeen) {
         d_->safetySeen = state.safety();
         const QString obstacle = texts::safetyModeObstacle(state.safety());
-        Q_EMIT message(obstacle.isEmpty() ? Severity::Info : Severity::Error,
-                       obstacle.isEmpty() ? tr("Safety mode is Normal again") : obstacle, Origin::Robot);
+        journal_.add(obstacle.isEmpty() ? Severity::Info : Severity::Error,
+                     obstacle.isEmpty() ? tr("Safety mode is Normal again") : obstacle, Origin::Robot);
     }
     if (state.link == LinkState::Live) {
         outputs_.reportSlider();
@@ -818,13 +820,13 @@ void RobotSession::reportExternalProgram() {
     if (runs) {
         // Only the first program after a loss of control has taken over.
         const bool hasTakenOver = d_->isTakenOver() && !std::exchange(d_->takeoverReported, true);
-        Q_EMIT message(hasTakenOver ? Severity::Warning : Severity::Info,
-                       hasTakenOver ? tr("A program of another client has taken over the robot, and "
-                                         "control was lost. Taking control again ends that program.")
-                                    : tr("A program of another client is running on the robot."),
-                       Origin::Robot);
+        journal_.add(hasTakenOver ? Severity::Warning : Severity::Info,
+                     hasTakenOver ? tr("A program of another client has taken over the robot, and "
+                                       "control was lost. Taking control again ends that program.")
+                                  : tr("A program of another client is running on the robot."),
+                     Origin::Robot);
     } else if (state.runtimeState == RuntimeState::Paused && state.control != ControlState::InControl) {
-        Q_EMIT message(Severity::Info, tr("The program on the robot is paused."), Origin::Robot);
+        journal_.add(Severity::Info, tr("The program on the robot is paused."), Origin::Robot);
     }
 }
 
@@ -841,7 +843,7 @@ void RobotSession::reportEndOfExternalProgram(bool exists) {
     if (d_->externalEndNs && nowNs - *d_->externalEndNs >= kEndedNs && !d_->takingControl) {
         d_->externalEndNs.reset();
         if (d_->state.control != ControlState::InControl) {
-            Q_EMIT message(Severity::Info, tr("The program of the other client has ended."), Origin::Robot);
+            journal_.add(Severity::Info, tr("The program of the other client has ended."), Origin::Robot);
         }
     }
 }
@@ -873,10 +875,9 @@ void RobotSession::reportControllerMessages() {
     limiter.limit(messages, now);
     limiter.setDropped(primary.droppedMessages());
     if (const std::uint64_t removed = limiter.takeRemoved(now); removed > 0) {
-        Q_EMIT message(
-            Severity::Warning,
-            tr("The robot is sending too many messages. %n messages were not shown.", nullptr,
-               static_cast<int>(std::min<std::uint64_t>(removed, std::numeric_limits<int>::max()))));
+        journal_.add(Severity::Warning,
+                     tr("The robot is sending too many messages. %n messages were not shown.", nullptr,
+                        static_cast<int>(std::min<std::uint64_t>(removed, std::numeric_limits<int>::max()))));
     }
     for (const script::ControllerMessage& m : messages) {
         Q_EMIT controllerMessage(m);
@@ -893,30 +894,29 @@ void RobotSession::reportControllerMessages() {
                 d_->programNode = m.text;
                 break;
             case MessageKind::Text:
-                Q_EMIT message(severity, tr("Program: %1").arg(m.text), Origin::Robot);
+                journal_.add(severity, tr("Program: %1").arg(m.text), Origin::Robot);
                 break;
             case MessageKind::ErrorCode: {
                 const CodeWords words = controllerCode(m.code);
-                Q_EMIT message(severity, codeTitle(m, words), Origin::Robot,
-                               words.meaning + QLatin1Char(' ') + words.action);
+                journal_.add(severity, codeTitle(m, words), Origin::Robot,
+                             words.meaning + QLatin1Char(' ') + words.action);
                 break;
             }
             case MessageKind::RuntimeException:
-                Q_EMIT message(
+                journal_.add(
                     Severity::Error,
                     tr("Program error on line %1, column %2: %3").arg(m.line).arg(m.column).arg(m.text),
                     Origin::Robot);
                 break;
             case MessageKind::Popup:
-                Q_EMIT message(severity, tr("Popup on the robot: %1 %2").arg(m.title, m.text).trimmed(),
-                               Origin::Robot);
+                journal_.add(severity, tr("Popup on the robot: %1 %2").arg(m.title, m.text).trimmed(),
+                             Origin::Robot);
                 break;
             case MessageKind::RequestValue:
-                Q_EMIT message(
-                    Severity::Warning,
-                    tr("The program on the robot is waiting for a response on the teach pendant: %1")
-                        .arg(m.text),
-                    Origin::Robot);
+                journal_.add(Severity::Warning,
+                             tr("The program on the robot is waiting for a response on the teach pendant: %1")
+                                 .arg(m.text),
+                             Origin::Robot);
                 break;
             default:
                 break;

@@ -22,6 +22,7 @@
 #include "robot/core/result.h"
 #include "robot/script/controller_message.h"
 #include "robot/script/step_gate.h"
+#include "robot/station/journal/journal.h"
 #include "robot/station/link/robot_command.h"
 #include "robot/station/link/robot_outputs.h"
 #include "robot/station/link/robot_services.h"
@@ -51,10 +52,6 @@ struct RobotAddress {
     int portOffset = 0;
     bool simulated = false;
 };
-
-enum class Severity { Info, Warning, Error };
-/// Origin of the action described by a message.
-enum class Origin { Tiller, Operator, Robot };
 
 /// A limited motion: a jog step, or a move to a waypoint.
 struct MoveRequest {
@@ -91,7 +88,11 @@ public:
     std::shared_ptr<publish::Publisher> publisher() const;
     const RobotAddress& address() const;
 
-    // Connection. These functions never block. The result is reported by stateChanged and message.
+    /// Messages, notes and program steps of this robot.
+    Journal& journal() { return journal_; }
+    const Journal& journal() const { return journal_; }
+
+    // Connection. These functions never block. The result is reported by stateChanged and in the journal.
     void connectTo(const RobotAddress& address);
     void disconnectFromRobot();
 
@@ -131,7 +132,7 @@ public:
     /// The operator has agreed. asksBeforeChange() returns false until this program ends or confirmed is false.
     void confirmChanges(bool confirmed = true);
 
-    // Control. The result is reported by stateChanged and message.
+    // Control. The result is reported by stateChanged and in the journal.
     /// Handling of another client's program that is running or paused on the robot.
     enum class ForeignProgram { Ask, Stop };
     /// Uploads the control program. Requires RUNNING, and Remote control if the controller supports it. This
@@ -231,15 +232,6 @@ Q_SIGNALS:
     void stateChanged(const tiller::SessionState& state);
     /// A motion has ended and its stop was measured.
     void motionStopped(const tiller::control::StopMeasurement& measurement);
-    /// A message for the log.
-    /// detail  explanation and suggested action, as sentences; may be empty
-    void message(tiller::Severity severity, const QString& text,
-                 tiller::Origin origin = tiller::Origin::Tiller, const QString& detail = {});
-    /// The operator has added a note for a point in time. Recordings store it at that time.
-    /// utcNs  this time [ns since 1970]
-    void noteAdded(const QString& text, qint64 utcNs);
-    /// A step of a program has begun. Recordings store every step; the log shows the first run of each step.
-    void stepBegan(const QString& text, bool isFirst);
     /// The robot's service has replied to a command, or could not be reached.
     void commandDone(tiller::RobotCommand command, bool done);
     /// takeControl() would end a program of another client. If the operator agrees, call it again with
@@ -250,7 +242,7 @@ Q_SIGNALS:
     /// RobotServices::perform() would start, pause or end a program that is not Tiller's own. If the operator
     /// agrees, call it again with `confirmed`.
     void commandQuestion(tiller::RobotCommand command);
-    /// A complete message from the controller. Also emitted as message().
+    /// A complete message from the controller. Also added to the journal.
     void controllerMessage(const tiller::script::ControllerMessage& message);
 
 private:
@@ -261,6 +253,7 @@ private:
     void reportEndOfExternalProgram(bool exists);
     void reportControllerMessages();
 
+    Journal journal_;
     std::unique_ptr<SessionBackend> d_;
     std::function<QString()> projectGuard_ = [] { return QString(); };
     RobotOutputs outputs_;

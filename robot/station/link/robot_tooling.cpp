@@ -14,13 +14,13 @@ constexpr std::chrono::milliseconds kToolingTime{2000};
 
 void RobotTooling::set(const QString& done, std::function<Result<void>(const Deadline&)> order) {
     if (!d_.link || !d_.state.canMove()) {
-        Q_EMIT session_.message(Severity::Warning, d_.state.controlReason.isEmpty()
-                                                       ? tr("Tiller is not in control. Take control first.")
-                                                       : d_.state.controlReason);
+        session_.journal().add(Severity::Warning, d_.state.controlReason.isEmpty()
+                                                      ? tr("Tiller is not in control. Take control first.")
+                                                      : d_.state.controlReason);
         return;
     }
     if (d_.state.moving || d_.state.motionActive) {
-        Q_EMIT session_.message(
+        session_.journal().add(
             Severity::Warning,
             tr("TCP and payload can be set only at standstill. Wait until the arm has stopped."));
         return;
@@ -33,9 +33,9 @@ void RobotTooling::set(const QString& done, std::function<Result<void>(const Dea
                 return;
             }
             if (result) {
-                Q_EMIT session_.message(Severity::Info, done, Origin::Operator);
+                session_.journal().add(Severity::Info, done, Origin::Operator);
             } else if (result.error().code != ErrorCode::Cancelled) {
-                Q_EMIT session_.message(Severity::Error, texts::errorText(result.error()));
+                session_.journal().add(Severity::Error, texts::errorText(result.error()));
             }
         });
     });

@@ -132,7 +132,7 @@ void RobotiqLink::take(const Look& found, bool afterCommand) {
                "gripper cable at the wrist."));
     } else {
         if (failures_ > 0) {
-            Q_EMIT session_.message(Severity::Info, tr("The gripper responds again."), Origin::Robot);
+            session_.journal().add(Severity::Info, tr("The gripper responds again."), Origin::Robot);
         }
         failures_ = 0;
         reason_.clear();
@@ -160,7 +160,7 @@ void RobotiqLink::lose(const QString& reason) {
     // Each reason is logged once.
     if (reason != reason_) {
         reason_ = reason;
-        Q_EMIT session_.message(Severity::Warning, reason);
+        session_.journal().add(Severity::Warning, reason);
     }
 }
 
@@ -168,7 +168,7 @@ void RobotiqLink::note(const io::RobotiqState& now) {
     if (now.fault != logged_) {
         logged_ = now.fault;
         if (const QString fault = textOf(now.fault); !fault.isEmpty()) {
-            Q_EMIT session_.message(Severity::Error, fault, Origin::Robot);
+            session_.journal().add(Severity::Error, fault, Origin::Robot);
         }
     }
     if (busy_) {
@@ -176,19 +176,19 @@ void RobotiqLink::note(const io::RobotiqState& now) {
     }
     if (activating_ && now.activation == RobotiqActivation::Active) {
         activating_.reset();
-        Q_EMIT session_.message(Severity::Info, tr("The gripper is active."), Origin::Robot);
+        session_.journal().add(Severity::Info, tr("The gripper is active."), Origin::Robot);
     } else if (activating_ && activating_->elapsed() > kActivationMs) {
         activating_.reset();
-        Q_EMIT session_.message(Severity::Error, tr("The gripper was not activated. Check that nothing "
-                                                    "blocks its fingers, then press “Activate” again."));
+        session_.journal().add(Severity::Error, tr("The gripper was not activated. Check that nothing "
+                                                   "blocks its fingers, then press “Activate” again."));
     }
     if (now.holds() && !held_) {
-        Q_EMIT session_.message(
+        session_.journal().add(
             Severity::Info,
             tr("The gripper holds an object (%1 open).").arg(format::length(opening(now.position), 1)),
             Origin::Robot);
     } else if (held_ && !now.holds() && state_ && state_->requested == now.requested) {
-        Q_EMIT session_.message(Severity::Warning, tr("The gripper lost the object."), Origin::Robot);
+        session_.journal().add(Severity::Warning, tr("The gripper lost the object."), Origin::Robot);
     }
     held_ = now.holds();
 }
@@ -274,11 +274,11 @@ void RobotiqLink::post(const Command& command) {
             }
             carriedOut_ = true;
             if (result) {
-                Q_EMIT session_.message(Severity::Info, command.what, Origin::Operator);
+                session_.journal().add(Severity::Info, command.what, Origin::Operator);
             } else if (!command.token.isCancelled()) {
                 activating_.reset();
-                Q_EMIT session_.message(Severity::Error,
-                                        tr("%1 failed. %2").arg(command.what, errorText(result.error())));
+                session_.journal().add(Severity::Error,
+                                       tr("%1 failed. %2").arg(command.what, errorText(result.error())));
             }
             // The next state query reads the effect and ends the busy state.
             lookTimer_.start(0);

@@ -23,14 +23,11 @@ constexpr std::chrono::seconds kDataWait{5};
 
 SessionRecording::SessionRecording(RobotSession& session, SessionBackend& backend)
     : session_(session), d_(backend) {
-    QObject::connect(&session, &RobotSession::message, &session,
-                     [this](Severity severity, const QString& text, Origin origin) {
-                         keep(recordedNote(severity, text, origin));
-                     });
-    QObject::connect(&session, &RobotSession::noteAdded, &session,
-                     [this](const QString& text, qint64 utcNs) { keep(operatorNote(text, utcNs)); });
-    QObject::connect(&session, &RobotSession::stepBegan, &session,
-                     [this](const QString& text) { keep(stepNote(text)); });
+    QObject::connect(&session.journal(), &Journal::added, &session, [this](const JournalEvent& event) {
+        if (const auto note = recordedNote(event)) {
+            keep(*note);
+        }
+    });
 }
 
 void SessionRecording::keep(const recording::RecordedNote& note) {
@@ -73,7 +70,7 @@ std::shared_ptr<receive::Receiver> SessionRecording::receiverFor(const std::vect
         }
     }
     if (!missing.isEmpty()) {
-        Q_EMIT session_.message(
+        session_.journal().add(
             Severity::Warning,
             tr("The robot cannot send so many signals at once. These signals are not recorded: %1")
                 .arg(missing.join(QStringLiteral(", "))));
@@ -86,7 +83,7 @@ std::shared_ptr<receive::Receiver> SessionRecording::receiverFor(const std::vect
 
 void SessionRecording::refuse(Severity severity, const QString& why) {
     d_.recordingRefusal = why;
-    Q_EMIT session_.message(severity, why);
+    session_.journal().add(severity, why);
     session_.refresh();
 }
 
@@ -180,9 +177,9 @@ void SessionRecording::start(const RecordingOrder& order) {
                 for (const std::string& field : fields) {
                     contained_ << QString::fromStdString(field);
                 }
-                Q_EMIT session_.message(Severity::Info, tr("Recording to %1").arg(path), Origin::Operator);
+                session_.journal().add(Severity::Info, tr("Recording to %1").arg(path), Origin::Operator);
                 if (!missing.isEmpty()) {
-                    Q_EMIT session_.message(
+                    session_.journal().add(
                         Severity::Warning,
                         tr("Not recorded, because the robot does not accept a second connection: %1")
                             .arg(missing.join(QStringLiteral(", "))));
@@ -209,16 +206,16 @@ void SessionRecording::stop() {
         return std::function<void()>([this] {
             const recording::RecorderProgress progress = d_.recorder.progress();
             if (progress.state == recording::RecorderState::Finished) {
-                Q_EMIT session_.message(Severity::Info,
-                                        tr("Recorded %n rows to %1", nullptr, static_cast<int>(progress.rows))
-                                            .arg(d_.recorder.path()));
+                session_.journal().add(Severity::Info,
+                                       tr("Recorded %n rows to %1", nullptr, static_cast<int>(progress.rows))
+                                           .arg(d_.recorder.path()));
                 if (progress.lost > 0) {
-                    Q_EMIT session_.message(Severity::Warning,
-                                            tr("The recording has gaps: %n packets are missing.", nullptr,
-                                               static_cast<int>(progress.lost)));
+                    session_.journal().add(Severity::Warning,
+                                           tr("The recording has gaps: %n packets are missing.", nullptr,
+                                              static_cast<int>(progress.lost)));
                 }
             } else if (progress.state == recording::RecorderState::Failed) {
-                Q_EMIT session_.message(Severity::Error, texts::errorText(d_.recorder.error()));
+                session_.journal().add(Severity::Error, texts::errorText(d_.recorder.error()));
             }
             session_.refresh();
         });
@@ -234,9 +231,9 @@ void SessionRecording::reportDisplayed(const QStringList& fields) {
     }
     if (!missing.isEmpty()) {
         contained_ << missing;
-        Q_EMIT session_.message(Severity::Warning, tr("The current recording does not contain %1. Start a "
-                                                      "new recording to record displayed signals.")
-                                                       .arg(missing.join(QStringLiteral(", "))));
+        session_.journal().add(Severity::Warning, tr("The current recording does not contain %1. Start a "
+                                                     "new recording to record displayed signals.")
+                                                      .arg(missing.join(QStringLiteral(", "))));
     }
 }
 
@@ -245,7 +242,7 @@ void SessionRecording::reportFailure() {
         const Error notes = d_.recorder.notesError();
         reportedNotes_ = notes.code != ErrorCode::None;
         if (reportedNotes_) {
-            Q_EMIT session_.message(
+            session_.journal().add(
                 Severity::Warning,
                 tr("The recording continues without notes. %1").arg(texts::errorText(notes)));
         }
@@ -257,7 +254,7 @@ void SessionRecording::reportFailure() {
                 backend.recorderReceiver.reset();
             }
         });
-        Q_EMIT session_.message(Severity::Error, d_.state.recording.error);
+        session_.journal().add(Severity::Error, d_.state.recording.error);
     }
 }
 

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "robot/core/clock.h"
 #include "widgets/common/empty_state.h"
 #include "widgets/common/segmented_control.h"
 #include "widgets/common/theme.h"
@@ -30,45 +31,58 @@ private Q_SLOTS:
 
     void init() {
         time_ = QDateTime(QDate(2024, 9, 17), QTime(14, 2, 11));
-        session_ = std::make_unique<RobotSession>();
-        tab_ = std::make_unique<LogTab>(*session_);
-        tab_->setTimeSource([this] { return time_; });
+        journal_ = std::make_unique<Journal>();
+        journal_->setWallClock([this] { return time_.toMSecsSinceEpoch() * kNsPerMs; });
+        tab_ = std::make_unique<LogTab>(*journal_);
         tab_->resize(560, 400);
         tab_->show();
         QVERIFY(QTest::qWaitForWindowExposed(tab_.get()));
     }
     void cleanup() {
         tab_.reset();
-        session_.reset();
+        journal_.reset();
     }
 
     void messagesOfTheSessionArriveInOrder() {
         QAbstractItemModelTester tester(&tab_->model(),
                                         QAbstractItemModelTester::FailureReportingMode::QtTest);
-        Q_EMIT session_->message(Severity::Info, "Connected");
-        Q_EMIT session_->message(Severity::Error, "Protective stop");
+        journal_->add(Severity::Info, "Connected");
+        journal_->add(Severity::Error, "Protective stop");
         QCOMPARE(rows(), 2);
         QCOMPARE(cell(0, LogModel::Time), QString("14:02:11"));
         QCOMPARE(cell(0, LogModel::Text), QString("Connected"));
         QVERIFY(cell(1, LogModel::SeverityColumn).contains("Error"));
     }
 
+    void eventsFromBeforeTheTabAreShown() {
+        journal_->add(Severity::Warning, "The settings could not be saved.");
+        journal_->addStep("Step 1 (Loop)", true);
+        journal_->addStep("Step 1 (Loop)", false);
+        journal_->addNote("here it slipped", 0);
+        time_ = time_.addSecs(60);
+        const LogTab later(*journal_);
+        QCOMPARE(later.allText(), tab_->allText());
+        QCOMPARE(later.allText().count('\n'), 3);
+        QVERIFY2(later.allText().contains("14:02:11") && later.allText().contains("Note: here it slipped"),
+                 qPrintable(later.allText()));
+    }
+
     void repeatsAreCounted() {
         for (int n = 0; n < 3; ++n) {
-            tab_->append(Severity::Warning, "Elbow near its limit");
+            journal_->add(Severity::Warning, "Elbow near its limit");
             time_ = time_.addSecs(1);
         }
         QCOMPARE(rows(), 1);
         QCOMPARE(cell(0, LogModel::Text), QString("(×3 until 14:02:13) Elbow near its limit"));
         QCOMPARE(cell(0, LogModel::Time), QString("14:02:11"));
-        tab_->append(Severity::Error, "Elbow near its limit");
+        journal_->add(Severity::Error, "Elbow near its limit");
         QCOMPARE(rows(), 2);
     }
 
     // A later message must not be displayed above an earlier one.
     void onlyConsecutiveRepeatsAreCounted() {
         const auto say = [this](Severity severity, const char* text) {
-            tab_->append(severity, text, Origin::Robot);
+            journal_->add(severity, text, Origin::Robot);
             time_ = time_.addSecs(1);
         };
         say(Severity::Info, "Safety mode is Normal again");
@@ -88,15 +102,15 @@ private Q_SLOTS:
     }
 
     void sameTextWithAnotherMeaningIsASeparateLine() {
-        tab_->append(Severity::Error, "C157A1", Origin::Robot, "the elbow");
-        tab_->append(Severity::Error, "C157A1", Origin::Robot, "the base");
+        journal_->add(Severity::Error, "C157A1", Origin::Robot, "the elbow");
+        journal_->add(Severity::Error, "C157A1", Origin::Robot, "the base");
         QCOMPARE(rows(), 2);
     }
 
     void operatorActionsAreListedEveryTime() {
-        tab_->append(Severity::Info, "Output 1 on", Origin::Operator);
-        tab_->append(Severity::Info, "Output 1 off", Origin::Operator);
-        tab_->append(Severity::Info, "Output 1 on", Origin::Operator);
+        journal_->add(Severity::Info, "Output 1 on", Origin::Operator);
+        journal_->add(Severity::Info, "Output 1 off", Origin::Operator);
+        journal_->add(Severity::Info, "Output 1 on", Origin::Operator);
         QCOMPARE(rows(), 3);
         QTest::keyClicks(tab_->findChild<QLineEdit*>("log.search"), "operator on");
         QCOMPARE(rows(), 2);
@@ -105,24 +119,24 @@ private Q_SLOTS:
     void selectedLineIsShownInFull() {
         auto* details = tab_->findChild<QLabel*>("log.details");
         QVERIFY(!details->isVisible());
-        tab_->append(Severity::Error, "C157A1 Collision noticed by a joint", Origin::Robot,
-                     "A joint needed more torque. Remove the obstacle.");
+        journal_->add(Severity::Error, "C157A1 Collision noticed by a joint", Origin::Robot,
+                      "A joint needed more torque. Remove the obstacle.");
         table()->selectRow(0);
         QVERIFY(details->isVisible());
         for (const char* part : {"14:02:11", "the robot", "C157A1", "more torque", "Remove the obstacle"}) {
             QVERIFY2(details->text().contains(QLatin1String(part)), part);
         }
         time_ = time_.addSecs(5);
-        tab_->append(Severity::Error, "C157A1 Collision noticed by a joint", Origin::Robot,
-                     "A joint needed more torque. Remove the obstacle.");
+        journal_->add(Severity::Error, "C157A1 Collision noticed by a joint", Origin::Robot,
+                      "A joint needed more torque. Remove the obstacle.");
         QVERIFY2(details->text().contains("2 times"), qPrintable(details->text()));
         QVERIFY(tab_->shownText().contains("Remove the obstacle"));
     }
 
     void rowsAreFilteredBySeverityAndText() {
-        tab_->append(Severity::Info, "Jog stopped: released");
-        tab_->append(Severity::Warning, "Late packets");
-        tab_->append(Severity::Error, "Link lost: no packets");
+        journal_->add(Severity::Info, "Jog stopped: released");
+        journal_->add(Severity::Warning, "Late packets");
+        journal_->add(Severity::Error, "Link lost: no packets");
         auto* severity = tab_->findChild<SegmentedControl*>("log.severity");
         QTest::mouseClick(severity->segment(1), Qt::LeftButton);
         QCOMPARE(rows(), 2);
@@ -137,17 +151,17 @@ private Q_SLOTS:
     void filtersWithoutMatchesAreReported() {
         const auto* nothing = tab_->findChild<EmptyState*>("log.table.nothingFound");
         QVERIFY2(!nothing->isVisible(), "an empty log has not been searched");
-        tab_->append(Severity::Info, "Jog stopped: released");
+        journal_->add(Severity::Info, "Jog stopped: released");
         auto* severity = tab_->findChild<SegmentedControl*>("log.severity");
         QTest::mouseClick(severity->segment(2), Qt::LeftButton);
         QVERIFY(nothing->isVisible());
-        tab_->append(Severity::Error, "Link lost");
+        journal_->add(Severity::Error, "Link lost");
         QVERIFY(!nothing->isVisible());
     }
 
     void copyUsesTheSelectionOrAllShownRows() {
-        tab_->append(Severity::Info, "one");
-        tab_->append(Severity::Warning, "two\nlines");
+        journal_->add(Severity::Info, "one");
+        journal_->add(Severity::Warning, "two\nlines");
         QTest::mouseClick(tab_->findChild<QToolButton*>("log.copy"), Qt::LeftButton);
         QCOMPARE(
             QApplication::clipboard()->text(),
@@ -159,8 +173,8 @@ private Q_SLOTS:
     }
 
     void exportWritesTheShownRows() {
-        tab_->append(Severity::Info, "one");
-        tab_->append(Severity::Error, "zwei Ä");
+        journal_->add(Severity::Info, "one");
+        journal_->add(Severity::Error, "zwei Ä");
         tab_->findChild<SegmentedControl*>("log.severity")->setCurrentIndex(2);
         QTemporaryDir directory;
         QVERIFY(tab_->exportTo(directory.filePath("log.txt")).ok());
@@ -173,7 +187,7 @@ private Q_SLOTS:
 
     void oldestRowsAreDroppedAtTheCapacity() {
         for (int n = 0; n < LogModel::kCapacity + 10; ++n) {
-            tab_->append(Severity::Info, QString::number(n));
+            journal_->add(Severity::Info, QString::number(n));
         }
         QCOMPARE(tab_->model().rowCount(), int(LogModel::kCapacity));
         QCOMPARE(cell(0, LogModel::Text), QString("10"));
@@ -181,21 +195,21 @@ private Q_SLOTS:
 
     void newestLineIsVisibleUnlessScrolledBack() {
         for (int n = 0; n < 100; ++n) {
-            tab_->append(Severity::Info, QString::number(n));
+            journal_->add(Severity::Info, QString::number(n));
         }
         QVERIFY(table()->visualRect(table()->model()->index(99, 0)).bottom() <=
                 table()->viewport()->height());
         table()->scrollToTop();
-        tab_->append(Severity::Info, "new");
+        journal_->add(Severity::Info, "new");
         QCOMPARE(table()->rowAt(2), 0);
     }
 
     void anIncidentRowOpensItsRecording() {
         QSignalSpy wanted(tab_.get(), &LogTab::recordingWanted);
         auto* key = tab_->findChild<QToolButton*>("log.openRecording");
-        tab_->append(Severity::Error, "Protective stop");
-        tab_->appendRecording(Severity::Warning, "Incident recorded: protective stop", "It is there.",
-                              "/a/b.mcap");
+        journal_->add(Severity::Error, "Protective stop");
+        journal_->addRecording(Severity::Warning, "Incident recorded: protective stop", "It is there.",
+                               "/a/b.mcap");
         const auto middleOf = [this](int row) {
             return table()->visualRect(table()->model()->index(row, LogModel::Text)).center();
         };
@@ -211,8 +225,8 @@ private Q_SLOTS:
         QTest::mouseDClick(table()->viewport(), Qt::LeftButton, {}, middleOf(1));
         QCOMPARE(wanted.count(), 2);
         // Another file is a separate incident, even if the text is the same.
-        tab_->appendRecording(Severity::Warning, "Incident recorded: protective stop", "It is there.",
-                              "/a/c.mcap");
+        journal_->addRecording(Severity::Warning, "Incident recorded: protective stop", "It is there.",
+                               "/a/c.mcap");
         QCOMPARE(rows(), 3);
     }
 
@@ -221,12 +235,12 @@ private Q_SLOTS:
         QSignalSpy wanted(tab_.get(), &LogTab::recordingWanted);
         tab_->resize(560, 407);
         for (int n = 0; n < 40; ++n) {
-            tab_->append(Severity::Info, QString::number(n));
+            journal_->add(Severity::Info, QString::number(n));
         }
-        tab_->appendRecording(Severity::Warning, "Incident recorded: protective stop",
-                              "Line 1\nLine 2\nLine 3\nLine 4", "/a/b.mcap");
+        journal_->addRecording(Severity::Warning, "Incident recorded: protective stop",
+                               "Line 1\nLine 2\nLine 3\nLine 4", "/a/b.mcap");
         for (int n = 0; n < 3; ++n) {
-            tab_->append(Severity::Info, QStringLiteral("later %1").arg(n));
+            journal_->add(Severity::Info, QStringLiteral("later %1").arg(n));
         }
         QCoreApplication::sendPostedEvents();
         table()->scrollToBottom();
@@ -242,7 +256,7 @@ private Q_SLOTS:
     }
 
     void backToLiveHidesTheDetailsOfTheReplay() {
-        tab_->append(Severity::Info, "Connected");
+        journal_->add(Severity::Info, "Connected");
         ReplayMoment moment;
         moment.source = QStringLiteral("incident.mcap");
         moment.wallTime = time_;
@@ -257,10 +271,10 @@ private Q_SLOTS:
     }
 
     void theTextColumnUsesTheRemainingWidth() {
-        tab_->append(Severity::Info, "Connected");
-        tab_->append(Severity::Warning, "Elbow near its limit");
-        tab_->append(Severity::Error, "Protective stop");
-        tab_->appendRecording(Severity::Warning, "Incident recorded: protective stop", "", "/a/b.mcap");
+        journal_->add(Severity::Info, "Connected");
+        journal_->add(Severity::Warning, "Elbow near its limit");
+        journal_->add(Severity::Error, "Protective stop");
+        journal_->addRecording(Severity::Warning, "Incident recorded: protective stop", "", "/a/b.mcap");
         for (const int column : {LogModel::Time, LogModel::SeverityColumn, LogModel::Open}) {
             const int wanted = std::max(table()->horizontalHeader()->sectionSizeHint(column), hint(column));
             QVERIFY2(table()->columnWidth(column) >= wanted, qPrintable(QString::number(column)));
@@ -278,9 +292,9 @@ private Q_SLOTS:
             const QRect last = table()->visualRect(table()->model()->index(rows() - 1, 0));
             return last.isValid() && last.bottom() <= table()->viewport()->height();
         };
-        tab_ = std::make_unique<LogTab>(*session_);  // the tab was never shown
+        tab_ = std::make_unique<LogTab>(*journal_);  // the tab was never shown
         for (int n = 0; n < 100; ++n) {
-            tab_->append(Severity::Info, QString::number(n));
+            journal_->add(Severity::Info, QString::number(n));
         }
         tab_->resize(560, 400);
         tab_->show();
@@ -288,7 +302,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(newestIsInSight(), 60'000);
         table()->scrollToTop();
         tab_->hide();
-        tab_->append(Severity::Info, "new");
+        journal_->add(Severity::Info, "new");
         tab_->show();
         QTest::qWait(50);
         QCOMPARE(table()->rowAt(2), 0);
@@ -309,7 +323,7 @@ private:
     QString cell(int row, int column) { return table()->model()->index(row, column).data().toString(); }
 
     QDateTime time_;
-    std::unique_ptr<RobotSession> session_;
+    std::unique_ptr<Journal> journal_;
     std::unique_ptr<LogTab> tab_;
 };
 

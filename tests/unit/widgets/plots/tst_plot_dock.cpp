@@ -38,6 +38,7 @@
 #include "robot/station/history/signal_store.h"
 #include "robot/station/history/state_lane.h"
 #include "robot/station/link/robot_session.h"
+#include "tests/support/event_spy.h"
 #include "tests/support/sample_stream.h"
 #include "tests/unit/robot/station/history/long_recording.h"
 #include "widgets/common/elided_label.h"
@@ -551,7 +552,7 @@ private Q_SLOTS:
         PlotDock dock(session);
         dock.resize(900, 300);
         dock.show();
-        QSignalSpy messages(&session, &RobotSession::message);
+        const test::EventSpy messages(session.journal());
         auto* zero = dock.findChild<QToolButton*>("plots.zero");
         QTest::mouseClick(zero, Qt::LeftButton);
         QVERIFY(!zero->isChecked());
@@ -853,22 +854,22 @@ private Q_SLOTS:
         QFile file(folder.filePath("picture.gif"));
         QVERIFY(file.open(QIODevice::WriteOnly) && file.write("mine") == 4);
         file.close();
-        QSignalSpy messages(&b.session, &RobotSession::message);
+        const test::EventSpy messages(b.session.journal());
         QVERIFY(!b.dock.exportTo(file.fileName()));
-        QVERIFY(messages.last().at(1).toString().contains(".svg"));
+        QVERIFY(messages.last().text.contains(".svg"));
         QVERIFY(file.open(QIODevice::ReadOnly));
         QCOMPARE(file.readAll(), QByteArray("mine"));
     }
 
     void failedExportGivesTheReason() {
         Bench b;
-        QSignalSpy messages(&b.session, &RobotSession::message);
+        const test::EventSpy messages(b.session.journal());
         QVERIFY(!b.dock.exportTo("/nonexistent/folder/x.csv"));
         QVERIFY(!b.dock.exportTo("/nonexistent/folder/x.png"));
         QCOMPARE(messages.count(), 2);
         for (const auto& message : messages) {
-            QVERIFY(message.at(0).value<Severity>() == Severity::Error);
-            QVERIFY(!message.at(1).toString().isEmpty());
+            QVERIFY(message.severity == Severity::Error);
+            QVERIFY(!message.text.isEmpty());
         }
     }
 
@@ -876,10 +877,10 @@ private Q_SLOTS:
         Bench b;
         QTemporaryDir folder;
         b.dock.setRecordingChoice({.folder = folder.path()});
-        QSignalSpy messages(&b.session, &RobotSession::message);
+        const test::EventSpy messages(b.session.journal());
         QTest::mouseClick(b.button("plots.record"), Qt::LeftButton);
         QVERIFY(messages.count() >= 1);
-        QVERIFY(messages.last().at(1).toString().contains("connect", Qt::CaseInsensitive));
+        QVERIFY(messages.last().text.contains("connect", Qt::CaseInsensitive));
     }
 
     void theRecordKeyShowsThatItRecords() {
@@ -1495,8 +1496,8 @@ private Q_SLOTS:
         Bench b;
         b.view().pause();
         b.view().setCursor(PlotView::Cursor::A, 45.0);
-        QSignalSpy notes(&b.session, &RobotSession::noteAdded);
-        QSignalSpy messages(&b.session, &RobotSession::message);
+        const test::EventSpy notes(b.session.journal(), JournalEvent::Kind::Note);
+        const test::EventSpy messages(b.session.journal());
         QTimer::singleShot(0, &b.dock, [] {
             QTRY_VERIFY_WITH_TIMEOUT(QApplication::activeModalWidget() != nullptr, 60'000);
             QTest::keyClicks(QApplication::activeModalWidget()->findChild<QLineEdit*>(), "here it slipped");
@@ -1509,10 +1510,10 @@ private Q_SLOTS:
         QCOMPARE(b.dock.marks().marks()[0].time, 45.0);
         // Recordings store the note at the time of its flag, 15 s before the newest sample, rather than at
         // the current time.
-        QCOMPARE(notes.size(), 1);
-        QCOMPARE(messages.size(), 0);
-        QCOMPARE(notes.last().at(0).toString(), QString("here it slipped"));
-        const qint64 stored = notes.last().at(1).toLongLong() / 1'000'000 + 15'000;
+        QCOMPARE(notes.count(), 1);
+        QCOMPARE(messages.count(), 0);
+        QCOMPARE(notes.last().text, QString("here it slipped"));
+        const qint64 stored = notes.last().noteUtcNs / 1'000'000 + 15'000;
         QVERIFY(stored >= b.framed.first.toMSecsSinceEpoch() - 1 &&
                 stored <= b.framed.second.toMSecsSinceEpoch() + 1);
         QVERIFY(b.view().grab().toImage() != before);
@@ -1523,13 +1524,13 @@ private Q_SLOTS:
         const double limit = 65;
         b.dock.marks().add({"actual_TCP_force_2", limit, true});
         b.dock.marks().add({"actual_current_0", 0.5, false});
-        QSignalSpy messages(&b.session, &RobotSession::message);
+        const test::EventSpy messages(b.session.journal());
         b.runTo(64.9);
         QCOMPARE(messages.count(), 0);
         b.runTo(66);
         b.runTo(67);
         QCOMPARE(messages.count(), 1);
-        QVERIFY(messages.last().at(1).toString().contains("Fz is above 65.0 N"));
+        QVERIFY(messages.last().text.contains("Fz is above 65.0 N"));
         QCOMPARE(b.dock.marks().marks().size(), std::size_t{1});
         QVERIFY(near(b.dock.marks().marks()[0].time, 65.002, 0.0021));
         // Alarm limits are saved with the plots and removed through the plot menu.
@@ -1795,7 +1796,7 @@ private Q_SLOTS:
         QVERIFY(notes.open(QIODevice::WriteOnly));
         notes.write("row,utc,level,source,text\n1000,,20,note,jammed\n1500,,30,robot,not a note\n");
         notes.close();
-        QSignalSpy messages(&b.session, &RobotSession::message);
+        const test::EventSpy messages(b.session.journal());
         b.dock.openRecording(path);
         QTRY_COMPARE_WITH_TIMEOUT(b.dock.pages().count(), 2, 60'000);
         QCOMPARE(b.dock.marks().marks().size(), std::size_t(1));
@@ -1803,8 +1804,7 @@ private Q_SLOTS:
         QCOMPARE(mark.text, QString("jammed"));
         QCOMPARE(mark.recording, QString("yesterday.csv"));
         QVERIFY(near(mark.time, b.dock.history().lastTime() - 11.998 + 2, 0.01));
-        QVERIFY2(messages.last().at(1).toString().contains("yesterday.csv"),
-                 qPrintable(messages.last().at(1).toString()));
+        QVERIFY2(messages.last().text.contains("yesterday.csv"), qPrintable(messages.last().text));
         SignalStore& store = b.dock.store();
         const int force = store.find("yesterday.csv/actual_TCP_force_2");
         QVERIFY(force >= 0 && b.view().panes()[0]->shows(force));
@@ -2084,15 +2084,15 @@ private Q_SLOTS:
         QVERIFY2(band->details().contains("actual_current"), qPrintable(band->details()));
         QVERIFY(!key->isVisible() && b.dock.marks().marks().empty());
 
-        QSignalSpy parted(&b.dock, &PlotDock::deviatedFromModel);
+        const test::EventSpy parted(b.session.journal(), JournalEvent::Kind::Recording);
         answer(0.5, "UR5e");
         QTest::mouseClick(compare, Qt::LeftButton);
         QCOMPARE(asked, 2);
         QTRY_COMPARE_WITH_TIMEOUT(
             band->words(), QString("Arm and model diverge at 1.000 s: Elbow deviates by 1.00°"), 60'000);
         QCOMPARE(parted.count(), 1);
-        QCOMPARE(parted[0][2].toString(), path);
-        QVERIFY(near(parted[0][3].toDouble(), 1, 1e-6));
+        QCOMPARE(parted.front().recording, path);
+        QVERIFY(near(parted.front().moment.value(), 1, 1e-6));
         QCOMPARE(b.dock.marks().marks().size(), std::size_t(1));
         const double begin = b.dock.store().timesOf("stiff.csv")->firstTime();
         QVERIFY(near(b.dock.marks().marks()[0].time, begin + 1, 1e-6));
@@ -2149,7 +2149,7 @@ private Q_SLOTS:
     void invalidRecordingIsReportedWithoutChanges() {
         Bench b;
         QTemporaryDir folder;
-        QSignalSpy messages(&b.session, &RobotSession::message);
+        const test::EventSpy messages(b.session.journal());
         b.dock.openRecording(folder.filePath("none.mcap"));
         QTRY_COMPARE_WITH_TIMEOUT(messages.count(), 1, 60'000);
         QFile file(folder.filePath("picture.mcap"));
@@ -2159,7 +2159,7 @@ private Q_SLOTS:
         b.dock.openRecording(file.fileName());
         QTRY_COMPARE_WITH_TIMEOUT(messages.count(), 2, 60'000);
         for (const auto& message : messages) {
-            QVERIFY(message.at(0).value<Severity>() == Severity::Error);
+            QVERIFY(message.severity == Severity::Error);
         }
         QCOMPARE(b.dock.pages().count(), 1);
     }

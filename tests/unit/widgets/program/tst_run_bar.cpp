@@ -13,6 +13,7 @@
 
 #include "program_samples.h"
 #include "robot/script/script_client.h"
+#include "tests/support/event_spy.h"
 #include "tests/support/virtual_cell.h"
 #include "tests/support/waiting.h"
 #include "widgets/common/elided_label.h"
@@ -411,8 +412,8 @@ private Q_SLOTS:
     void aRunPausesAndContinues() {
         TabBench bench;
         QStringList log;
-        QObject::connect(&bench.session, &RobotSession::message, &bench.tab,
-                         [&](Severity, const QString& text) { log.append(text); });
+        test::onMessage(bench.session.journal(), &bench.tab,
+                        [&](Severity, const QString& text) { log.append(text); });
         bench.setSteps({"pick", "place", "home"});
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         bench.cell.advanceMs(20);
@@ -668,8 +669,8 @@ private Q_SLOTS:
     void aPauseOnTheRobotIsShown() {
         TabBench bench;
         QStringList log;
-        QObject::connect(&bench.session, &RobotSession::message, &bench.tab,
-                         [&](Severity, const QString& text) { log << text; });
+        test::onMessage(bench.session.journal(), &bench.tab,
+                        [&](Severity, const QString& text) { log << text; });
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         QVERIFY(bench.runFreely({"pick", "place", "home", "pick"}));
         QVERIFY(bench.sendFromOutside("pause program\n"));
@@ -712,10 +713,9 @@ private Q_SLOTS:
     void aStopOnTheRobotIsAWarningAndCanContinue() {
         TabBench bench;
         std::optional<Severity> severity;
-        QObject::connect(&bench.session, &RobotSession::message, &bench.tab,
-                         [&](Severity how, const QString& text) {
-                             severity = text.contains("Stopped in step 2") ? how : severity;
-                         });
+        test::onMessage(bench.session.journal(), &bench.tab, [&](Severity how, const QString& text) {
+            severity = text.contains("Stopped in step 2") ? how : severity;
+        });
         bench.setSteps({"pick", "place", "home"});
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         QVERIFY(bench.checkRecoverability());
@@ -792,8 +792,8 @@ private Q_SLOTS:
     void theRunningProgramIsNotDeleted() {
         TabBench bench;
         QStringList log;
-        QObject::connect(&bench.session, &RobotSession::message, &bench.tab,
-                         [&](Severity, const QString& text) { log << text; });
+        test::onMessage(bench.session.journal(), &bench.tab,
+                        [&](Severity, const QString& text) { log << text; });
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         QVERIFY(bench.runFreely({"pick", "place", "home", "pick"}));
         const auto isKept = [&] {

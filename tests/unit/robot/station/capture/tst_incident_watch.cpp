@@ -11,6 +11,7 @@
 
 #include "robot/recording/mcap/mcap_recording.h"
 #include "robot/station/capture/incident_watch.h"
+#include "tests/support/event_spy.h"
 #include "tests/support/virtual_cell.h"
 
 using namespace tiller;
@@ -58,13 +59,13 @@ void TestIncidentWatch::aProtectiveStopIsRecordedAndReported() {
     VirtualClock clock;
     RobotSession session(clock);
     IncidentWatch watch(session, folder.filePath("Incidents"));
-    QSignalSpy told(&watch, &IncidentWatch::told);
+    const test::EventSpy told(session.journal(), JournalEvent::Kind::Recording);
     test::VirtualCell cell(clock, session);
     QVERIFY2(cell.connect(), qPrintable(cell.what()));
     QVERIFY(hasSeen(watch, cell, 1));  // the black box starts in its own thread
     watch.setProject("cell.tiller", "{\"waypoints\": []}");
     cell.advanceMs(1000);
-    Q_EMIT session.message(Severity::Info, QStringLiteral("nearly there"), Origin::Operator);
+    session.journal().add(Severity::Info, QStringLiteral("nearly there"), Origin::Operator);
     QVERIFY(hasSeen(watch, cell, 700));
     cell.robot.protectiveStop();
     QVERIFY(hasSeen(watch, cell, watch.packets() + 4000));  // 8 s
@@ -73,10 +74,10 @@ void TestIncidentWatch::aProtectiveStopIsRecordedAndReported() {
     // At the stop, the black box may have been half a second behind, so its 4000 packets began earlier.
     QVERIFY(hasSeen(watch, cell, watch.packets() + 2000));
     QTRY_COMPARE_WITH_TIMEOUT(told.count(), 1, kWaitTimeoutMs);
-    QCOMPARE(told.front()[0].value<Severity>(), Severity::Warning);
-    QVERIFY(told.front()[1].toString().contains("protective stop"));
-    const QString path = told.front()[3].toString();
-    QVERIFY(told.front()[2].toString().contains(QDir::toNativeSeparators(path)));
+    QCOMPARE(told.front().severity, Severity::Warning);
+    QVERIFY(told.front().text.contains("protective stop"));
+    const QString path = told.front().recording;
+    QVERIFY(told.front().detail.contains(QDir::toNativeSeparators(path)));
     const auto recording = recording::openMcap(path).value();
     QVERIFY2(recording->problems().isEmpty(), qPrintable(recording->problems().join('\n')));
     const auto times = recording->times({recording->rows() - 1, 1}).value();
@@ -92,7 +93,7 @@ void TestIncidentWatch::aNewLinkEndsTheIncidentOfThePreviousLink() {
     VirtualClock clock;
     RobotSession session(clock);
     IncidentWatch watch(session, folder.path());
-    QSignalSpy told(&watch, &IncidentWatch::told);
+    const test::EventSpy told(session.journal(), JournalEvent::Kind::Recording);
     test::VirtualCell cell(clock, session);
     QVERIFY2(cell.connect(), qPrintable(cell.what()));
     QVERIFY(hasSeen(watch, cell, 500));
@@ -100,7 +101,7 @@ void TestIncidentWatch::aNewLinkEndsTheIncidentOfThePreviousLink() {
     QVERIFY(hasSeen(watch, cell, watch.packets() + 200));
     session.connectTo(session.address());
     QTRY_COMPARE_WITH_TIMEOUT(told.count(), 1, kWaitTimeoutMs);
-    QVERIFY(QFile::exists(told.front()[3].toString()));
+    QVERIFY(QFile::exists(told.front().recording));
     session.shutDown();
 }
 
@@ -110,7 +111,7 @@ void TestIncidentWatch::displayedRegistersAreRecordedWhileTheyAreDisplayed() {
     VirtualClock clock;
     RobotSession session(clock);
     IncidentWatch watch(session, folder.path());
-    QSignalSpy told(&watch, &IncidentWatch::told);
+    const test::EventSpy told(session.journal(), JournalEvent::Kind::Recording);
     QSignalSpy extra(&session, &RobotSession::extraSamplesReceived);
     test::VirtualCell cell(clock, session);
     QVERIFY2(cell.connect(), qPrintable(cell.what()));
@@ -136,7 +137,7 @@ void TestIncidentWatch::displayedRegistersAreRecordedWhileTheyAreDisplayed() {
     QTRY_COMPARE_WITH_TIMEOUT(told.count(), 1, kWaitTimeoutMs);
     session.shutDown();
 
-    const QString path = told.front()[3].toString();
+    const QString path = told.front().recording;
     const auto file = recording::openMcap(path).value();
     QVERIFY2(file->problems().isEmpty(), qPrintable(file->problems().join('\n')));
     const auto column = [&file](const char* name) {

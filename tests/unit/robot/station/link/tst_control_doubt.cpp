@@ -4,6 +4,7 @@
 #include <QTest>
 
 #include "robot/script/script_client.h"
+#include "tests/support/event_spy.h"
 #include "tests/support/virtual_cell.h"
 #include "tests/support/waiting.h"
 
@@ -76,8 +77,8 @@ private Q_SLOTS:
         bool asked = false;
         DoubtBench bench;
         QVERIFY(bench.cell.robot.start().ok());
-        QObject::connect(&bench.session, &RobotSession::message, &bench.session,
-                         [&said](Severity, const QString& text) { said << text; });
+        test::onMessage(bench.session.journal(), &bench.session,
+                        [&said](Severity, const QString& text) { said << text; });
         QObject::connect(&bench.session, &RobotSession::takeControlQuestion, &bench.session,
                          [&asked] { asked = true; });
         bench.session.connectTo({QStringLiteral("Virtual UR5e"), bench.cell.robot.listenAddress(), 0, true});

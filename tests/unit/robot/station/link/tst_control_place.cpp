@@ -4,9 +4,11 @@
 // control.
 #include <QElapsedTimer>
 #include <QTest>
+#include <optional>
 #include <thread>
 
 #include "robot/io/outputs.h"
+#include "tests/support/event_spy.h"
 #include "tests/support/virtual_cell.h"
 
 using namespace tiller;
@@ -28,12 +30,11 @@ struct Bench {
 
     explicit Bench(const simulator::SimulatorOptions& options = VirtualCell::options())
         : cell(clock, session, options) {
-        QObject::connect(&session, &RobotSession::message, &session,
-                         [this](Severity severity, const QString& text) {
-                             if (severity != Severity::Info) {
-                                 warnings << text;
-                             }
-                         });
+        test::onMessage(session.journal(), &session, [this](Severity severity, const QString& text) {
+            if (severity != Severity::Info) {
+                warnings << text;
+            }
+        });
         cell.everyRefresh = [this] {
             if (jog != 0) {
                 session.hold(jog);
@@ -193,13 +194,13 @@ private Q_SLOTS:
         QStringList said;  // declared first, because the session may send a message in its destructor
         QList<Origin> origins;
         Bench bench;
-        QObject::connect(&bench.session, &RobotSession::message, &bench.session,
-                         [&](Severity, const QString& text, Origin origin) {
-                             if (text.startsWith(QStringLiteral("Speed slider"))) {
-                                 said << text;
-                                 origins << origin;
-                             }
-                         });
+        test::onMessage(bench.session.journal(), &bench.session,
+                        [&](Severity, const QString& text, Origin origin) {
+                            if (text.startsWith(QStringLiteral("Speed slider"))) {
+                                said << text;
+                                origins << origin;
+                            }
+                        });
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         bench.cell.advanceMs(1000);
         QVERIFY(said.isEmpty());  // the initial position is not logged
@@ -218,12 +219,40 @@ private Q_SLOTS:
         QCOMPARE(origins.last(), Origin::Operator);
     }
 
+    void theJournalNamesTheRobotAndTheTimeOfItsController() {
+        Bench bench;
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        bench.cell.advanceMs(1000);
+        bench.session.outputs().setDigitalOutput(3, true);
+        const auto eventOf = [&bench](const QString& start) -> std::optional<JournalEvent> {
+            for (const JournalEvent& event : bench.session.journal().events()) {
+                if (event.text.startsWith(start)) {
+                    return event;
+                }
+            }
+            return {};
+        };
+        QVERIFY(bench.within([&] { return eventOf(QStringLiteral("Output DO 3: on")).has_value(); }));
+        const auto connecting = eventOf(QStringLiteral("Connecting to"));
+        QVERIFY(connecting && !connecting->controllerSeconds);
+        QCOMPARE(connecting->robot, QStringLiteral("Virtual UR5e"));
+        const auto output = eventOf(QStringLiteral("Output DO 3: on"));
+        QVERIFY(output->controllerSeconds && output->origin == Origin::Operator);
+        QCOMPARE(output->robot, QStringLiteral("Virtual UR5e"));
+        const double age = bench.session.state().robotTime - *output->controllerSeconds;
+        QVERIFY2(age >= 0 && age < 1, qPrintable(QString::number(age)));
+        bench.session.disconnectFromRobot();
+        bench.session.journal().add(Severity::Info, QStringLiteral("Later"));
+        QCOMPARE(eventOf(QStringLiteral("Disconnected"))->robot, QStringLiteral("Virtual UR5e"));
+        QVERIFY(eventOf(QStringLiteral("Later"))->robot.isEmpty());
+    }
+
     // The log and its export use the operator's name for an output.
     void outputsAreLoggedByTheirNames() {
         QStringList said;
         Bench bench;
-        QObject::connect(&bench.session, &RobotSession::message, &bench.session,
-                         [&](Severity, const QString& text) { said << text; });
+        test::onMessage(bench.session.journal(), &bench.session,
+                        [&](Severity, const QString& text) { said << text; });
         bench.session.outputs().setNames({{QStringLiteral("DO 3"), QStringLiteral("Gripper")}});
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         bench.session.outputs().setDigitalOutput(3, true);

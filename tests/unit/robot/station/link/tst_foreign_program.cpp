@@ -8,6 +8,7 @@
 #include "robot/control/programs.h"
 #include "robot/core/deadline.h"
 #include "robot/script/script_client.h"
+#include "tests/support/event_spy.h"
 #include "tests/support/virtual_cell.h"
 
 using namespace tiller;
@@ -125,8 +126,8 @@ private Q_SLOTS:
     void aStopThatFailsDuringAnOutageIsNotExecutedLater() {
         QStringList messages;  // must outlive the session, which reports its end in the destructor
         ProgramBench bench;
-        QObject::connect(&bench.session, &RobotSession::message, &bench.session,
-                         [&](Severity, const QString& text) { messages << text; });
+        test::onMessage(bench.session.journal(), &bench.session,
+                        [&](Severity, const QString& text) { messages << text; });
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         QVERIFY(bench.sendMovingProgram() && bench.within([&] { return bench.moves(); }));
         QVERIFY(bench.cell.robot.inject("link lost").ok());
@@ -150,8 +151,8 @@ private Q_SLOTS:
     void theLogNamesProgramsOfOtherClients() {
         QStringList messages;  // must outlive the session, which reports its end in the destructor
         ProgramBench bench;
-        QObject::connect(&bench.session, &RobotSession::message, &bench.session,
-                         [&](Severity, const QString& text) { messages << text; });
+        test::onMessage(bench.session.journal(), &bench.session,
+                        [&](Severity, const QString& text) { messages << text; });
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         QVERIFY(bench.sendMovingProgram() && bench.within([&] { return bench.moves(); }));
         QVERIFY(bench.within([&] { return messages.filter("another client is running").size() == 1; }));
@@ -173,8 +174,8 @@ private Q_SLOTS:
     void theLogNamesTheEndOfProgramsOfOtherClients() {
         QStringList messages;  // outlives the session, which reports its end
         ProgramBench bench;
-        QObject::connect(&bench.session, &RobotSession::message, &bench.session,
-                         [&](Severity, const QString& text) { messages << text; });
+        test::onMessage(bench.session.journal(), &bench.session,
+                        [&](Severity, const QString& text) { messages << text; });
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         const auto ends = [&] { return messages.filter("other client has ended").size(); };
         // Short programs, one per cycle.
@@ -277,12 +278,11 @@ private Q_SLOTS:
         ProgramBench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         QStringList warnings;
-        QObject::connect(&bench.session, &RobotSession::message, &bench.session,
-                         [&](Severity severity, const QString& text) {
-                             if (severity == Severity::Warning) {
-                                 warnings << text;
-                             }
-                         });
+        test::onMessage(bench.session.journal(), &bench.session, [&](Severity severity, const QString& text) {
+            if (severity == Severity::Warning) {
+                warnings << text;
+            }
+        });
         collision::CellSurroundings surroundings;
         surroundings.unplaced.push_back({QStringLiteral("crate"), QStringLiteral("0f0e0d0c")});
         bench.session.setSurroundings(surroundings);

@@ -3,6 +3,7 @@
 #include <QTest>
 
 #include "robot/script/script_client.h"
+#include "tests/support/event_spy.h"
 #include "tests/support/virtual_cell.h"
 #include "tests/support/waiting.h"
 
@@ -162,8 +163,8 @@ private Q_SLOTS:
     void aStopDuringAHangOfTheWindowIsReported() {
         QStringList messages;  // must outlive the session, which reports its end in the destructor
         Bench bench;
-        QObject::connect(&bench.session, &RobotSession::message, &bench.session,
-                         [&](Severity, const QString& text) { messages << text; });
+        test::onMessage(bench.session.journal(), &bench.session,
+                        [&](Severity, const QString& text) { messages << text; });
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         QVERIFY(bench.jogAndRelease());
         const std::uint64_t before = bench.state().lastStop.count;
@@ -180,8 +181,8 @@ private Q_SLOTS:
     void aHangOfTheProcessIsReportedAsNotMeasured() {
         QStringList messages;  // must outlive the session, which reports its end in the destructor
         Bench bench;
-        QObject::connect(&bench.session, &RobotSession::message, &bench.session,
-                         [&](Severity, const QString& text) { messages << text; });
+        test::onMessage(bench.session.journal(), &bench.session,
+                        [&](Severity, const QString& text) { messages << text; });
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         QVERIFY(bench.jogAndRelease());
         QVERIFY(bench.jog());
@@ -222,8 +223,8 @@ private Q_SLOTS:
     void aStopThatDidNotArriveIsNotReportedAsAStop() {
         QStringList messages;  // must outlive the session, which reports its end in the destructor
         Bench bench;
-        QObject::connect(&bench.session, &RobotSession::message, &bench.session,
-                         [&](Severity, const QString& text) { messages << text; });
+        test::onMessage(bench.session.journal(), &bench.session,
+                        [&](Severity, const QString& text) { messages << text; });
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         QVERIFY(bench.runOtherProgram());
         messages.clear();

@@ -9,6 +9,7 @@
 #include <functional>
 
 #include "robot/recording/formats/open_recording.h"
+#include "tests/support/event_spy.h"
 #include "tests/support/virtual_cell.h"
 
 using namespace tiller;
@@ -51,8 +52,8 @@ private Q_SLOTS:
         session.recording().start({.path = path, .fields = fields, .shown = registers, .format = format});
         QVERIFY(within([&] { return session.state().recording.rows > 200; }));
         QStringList messages;
-        const auto listening = QObject::connect(&session, &RobotSession::message, &session,
-                                                [&](Severity, const QString& text) { messages << text; });
+        const auto listening = test::onMessage(session.journal(), &session,
+                                               [&](Severity, const QString& text) { messages << text; });
         session.recording().reportDisplayed(registers);
         QVERIFY2(messages.isEmpty(), qPrintable(messages.join('\n')));
         session.recording().reportDisplayed(registers + QStringList{"output_int_register_5"});

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Reads the journal of a robot in tests.
+
+#include <QObject>
+#include <type_traits>
+#include <vector>
+
+#include "robot/station/journal/journal.h"
+
+namespace tiller::test {
+
+/// Calls `heard` with severity, text and origin of each later message. The origin may be omitted.
+template <typename Heard>
+QMetaObject::Connection onMessage(const Journal& journal, const QObject* context, Heard heard) {
+    return QObject::connect(&journal, &Journal::added, context, [heard](const JournalEvent& event) mutable {
+        if (!event.isMessage()) {
+            return;
+        }
+        if constexpr (std::is_invocable_v<Heard&, Severity, const QString&, Origin>) {
+            heard(event.severity, event.text, event.origin);
+        } else {
+            heard(event.severity, event.text);
+        }
+    });
+}
+
+/// Collects the later events of one kind.
+class EventSpy {
+public:
+    explicit EventSpy(const Journal& journal, JournalEvent::Kind kind = JournalEvent::Kind::Message) {
+        QObject::connect(&journal, &Journal::added, &context_, [this, kind](const JournalEvent& event) {
+            if (event.kind == kind) {
+                events_.push_back(event);
+            }
+        });
+    }
+
+    int count() const { return static_cast<int>(events_.size()); }
+    bool isEmpty() const { return events_.empty(); }
+    void clear() { events_.clear(); }
+    const JournalEvent& front() const { return events_.front(); }
+    const JournalEvent& last() const { return events_.back(); }
+    auto begin() const { return events_.begin(); }
+    auto end() const { return events_.end(); }
+
+private:
+    QObject context_;
+    std::vector<JournalEvent> events_;
+};
+
+}  // namespace tiller::test
