@@ -154,7 +154,7 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     , preferences_(settings_.preferences())
     , session_(std::make_unique<RobotSession>(clock))
     , document_(std::make_unique<UndoableDocument>())
-    , files_(std::make_unique<ProjectFiles>(*document_)) {
+    , files_(std::make_unique<ProjectFiles>(*document_, session_->journal())) {
     settings_.setWriteFailed([this](const Error& error) {
         session_->journal().add(Severity::Error,
                                 tr("The settings could not be saved. %1").arg(texts::errorText(error)));
@@ -206,7 +206,7 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
             [this] { stopMotion(control::StopCause::Sleep); });
 
     lessons_ = std::make_unique<Tutorial>(*session_, *document_, simulator_, settings_, scene_->view());
-    transfer_ = new SettingsTransfer(settings_, this);
+    transfer_ = new SettingsTransfer(settings_, session_->journal(), this);
     buildDocks();
     popup_ = new RobotPopup(*session_, *this, *scene_);
     buildActions();
@@ -279,13 +279,11 @@ void MainWindow::buildDocks() {
     plotsDock_ = new PanelDock(*plots_, "plotsDock", tr("Plots"), stage_);
     stage_->add(*plotsDock_);
     perspectives_ =
-        new Perspectives(*stage_, settings_,
+        new Perspectives(*stage_, settings_, session_->journal(),
                          {.stop = [this](control::StopCause cause) { stopMotion(cause); },
                           .showTab = [this](const QString& name) { selectTab(name); },
                           .tab = [this] { return tabs_->tabData(tabs_->currentIndex()).toString(); }},
                          this);
-    connect(perspectives_, &Perspectives::message, this,
-            [this](Severity severity, const QString& text) { session_->journal().add(severity, text); });
 
     statusBar()->setSizeGripEnabled(false);
     statusBar()->addWidget(status_, 1);
@@ -369,8 +367,6 @@ void MainWindow::connectParts() {
     connect(jog_, &JogColumn::ghostWanted, this,
             [this](const Ghost& ghost) { scene_->view().setGhost(ghost); });
     connect(jog_, &JogColumn::ghostHidden, this, &MainWindow::updateScene);
-    connect(waypoints_, &WaypointsTab::message, this,
-            [this](Severity severity, const QString& text) { session_->journal().add(severity, text); });
     connect(waypoints_, &WaypointsTab::ghostChanged, this, &MainWindow::updateScene);
     connect(waypoints_, &WaypointsTab::marksChanged, this, &MainWindow::updateScene);
     connect(&scene_->view(), &SceneView::moveLimitChanged, this, [this](const QString& text) {
@@ -462,16 +458,12 @@ void MainWindow::connectProject() {
         }
         listProjects();
     });
-    connect(files_.get(), &ProjectFiles::message, this,
-            [this](Severity severity, const QString& text) { session_->journal().add(severity, text); });
     connect(files_.get(), &ProjectFiles::noticeWanted, waypoints_, &WaypointsTab::showNotice);
     connect(files_.get(), &ProjectFiles::noticeResolved, waypoints_, &WaypointsTab::resolveNotice);
     connect(document_.get(), &ProjectDocument::stepTaken, this, &MainWindow::showStep);
     fit_ = std::make_unique<ProjectFit>(*session_, *document_, this);
     connect(fit_.get(), &ProjectFit::questionOpens, this,
             [this] { stopMotion(control::StopCause::DialogOpened); });
-    connect(fit_.get(), &ProjectFit::message, this,
-            [this](Severity severity, const QString& text) { session_->journal().add(severity, text); });
     connect(fit_.get(), &ProjectFit::noticeWanted, waypoints_, [this](const Notice& notice) {
         showTab("waypoints");
         waypoints_->showNotice(notice);
@@ -522,8 +514,6 @@ void MainWindow::publishIoNames() {
 }
 
 void MainWindow::connectFrames() {
-    connect(frames_, &FramesTab::message, this,
-            [this](Severity severity, const QString& text) { session_->journal().add(severity, text); });
     const auto showMarks = [this] { scene_->view().setFrames(frames_->marks()); };
     connect(frames_, &FramesTab::marksChanged, this, showMarks);
     showMarks();
@@ -541,8 +531,6 @@ void MainWindow::connectFrames() {
 }
 
 void MainWindow::connectTools() {
-    connect(tools_, &ToolsTab::message, this,
-            [this](Severity severity, const QString& text) { session_->journal().add(severity, text); });
     connect(tools_, &ToolsTab::frontWanted, this, [this] { showTab("tools"); });
     connect(program_, &ProgramTab::frontWanted, this, [this] { showTab("program"); });
     connect(program_, &ProgramTab::previewPathChanged, this, &MainWindow::showPaths);
@@ -1521,8 +1509,6 @@ void MainWindow::offerCrashReport(const QString& path) {
 void MainWindow::connectTransfer() {
     connect(transfer_, &SettingsTransfer::upToDateWanted, this, [this] { keepLayout(); });
     connect(transfer_, &SettingsTransfer::imported, this, &MainWindow::readSettingsAgain);
-    connect(transfer_, &SettingsTransfer::message, this,
-            [this](Severity severity, const QString& text) { session_->journal().add(severity, text); });
 }
 
 void MainWindow::readSettingsAgain() {

@@ -58,10 +58,12 @@ QString idOf(const SavedPerspective& saved) {
 
 }  // namespace
 
-Perspectives::Perspectives(DockStage& stage, Settings& settings, Hooks hooks, QObject* parent)
+Perspectives::Perspectives(DockStage& stage, Settings& settings, Journal& journal, Hooks hooks,
+                           QObject* parent)
     : QObject(parent)
     , stage_(stage)
     , settings_(settings)
+    , journal_(journal)
     , hooks_(std::move(hooks))
     , saved_(settings.perspectives()) {
     bring(QLatin1String(builtIns().front().id));
@@ -135,7 +137,7 @@ bool Perspectives::bring(const QString& id) {
 
 void Perspectives::fallBack(const QString& why) {
     bring(QLatin1String(builtIns().front().id));
-    Q_EMIT message(Severity::Warning, why);
+    journal_.add(Severity::Warning, why);
 }
 
 QString Perspectives::obstacle(const QString& name, const QString& except) const {

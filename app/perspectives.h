@@ -12,7 +12,7 @@
 
 #include "app/settings.h"
 #include "robot/control/motion_types.h"
-#include "robot/station/link/robot_session.h"
+#include "robot/station/journal/journal.h"
 
 namespace tiller::app {
 
@@ -40,7 +40,8 @@ public:
 
     /// stage     contains all panels; shows the first perspective
     /// settings  must outlive the object
-    Perspectives(DockStage& stage, Settings& settings, Hooks hooks, QObject* parent = nullptr);
+    Perspectives(DockStage& stage, Settings& settings, Journal& journal, Hooks hooks,
+                 QObject* parent = nullptr);
 
     /// The built-in perspectives, followed by those of the user in the order of saving.
     QList<Entry> all() const;
@@ -80,7 +81,6 @@ Q_SIGNALS:
     void listChanged();
     /// A perspective was selected, saved under a new name, or restored.
     void currentChanged();
-    void message(tiller::Severity severity, const QString& text);
 
 private:
     bool bring(const QString& id);
@@ -91,6 +91,7 @@ private:
 
     DockStage& stage_;
     Settings& settings_;
+    Journal& journal_;
     Hooks hooks_;
     QVector<SavedPerspective> saved_;
     QString current_;

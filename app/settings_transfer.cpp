@@ -180,8 +180,8 @@ void ImportDialog::showFailure(const QString& text) {
     note_->setText(text);
 }
 
-SettingsTransfer::SettingsTransfer(Settings& settings, QObject* parent)
-    : QObject(parent), settings_(settings) {}
+SettingsTransfer::SettingsTransfer(Settings& settings, Journal& journal, QObject* parent)
+    : QObject(parent), settings_(settings), journal_(journal) {}
 
 void SettingsTransfer::askToExport(QWidget* over) {
     const QDir documents(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
@@ -205,9 +205,9 @@ void SettingsTransfer::exportTo(const QString& path) {
     const QString full = QFileInfo(path).suffix().isEmpty() ? path + QStringLiteral(".json") : path;
     Q_EMIT upToDateWanted();
     if (const Result<void> written = writeSettingsFile(full, settings_.bundle()); !written) {
-        Q_EMIT message(Severity::Error, textOf(written.error()));
+        journal_.add(Severity::Error, textOf(written.error()));
     } else {
-        Q_EMIT message(Severity::Info, tr("Settings exported to %1").arg(full));
+        journal_.add(Severity::Info, tr("Settings exported to %1").arg(full));
     }
 }
 
@@ -216,8 +216,8 @@ void SettingsTransfer::importFrom(const QString& path, QWidget* over) {
     if (found) {
         Q_EMIT upToDateWanted();  // save all values first, because the backup must contain them
     } else {
-        Q_EMIT message(Severity::Error, tr("%1 was not imported. Nothing was changed. %2")
-                                            .arg(QFileInfo(path).fileName(), textOf(found.error())));
+        journal_.add(Severity::Error, tr("%1 was not imported. Nothing was changed. %2")
+                                          .arg(QFileInfo(path).fileName(), textOf(found.error())));
     }
     auto* dialog = new ImportDialog(path, found, settings_.bundle(), over);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -225,11 +225,11 @@ void SettingsTransfer::importFrom(const QString& path, QWidget* over) {
         const Result<QString> backup = settings_.replace(*found, dialog->chosen());
         if (!backup) {
             dialog->showFailure(textOf(backup.error()));
-            Q_EMIT message(Severity::Error, textOf(backup.error()));
+            journal_.add(Severity::Error, textOf(backup.error()));
             return;
         }
         dialog->accept();
-        Q_EMIT message(
+        journal_.add(
             Severity::Info,
             tr("Settings imported from %1. The previous settings were saved to %2.").arg(path, *backup));
         Q_EMIT imported();

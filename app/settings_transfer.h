@@ -9,6 +9,7 @@
 #include <QSet>
 
 #include "app/settings.h"
+#include "robot/station/journal/journal.h"
 
 class QLabel;
 class QPushButton;
@@ -45,8 +46,8 @@ class SettingsTransfer : public QObject {
     Q_OBJECT
 
 public:
-    /// settings  must outlive the object
-    explicit SettingsTransfer(Settings& settings, QObject* parent = nullptr);
+    /// settings, journal  must outlive the object
+    SettingsTransfer(Settings& settings, Journal& journal, QObject* parent = nullptr);
 
     /// over  parent window of the dialog
     void askToExport(QWidget* over);
@@ -61,10 +62,10 @@ Q_SIGNALS:
     void upToDateWanted();
     /// The settings were replaced.
     void imported();
-    void message(tiller::Severity severity, const QString& text);
 
 private:
     Settings& settings_;
+    Journal& journal_;
 };
 
 }  // namespace tiller::app

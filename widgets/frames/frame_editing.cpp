@@ -19,8 +19,9 @@ QString outOfReachText(int waypoints) {
 
 }  // namespace
 
-FrameEditing::FrameEditing(ProjectDocument& document, FrameModel& model, NoticeBar& notice, QObject* parent)
-    : QObject(parent), document_(document), model_(model), notice_(notice) {
+FrameEditing::FrameEditing(ProjectDocument& document, FrameModel& model, NoticeBar& notice, Journal& journal,
+                           QObject* parent)
+    : QObject(parent), document_(document), model_(model), notice_(notice), journal_(journal) {
     connect(&document_, &ProjectDocument::documentChanged, this, [this] { checked_.reset(); });
 }
 
@@ -80,7 +81,7 @@ void FrameEditing::askToMove(const QUuid& id, const PoseSource& newPose) {
         const QString moved = move(id, now.T_base_frame, tr("Touch up “%1”").arg(name));
         const QString done = tr("Touched up “%1”").arg(name);
         notice_.show(NoticeBar::Kind::Question, done, moved);
-        Q_EMIT message(Severity::Info, done + QStringLiteral(". ") + moved);
+        journal_.add(Severity::Info, done + QStringLiteral(". ") + moved);
     };
     notice_.show(NoticeBar::Kind::Question,
                  {.title = tr("Touch up “%1”?").arg(name),
@@ -108,7 +109,7 @@ QString FrameEditing::move(const QUuid& id, const Pose& T_base_frame, const QStr
 void FrameEditing::place(const project::Frame& frame, const Pose& T_base_frame) {
     // Show only a log entry, because a notice would be distracting while the user edits numbers.
     const QString moved = move(frame.id, T_base_frame, tr("Set the position of “%1”").arg(frame.name));
-    Q_EMIT message(Severity::Info, tr("“%1” was set numerically. %2").arg(frame.name, moved));
+    journal_.add(Severity::Info, tr("“%1” was set numerically. %2").arg(frame.name, moved));
 }
 
 void FrameEditing::duplicate(const project::Frame& frame) {

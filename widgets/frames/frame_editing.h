@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "robot/project/waypoint.h"
+#include "robot/station/journal/journal.h"
 #include "robot/station/link/robot_session.h"
 #include "widgets/frames/frame_model.h"
 
@@ -22,8 +23,9 @@ class FrameEditing : public QObject {
     Q_OBJECT
 
 public:
-    /// document, model, notice  must outlive the object; `notice` shows the questions
-    FrameEditing(ProjectDocument& document, FrameModel& model, NoticeBar& notice, QObject* parent = nullptr);
+    /// document, model, notice, journal  must outlive the object; `notice` shows the questions
+    FrameEditing(ProjectDocument& document, FrameModel& model, NoticeBar& notice, Journal& journal,
+                 QObject* parent = nullptr);
 
     /// The new pose of a frame. `obstacle` is the reason why it cannot be stored now; empty if it can.
     struct NewPose {
@@ -42,10 +44,6 @@ public:
     /// Asks for confirmation if the frame contains waypoints.
     void remove(const project::Frame& frame);
 
-Q_SIGNALS:
-    /// A message for the log.
-    void message(tiller::Severity severity, const QString& text);
-
 private:
     QString moveText(const QUuid& id, const Pose& T_base_frame);
     /// Returns  a text about the moved waypoints
@@ -63,6 +61,7 @@ private:
     FrameModel& model_;
     NoticeBar& notice_;
     std::optional<CheckedMove> checked_;
+    Journal& journal_;
 };
 
 }  // namespace tiller

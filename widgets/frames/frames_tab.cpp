@@ -34,6 +34,7 @@ FramesTab::FramesTab(RobotSession& session, ProjectDocument& document, QWidget* 
     setObjectName(QStringLiteral("frames"));
     setAccessibleName(tr("Frames"));
     buildLayout();
+    editing_ = new FrameEditing(document_, *model_, *notice_, session.journal(), this);
     buildActions();
 
     // Limit the update rate, because values that change 60 times per second are not legible.
@@ -106,12 +107,10 @@ void FramesTab::buildLayout() {
     notice_ = new NoticeBar;
     new BottomOverlay(*notice_, *this, {pages_, teacher_});
     connect(&document_, &ProjectDocument::documentChanged, notice_, &NoticeBar::dismissQuestion);
-    editing_ = new FrameEditing(document_, *model_, *notice_, this);
 
     connect(fromTcp_, &QPushButton::clicked, this, &FramesTab::teachFromTcp);
     connect(threePoints_, &QPushButton::clicked, this, &FramesTab::teachThreePoints);
     connect(touchUp_, &QPushButton::clicked, this, &FramesTab::touchUp);
-    connect(editing_, &FrameEditing::message, this, &FramesTab::message);
     connect(teacher_, &FrameTeacher::made, this, &FramesTab::onMade);
     connect(teacher_, &FrameTeacher::cancelled, this, &FramesTab::endTeaching);
     connect(teacher_, &FrameTeacher::tipWanted, this, &FramesTab::showLive);

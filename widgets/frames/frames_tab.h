@@ -59,8 +59,6 @@ Q_SIGNALS:
     void jogRequested(const QUuid& frame);
     /// A command needs this tab to be visible.
     void frontWanted();
-    /// A message for the log.
-    void message(tiller::Severity severity, const QString& text);
 
 private:
     void buildLayout();

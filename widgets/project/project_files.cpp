@@ -34,22 +34,23 @@ QString projectFolder() {
     return QDir(documents.isEmpty() ? QDir::homePath() : documents).filePath(QStringLiteral("Tiller"));
 }
 
-ProjectFiles::ProjectFiles(ProjectDocument& document, QObject* parent) : QObject(parent), store_(document) {
+ProjectFiles::ProjectFiles(ProjectDocument& document, Journal& journal, QObject* parent)
+    : QObject(parent), journal_(journal), store_(document) {
     connect(&store_, &ProjectStore::copyKept, this, [this](const QString& copy) {
-        Q_EMIT message(Severity::Warning, tr("The damaged project file was kept as %1.").arg(copy));
+        journal_.add(Severity::Warning, tr("The damaged project file was kept as %1.").arg(copy));
     });
     connect(&store_, &ProjectStore::saveFailed, this, [this](const Error& error) {
         warn(tr("The project could not be saved"), error, QLatin1String(kSaving));
     });
     connect(&store_, &ProjectStore::saveRecovered, this, [this] {
-        Q_EMIT message(Severity::Info, tr("Changes are saved to %1 again.").arg(store_.name()));
+        journal_.add(Severity::Info, tr("Changes are saved to %1 again.").arg(store_.name()));
         Q_EMIT noticeResolved(QLatin1String(kSaving));
     });
     connect(&store_, &ProjectStore::openElsewhere, this, &ProjectFiles::onOpenElsewhere);
     connect(&store_, &ProjectStore::freeAgain, this, [this] {
         Q_EMIT noticeResolved(QLatin1String(kElsewhere));
-        Q_EMIT message(Severity::Info,
-                       tr("The other window closed %1. This window saves changes again.").arg(store_.name()));
+        journal_.add(Severity::Info,
+                     tr("The other window closed %1. This window saves changes again.").arg(store_.name()));
     });
     connect(&store_, &ProjectStore::changedByOther, this, &ProjectFiles::onChangedByOther);
     connect(&store_, &ProjectStore::externalChangeResolved, this,
@@ -69,7 +70,7 @@ void ProjectFiles::warn(const QString& title, const Error& error, const QString&
         error.code == ErrorCode::VersionUnsupported
             ? tr("%1. Update Tiller to open the file. The file was not changed.").arg(error.context)
             : texts::errorText(error);
-    Q_EMIT message(Severity::Error, text);
+    journal_.add(Severity::Error, text);
     Q_EMIT noticeWanted({.title = title, .text = text, .cause = cause});
 }
 
@@ -79,7 +80,7 @@ void ProjectFiles::onOpenElsewhere() {
     const QString text =
         tr("Opened by %1. Changes in this window are not saved to the file until you take over the project.")
             .arg(who);
-    Q_EMIT message(Severity::Warning, title + QStringLiteral(". ") + text);
+    journal_.add(Severity::Warning, title + QStringLiteral(". ") + text);
     Q_EMIT noticeWanted({.title = title,
                          .text = text,
                          .accept = tr("Take over"),
@@ -95,7 +96,7 @@ void ProjectFiles::onChangedByOther() {
     const QString text =
         tr("“Keep both” saves the project of this window to a second file. “Reload” shows the new content. "
            "Tiller then offers to restore the unsaved changes at the next start.");
-    Q_EMIT message(Severity::Warning, title + QStringLiteral(". ") + text);
+    journal_.add(Severity::Warning, title + QStringLiteral(". ") + text);
     // The first button must not discard work, because this notice may replace another notice under the
     // pointer.
     Q_EMIT noticeWanted({.title = title,
@@ -116,7 +117,7 @@ bool ProjectFiles::postponesAnswer() {
 void ProjectFiles::askAboutFile() {
     switch (store_.obstacle()) {
         case ProjectStore::Obstacle::None:
-            Q_EMIT message(Severity::Info, tr("The project file was not changed by another program."));
+            journal_.add(Severity::Info, tr("The project file was not changed by another program."));
             break;
         case ProjectStore::Obstacle::OpenElsewhere:
             onOpenElsewhere();
@@ -144,7 +145,7 @@ void ProjectFiles::reload() {
     if (const Result<void> loaded = store_.reload(); !loaded) {
         warn(tr("The project could not be opened"), loaded.error(), QLatin1String(kDamaged));
     } else {
-        Q_EMIT message(Severity::Info, tr("Reloaded %1").arg(store_.name()));
+        journal_.add(Severity::Info, tr("Reloaded %1").arg(store_.name()));
     }
 }
 
@@ -153,7 +154,7 @@ void ProjectFiles::keepBoth() {
     if (!copy) {
         warn(tr("The project could not be saved"), copy.error(), QLatin1String(kSaving));
     } else {
-        Q_EMIT message(Severity::Info, tr("The project in this window is now %1.").arg(*copy));
+        journal_.add(Severity::Info, tr("The project in this window is now %1.").arg(*copy));
     }
 }
 
@@ -182,7 +183,7 @@ void ProjectFiles::offerKept() {
     const QString title = tr("Unsaved work can be recovered");
     const QString text = tr("“%1” was changed on %2 and not saved to a file.")
                              .arg(name, QLocale().toString(newest.at.toLocalTime(), QLocale::ShortFormat));
-    Q_EMIT message(Severity::Warning, title + QStringLiteral(". ") + text);
+    journal_.add(Severity::Warning, title + QStringLiteral(". ") + text);
     Q_EMIT noticeWanted({.title = title,
                          .text = text,
                          .accept = tr("Open"),
@@ -250,8 +251,8 @@ void ProjectFiles::askForNew(QWidget* over) {
 
 void ProjectFiles::startNew(const QString& path, QWidget* over) {
     if (QFileInfo::exists(path)) {
-        Q_EMIT message(Severity::Warning,
-                       tr("%1 already exists. Choose another name for the new project.").arg(path));
+        journal_.add(Severity::Warning,
+                     tr("%1 already exists. Choose another name for the new project.").arg(path));
         return;
     }
     if (mayReplace(over)) {
@@ -279,7 +280,7 @@ void ProjectFiles::open(const QString& path) {
     if (error.code == ErrorCode::Cancelled) {
         refusesToReplace();
     } else if (error.code == ErrorCode::FileCorrupt) {
-        Q_EMIT message(Severity::Error, texts::errorText(error));
+        journal_.add(Severity::Error, texts::errorText(error));
         offerRecovery(path, error);
     } else {
         warn(tr("The project could not be opened"), error, QLatin1String(kDamaged));
@@ -291,8 +292,8 @@ void ProjectFiles::openCopy(const QString& path, const QString& name) {
         warn(tr("The project could not be opened"), opened.error(), QLatin1String(kDamaged));
         return;
     }
-    Q_EMIT message(Severity::Info,
-                   tr("Opened a copy of “%1”. Save the copy to a file to keep changes.").arg(name));
+    journal_.add(Severity::Info,
+                 tr("Opened a copy of “%1”. Save the copy to a file to keep changes.").arg(name));
 }
 
 bool ProjectFiles::refusesToReplace() {

@@ -2,12 +2,12 @@
 #pragma once
 
 // Opens and saves projects interactively: prompts for the file, reports errors, and offers to load the
-// readable part of a damaged file. The main window decides where to show the messages.
+// readable part of a damaged file. Messages are added to the journal; the main window decides where to show the notices.
 
 #include <QObject>
 
 #include "robot/station/document/project_store.h"
-#include "robot/station/link/robot_session.h"
+#include "robot/station/journal/journal.h"
 #include "widgets/common/notice_bar.h"
 
 class QWidget;
@@ -20,8 +20,8 @@ class ProjectFiles : public QObject {
     Q_OBJECT
 
 public:
-    /// document  must outlive this object
-    explicit ProjectFiles(ProjectDocument& document, QObject* parent = nullptr);
+    /// document, journal  must outlive this object
+    ProjectFiles(ProjectDocument& document, Journal& journal, QObject* parent = nullptr);
 
     /// Manages the project file: path, autosave, and the text for the status line.
     ProjectStore& store() { return store_; }
@@ -59,8 +59,6 @@ Q_SIGNALS:
     void noticeWanted(const tiller::Notice& notice);
     /// Notices with this cause no longer apply.
     void noticeResolved(const QString& cause);
-    /// A message for the log.
-    void message(tiller::Severity severity, const QString& text);
 
 private:
     bool refusesToReplace();
@@ -77,6 +75,7 @@ private:
     /// Initial folder of the file dialogs: the folder of the current file, or the folder for projects.
     QString startingPlace() const;
 
+    Journal& journal_;
     ProjectStore store_;
     bool isAnswerPostponed_ = false;
 };

@@ -144,10 +144,11 @@ void ProjectFit::ask() {
     } else if (const std::optional<project::Tool> tool = otherTcp()) {
         askAboutTcp(*tool);
     } else {
-        Q_EMIT message(Severity::Info,
-                       session_.state().hasData()
-                           ? tr("The project matches the connected robot.")
-                           : tr("No robot is connected. Connect the robot that belongs to this project."));
+        session_.journal().add(
+            Severity::Info,
+            session_.state().hasData()
+                ? tr("The project matches the connected robot.")
+                : tr("No robot is connected. Connect the robot that belongs to this project."));
     }
 }
 
@@ -159,7 +160,7 @@ void ProjectFit::show(QMessageBox& question) {
 }
 
 void ProjectFit::askAboutModel() {
-    Q_EMIT message(Severity::Warning, modelText());
+    session_.journal().add(Severity::Warning, modelText());
     auto* question = new QMessageBox(QMessageBox::Question, tr("Project for another robot model"),
                                      modelText(), QMessageBox::NoButton, over_);
     question->setObjectName(QStringLiteral("projectFit"));
@@ -227,7 +228,7 @@ void ProjectFit::change(project::Keep keep) {
                                       : tr("Convert from %1 to %2 with the same joint positions"))
             .arg(arms[0], arms[1]);
     document_.changeModel(made, done);
-    Q_EMIT message(Severity::Info, done);
+    session_.journal().add(Severity::Info, done);
     QStringList left;
     if (!made.unreachable.isEmpty()) {
         left << tr("Out of reach: %1.").arg(namesText(made.unreachable));
@@ -238,7 +239,7 @@ void ProjectFit::change(project::Keep keep) {
     }
     if (!left.isEmpty()) {
         const QString text = left.join(QLatin1Char(' '));
-        Q_EMIT message(Severity::Warning, text);
+        session_.journal().add(Severity::Warning, text);
         Q_EMIT noticeWanted({.title = tr("Some positions are out of reach"), .text = text});
     }
 }

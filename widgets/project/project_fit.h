@@ -42,8 +42,6 @@ Q_SIGNALS:
     void noticeWanted(const tiller::Notice& notice);
     /// Notices with this cause no longer apply.
     void noticeResolved(const QString& cause);
-    /// A message for the log.
-    void message(tiller::Severity severity, const QString& text);
 
 private:
     void follow(const SessionState& state);

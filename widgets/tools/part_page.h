@@ -43,8 +43,6 @@ public:
     QList<QAction*> commandActions() const { return actions_; }
 
 Q_SIGNALS:
-    /// A message for the log.
-    void message(tiller::Severity severity, const QString& text);
     /// A command needs this page to be visible.
     void frontWanted();
 

@@ -296,7 +296,7 @@ void PayloadPage::followCheck() {
                     .arg(format::number(mean_.payloadMass(), 3), format::newtons(force),
                          format::newtonMetres(torque));
             if (force <= kTrueForce && torque <= kTrueTorque) {
-                Q_EMIT message(Severity::Info, tr("The payload is correct. %1").arg(felt));
+                session_.journal().add(Severity::Info, tr("The payload is correct. %1").arg(felt));
                 notice().show(NoticeBar::Kind::Question, tr("The payload is correct"), felt);
                 break;
             }
@@ -312,7 +312,7 @@ void PayloadPage::followCheck() {
             const QString text = tr("%1 %2 Measure the payload, or select a different payload. Zeroing the "
                                     "force sensor hides a wrong payload until the tool rotates.")
                                      .arg(felt, advice);
-            Q_EMIT message(Severity::Warning, tr("The payload is wrong. %1 %2").arg(felt, advice));
+            session_.journal().add(Severity::Warning, tr("The payload is wrong. %1 %2").arg(felt, advice));
             notice().show(NoticeBar::Kind::Warning, tr("The payload is wrong"), text);
             break;
         }
@@ -402,7 +402,7 @@ void PayloadPage::compare() {
            "was changed.")
             .arg(format::number(state_.payloadMass, 3), format::position(state_.payloadCentre),
                  format::number(used->mass, 3), format::position(used->centre));
-    Q_EMIT message(Severity::Warning, title + QStringLiteral(": ") + text);
+    session_.journal().add(Severity::Warning, title + QStringLiteral(": ") + text);
     notice().show(NoticeBar::Kind::Question, {.title = title,
                                               .text = text,
                                               .accept = tr("Set “%1” on the robot").arg(used->name),

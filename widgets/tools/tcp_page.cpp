@@ -290,7 +290,7 @@ void TcpPage::compare() {
         tr("On the robot: %1. In the project: %2. Difference: %3. Nothing was changed.")
             .arg(format::position(state_.tcpOffset.position), format::position(used->tcpOffset.position),
                  format::difference(by.distance, by.angle));
-    Q_EMIT message(Severity::Warning, title + QStringLiteral(": ") + text);
+    session_.journal().add(Severity::Warning, title + QStringLiteral(": ") + text);
     notice().show(NoticeBar::Kind::Question, {.title = title,
                                               .text = text,
                                               .accept = tr("Set “%1” on the robot").arg(used->name),

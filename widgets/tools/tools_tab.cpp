@@ -73,7 +73,6 @@ ToolsTab::ToolsTab(RobotSession& session, ProjectDocument& document, MotionPort 
         pages_->setCurrentIndex(index);
     });
     const auto connectPage = [this](PartPage* page, Page index) {
-        connect(page, &PartPage::message, this, &ToolsTab::message);
         connect(page, &PartPage::frontWanted, this, [this, index] {
             Q_EMIT frontWanted();
             showPage(index);

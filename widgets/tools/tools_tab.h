@@ -47,8 +47,6 @@ public:
     void setHeldSpeed(std::function<HeldSpeed()> speed);
 
 Q_SIGNALS:
-    /// A message for the log.
-    void message(tiller::Severity severity, const QString& text);
     /// A command needs this tab to be visible.
     void frontWanted();
     /// Another page was selected, so a hold-to-run motion must end.

@@ -195,7 +195,7 @@ void WaypointsTab::buildLayout(MotionPort port, HoldPolicy& policy) {
         if (passing) {
             passing_.start();
         }
-        Q_EMIT message(Severity::Warning, reason);
+        session_.journal().add(Severity::Warning, reason);
     };
     connect(goTo_, &GoToButton::refused, this, refuse);
     connect(goThrough_, &GoThroughBar::refused, this, refuse);
@@ -203,7 +203,7 @@ void WaypointsTab::buildLayout(MotionPort port, HoldPolicy& policy) {
     connect(paths_, &PathControls::kept, this, [this](const QString& summary) {
         setTouchUpGhost(std::nullopt);
         notice_->show(NoticeBar::Kind::Question, tr("Path recorded"), summary);
-        Q_EMIT message(Severity::Info, summary);
+        session_.journal().add(Severity::Info, summary);
     });
     connect(&paths_->recorder(), &PathRecorder::changed, this, [this] {
         showPathRecording();
@@ -212,7 +212,7 @@ void WaypointsTab::buildLayout(MotionPort port, HoldPolicy& policy) {
         }
     });
     connect(paths_, &PathControls::reported, this,
-            [this](const QString& summary) { Q_EMIT message(Severity::Info, summary); });
+            [this](const QString& summary) { session_.journal().add(Severity::Info, summary); });
     connect(details_, &WaypointDetails::placeWanted, this, &WaypointsTab::fitRoutes);
     connect(goThrough_, &GoThroughBar::comingChanged, this, &WaypointsTab::onComing);
     connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
@@ -231,7 +231,7 @@ void WaypointsTab::buildLayout(MotionPort port, HoldPolicy& policy) {
     dialogs_ = new WaypointDialogs(document_, *table_, this);
     connect(dialogs_, &WaypointDialogs::refused, this, &WaypointsTab::showProblem);
     connect(dialogs_, &WaypointDialogs::done, this,
-            [this](const QString& text) { Q_EMIT message(Severity::Info, text); });
+            [this](const QString& text) { session_.journal().add(Severity::Info, text); });
     search_ = new WaypointSearch(document_, *table_);
     new BottomOverlay(*search_, *this, {pages_});
     connect(search_, &WaypointSearch::rowWanted, this, &WaypointsTab::selectRow);

@@ -112,8 +112,6 @@ Q_SIGNALS:
     void selectionChanged(const QUuid& waypoint);
     void ghostChanged();
     void marksChanged();
-    /// A message for the log.
-    void message(tiller::Severity severity, const QString& text);
     /// A recorded path was converted to waypoints, or it contained no motion.
     void pathStored();
 

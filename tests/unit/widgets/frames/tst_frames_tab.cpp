@@ -15,6 +15,7 @@
 #include <memory>
 #include <numbers>
 
+#include "tests/support/event_spy.h"
 #include "tests/support/live_state.h"
 #include "widgets/common/apply_notation.h"
 #include "widgets/common/notice_bar.h"
@@ -311,9 +312,9 @@ private Q_SLOTS:
         const Pose tcp(-0.123456789, -0.5, 0.1, 0, 0, 0.3);
         feed(tcp);
         tab_->teachFromTcp();
-        QSignalSpy messages(tab_.get(), &FramesTab::message);
+        const test::EventSpy messages(session_->journal());
         type("y", "-450,5");
-        QVERIFY(messages.count() == 1 && messages[0][1].toString().contains("No waypoints moved"));
+        QVERIFY(messages.count() == 1 && messages.front().text.contains("No waypoints moved"));
         QVERIFY(box("y")->isVisible());  // the operator continues with the next field
         QVERIFY(std::abs(frame(0).T_base_frame.position.y() + 0.4505) < 1e-12);
         QCOMPARE(frame(0).T_base_frame.position.x(), tcp.position.x());

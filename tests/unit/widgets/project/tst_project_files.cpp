@@ -18,6 +18,7 @@
 #include <memory>
 #include <optional>
 
+#include "tests/support/event_spy.h"
 #include "widgets/project/project_files.h"
 #include "widgets/project/undoable_document.h"
 
@@ -61,7 +62,7 @@ private Q_SLOTS:
         directory_ = std::make_unique<QTemporaryDir>();
         path_ = directory_->filePath("cell-7.tiller");
         document_ = std::make_unique<UndoableDocument>();
-        files_ = std::make_unique<ProjectFiles>(*document_);
+        files_ = std::make_unique<ProjectFiles>(*document_, journal_);
         notice_.reset();
         connect(files_.get(), &ProjectFiles::noticeWanted, this,
                 [this](const Notice& notice) { notice_ = notice; });
@@ -77,13 +78,13 @@ private Q_SLOTS:
         file.write(R"({"format": "tiller-session", "version": 99, "frames": [], "waypoints": []})");
         file.close();
         const QByteArray before = content();
-        QSignalSpy said(files_.get(), &ProjectFiles::message);
+        const test::EventSpy said(journal_);
         files_->open(path_);
         QVERIFY(notice_.has_value());
         QVERIFY2(notice_->text.contains("Update Tiller"), qPrintable(notice_->text));
         QVERIFY2(!notice_->text.contains("robot", Qt::CaseInsensitive), qPrintable(notice_->text));
         QCOMPARE(said.count(), 1);
-        QCOMPARE(said[0][1].toString(), notice_->text);
+        QCOMPARE(said.front().text, notice_->text);
         QVERIFY(files_->store().path().isEmpty());
         QCOMPARE(content(), before);
     }
@@ -254,7 +255,7 @@ private Q_SLOTS:
         document_->insertWaypoints(0, {named("a")}, "Teach");
         files_->saveAs(path_);
         UndoableDocument otherDocument;
-        ProjectFiles other(otherDocument);
+        ProjectFiles other(otherDocument, journal_);
         std::optional<Notice> asked;
         connect(&other, &ProjectFiles::noticeWanted, this, [&](const Notice& notice) { asked = notice; });
         other.open(path_);
@@ -339,8 +340,8 @@ private Q_SLOTS:
         document_->insertWaypoints(0, {named("a")}, "Teach");
         files_->saveAs(path_);
         QStringList messages;
-        connect(files_.get(), &ProjectFiles::message, this,
-                [&](Severity, const QString& text) { messages << text; });
+        QObject listener;
+        test::onMessage(journal_, &listener, [&](Severity, const QString& text) { messages << text; });
         files_->startNew(path_, nullptr);
         QCOMPARE(messages.filter("already exists").size(), 1);
         QCOMPARE(document_->waypoints().size(), 1);
@@ -459,6 +460,7 @@ private:
 
     std::unique_ptr<QTemporaryDir> directory_;
     QString path_;
+    Journal journal_;
     std::unique_ptr<UndoableDocument> document_;
     std::unique_ptr<ProjectFiles> files_;
     std::optional<Notice> notice_;

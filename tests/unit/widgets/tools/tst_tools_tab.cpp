@@ -6,7 +6,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QSignalSpy>
 #include <QTableView>
 #include <QTest>
 #include <memory>
@@ -14,6 +13,7 @@
 #include "robot/core/angles.h"
 #include "robot/core/clock.h"
 #include "robot/kinematics/arm_kinematics.h"
+#include "tests/support/event_spy.h"
 #include "tests/support/live_state.h"
 #include "widgets/common/notice_bar.h"
 #include "widgets/common/theme.h"
@@ -119,7 +119,7 @@ private Q_SLOTS:
         tooling.tools = {{QUuid::createUuid(), "gripper", Pose(0, 0, 0.15, 0, 0, 0), 0, {}, {}}};
         tooling.activeTool = tooling.tools.at(0).id;
         document_->changeTooling(tooling, "x");
-        QSignalSpy said(tab_.get(), &ToolsTab::message);
+        const test::EventSpy said(session_->journal());
         SessionState state = liveState();
         state.tcpOffset = Pose(0, 0, 0.10, 0, 0, 0);
         feed(state);

@@ -18,6 +18,7 @@
 #include "robot/core/angles.h"
 #include "robot/core/clock.h"
 #include "robot/kinematics/arm_kinematics.h"
+#include "tests/support/event_spy.h"
 #include "tests/support/key_events.h"
 #include "tests/support/live_state.h"
 #include "widgets/common/notice_bar.h"
@@ -559,7 +560,7 @@ private Q_SLOTS:
         feed(liveState(moved(0, 0.3)));
         tab_->selectRow(1);
         arm_.refusal = {ErrorCode::UnsafeState, "start a MoveJ", "protective stop"};
-        QSignalSpy messages(tab_.get(), &WaypointsTab::message);
+        const test::EventSpy messages(session_->journal());
         QTest::mouseClick(goTo(), Qt::LeftButton);
         QCOMPARE(messages.count(), 1);
         QVERIFY(notice()->isVisible());
@@ -748,7 +749,7 @@ private Q_SLOTS:
         teachThree();
         QTemporaryDir directory;
         const QString path = directory.filePath("cell-7.tiller");
-        ProjectFiles files(*document_);
+        ProjectFiles files(*document_, session_->journal());
         connect(&files, &ProjectFiles::noticeWanted, tab_.get(), &WaypointsTab::showNotice);
         files.saveAs(path);
         QFile file(path);
