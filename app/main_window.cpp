@@ -47,10 +47,8 @@
 #include "app/sleep_watch.h"
 #include "app/tutorial.h"
 #include "robot/kinematics/arm_kinematics.h"
-#include "robot/project/project_file.h"
-#include "robot/station/capture/incident_watch.h"
-#include "robot/station/capture/stop_record.h"
 #include "robot/station/jog/jog_motion.h"
+#include "robot/station/station.h"
 #include "robot/station/text/texts.h"
 #include "widgets/common/apply_notation.h"
 #include "widgets/common/density.h"
@@ -152,9 +150,11 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     : QMainWindow(parent)
     , settings_(settings)
     , preferences_(settings_.preferences())
-    , session_(std::make_unique<RobotSession>(clock))
-    , document_(std::make_unique<UndoableDocument>())
-    , files_(std::make_unique<ProjectFiles>(*document_, session_->journal())) {
+    , station_(
+          std::make_unique<Station>(QStringLiteral("robot"), std::make_unique<UndoableDocument>(), clock))
+    , session_(&station_->session())
+    , document_(static_cast<UndoableDocument*>(&station_->document()))
+    , files_(std::make_unique<ProjectFiles>(station_->file(), station_->journal())) {
     settings_.setWriteFailed([this](const Error& error) {
         session_->journal().add(Severity::Error,
                                 tr("The settings could not be saved. %1").arg(texts::errorText(error)));
@@ -170,7 +170,7 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     header_ = new HeaderBar(*session_, this);
     jog_ = new JogColumn(*session_, holdPolicy_, this);
     scene_ = new SceneDock(*session_, this);
-    plots_ = new PlotDock(*session_, this);
+    plots_ = new PlotDock(*session_, station_->history(), this);
     waypoints_ = new WaypointsTab(*session_, *document_, holdPolicy_, this);
     frames_ = new FramesTab(*session_, *document_, this);
     tools_ = new ToolsTab(*session_, *document_, holdPolicy_, this);
@@ -188,7 +188,7 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     keyboard_ = new KeyboardJog(jog_->axisJog(), *this, this);
     keyboard_->setClock(clock);
     jog_->addHoldKeys(*keyboard_);
-    connect(session_.get(), &RobotSession::stateChanged, keyboard_, [this](const SessionState& state) {
+    connect(session_, &RobotSession::stateChanged, keyboard_, [this](const SessionState& state) {
         keyboard_->followControl(state.control == ControlState::InControl);
     });
     connect(keyboard_, &KeyboardJog::armedChanged, this, [this](bool armed) {
@@ -201,7 +201,6 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     connect(keyboard_, &KeyboardJog::refused, this,
             [this](const QString& why) { session_->journal().add(Severity::Warning, why); });
     connectDevices(clock);
-    stops_ = new StopRecorder(*session_, this);
     connect(new SleepWatch(this), &SleepWatch::operatorLeaves, this,
             [this] { stopMotion(control::StopCause::Sleep); });
 
@@ -242,7 +241,7 @@ MainWindow::~MainWindow() {
     delete popup_;
     // The store saves unsaved changes in its destructor. The window is partly destroyed and must not receive
     // its signals.
-    disconnect(&files_->store(), nullptr, this, nullptr);
+    disconnect(&station_->file(), nullptr, this, nullptr);
     disconnect(files_.get(), nullptr, this, nullptr);
     delete takeCentralWidget();
     const QList<QDockWidget*> docks = findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly);
@@ -381,15 +380,15 @@ void MainWindow::connectParts() {
             rememberForCrash(event.text);
         }
     });
-    connect(session_.get(), &RobotSession::takeControlQuestion, this, &MainWindow::askToTakeControl);
-    connect(session_.get(), &RobotSession::changeQuestion, this, &MainWindow::askToChange);
-    connect(session_.get(), &RobotSession::commandQuestion, this, &MainWindow::askToPerform);
+    connect(session_, &RobotSession::takeControlQuestion, this, &MainWindow::askToTakeControl);
+    connect(session_, &RobotSession::changeQuestion, this, &MainWindow::askToChange);
+    connect(session_, &RobotSession::commandQuestion, this, &MainWindow::askToPerform);
     connectFrames();
     connectTools();
-    followCell(scene_->view(), *session_, *document_);
+    followCell(scene_->view(), *document_);
     for (const auto change : {&ProjectDocument::cellChanged, &ProjectDocument::framesChanged,
                               &ProjectDocument::projectReplaced}) {
-        connect(document_.get(), change, this, &MainWindow::simulateCell);
+        connect(document_, change, this, &MainWindow::simulateCell);
     }
     connectProject();
     connectTransfer();
@@ -441,18 +440,16 @@ void MainWindow::connectReplay() {
 }
 
 void MainWindow::connectProject() {
-    connect(document_.get(), &ProjectDocument::documentChanged, this, &MainWindow::keepProject);
-    keepProject();
-    const auto showFile = [this] { status_->setProjectText(files_->store().statusText()); };
-    files_->store().setReplaceGuard([tab = QPointer(program_)] {
+    const auto showFile = [this] { status_->setProjectText(station_->file().statusText()); };
+    station_->file().setReplaceGuard([tab = QPointer(program_)] {
         return tab && tab->runsFreely()
                    ? tr("A program is running. Stop the program before you open another project.")
                    : QString();
     });
     connect(program_, &ProgramTab::runEnded, files_.get(), &ProjectFiles::endRefusal);
-    connect(&files_->store(), &ProjectStore::statusChanged, this, showFile);
+    connect(&station_->file(), &ProjectStore::statusChanged, this, showFile);
     showFile();
-    connect(&files_->store(), &ProjectStore::pathChanged, this, [this](const QString& path) {
+    connect(&station_->file(), &ProjectStore::pathChanged, this, [this](const QString& path) {
         if (!path.isEmpty()) {
             settings_.rememberProject(path);
         }
@@ -460,7 +457,7 @@ void MainWindow::connectProject() {
     });
     connect(files_.get(), &ProjectFiles::noticeWanted, waypoints_, &WaypointsTab::showNotice);
     connect(files_.get(), &ProjectFiles::noticeResolved, waypoints_, &WaypointsTab::resolveNotice);
-    connect(document_.get(), &ProjectDocument::stepTaken, this, &MainWindow::showStep);
+    connect(document_, &ProjectDocument::stepTaken, this, &MainWindow::showStep);
     fit_ = std::make_unique<ProjectFit>(*session_, *document_, this);
     connect(fit_.get(), &ProjectFit::questionOpens, this,
             [this] { stopMotion(control::StopCause::DialogOpened); });
@@ -526,7 +523,7 @@ void MainWindow::connectFrames() {
         }
         jog_->selectors().setTaughtFrames(frames);
     };
-    connect(document_.get(), &ProjectDocument::framesChanged, this, followFrames);
+    connect(document_, &ProjectDocument::framesChanged, this, followFrames);
     followFrames();
 }
 
@@ -534,7 +531,7 @@ void MainWindow::connectTools() {
     connect(tools_, &ToolsTab::frontWanted, this, [this] { showTab("tools"); });
     connect(program_, &ProgramTab::frontWanted, this, [this] { showTab("program"); });
     connect(program_, &ProgramTab::previewPathChanged, this, &MainWindow::showPaths);
-    connect(program_, &ProgramTab::runningStepChanged, plots_, &PlotDock::setStepLabel);
+    connect(program_, &ProgramTab::runningStepChanged, &station_->history(), &LiveHistory::setStepLabel);
     program_->setRobot(*session_, holdPolicy_, [this] { return jog_->heldSpeed(); });
     connect(jog_, &JogColumn::speedChanged, program_, &ProgramTab::followSpeed);
     connect(tools_, &ToolsTab::pageChanged, this,
@@ -544,7 +541,7 @@ void MainWindow::connectTools() {
         const project::NamedPosition* home = document_->positions().homePosition();
         jog_->setHome(home != nullptr ? home->joints : defaultHome(), home != nullptr);
     };
-    connect(document_.get(), &ProjectDocument::positionsChanged, this, followHome);
+    connect(document_, &ProjectDocument::positionsChanged, this, followHome);
     followHome();
 }
 
@@ -592,7 +589,7 @@ void MainWindow::showTrainer(QWidget* over) {
 
 void MainWindow::followJog() {
     connect(jog_, &JogColumn::jogShown, this, [this](const std::optional<ShownJog>& jog) {
-        plots_->setJogLabel(jog ? jog->label : QString());
+        station_->history().setJogLabel(jog ? jog->label : QString());
         std::optional<SceneJog> arrow;
         if (jog && !jog->direction.isZero()) {
             arrow = SceneJog{jog->direction, jog->label + QLatin1Char(' ') + jog->frameName, jog->axis,
@@ -756,7 +753,7 @@ void MainWindow::listProjects() {
         action->deleteLater();
     }
     for (const QString& path : settings_.recentProjects()) {
-        if (path == files_->store().path() || !QFileInfo::exists(path)) {
+        if (path == station_->file().path() || !QFileInfo::exists(path)) {
             continue;
         }
         QAction* action = recentProjects_->addAction(
@@ -777,27 +774,13 @@ void MainWindow::setTheme(const QString& theme) {
 }
 
 void MainWindow::keepIncidentsIn(const QString& folder) {
-    incidents_ = new IncidentWatch(*session_, folder, this);
+    station_->keepIncidentsIn(folder);
     connect(log_, &LogTab::recordingWanted, this, &MainWindow::openRecording);
-    keepProject();
 }
 
 void MainWindow::keepUnsavedWorkIn(const QString& folder) {
-    files_->store().setCopyFolder(folder);
+    station_->file().setCopyFolder(folder);
     files_->offerKept();
-}
-
-void MainWindow::keepProject() {
-    const auto bytes = project::serializeProject(document_->project());
-    if (!bytes) {
-        return;
-    }
-    const QString path = files_->store().path();
-    const QString name = path.isEmpty() ? QStringLiteral("project.tiller") : QFileInfo(path).fileName();
-    session_->recording().setProject(name, bytes.value());
-    if (incidents_ != nullptr) {
-        incidents_->setProject(name, bytes.value());
-    }
 }
 
 void MainWindow::lockMonitorOnly() {
@@ -865,7 +848,7 @@ void MainWindow::changeEvent(QEvent* event) {
         stopMotion(control::StopCause::WindowDeactivated);
     }
     if (event->type() == QEvent::ActivationChange && isActiveWindow()) {
-        files_->store().checkFile();
+        station_->file().checkFile();
     }
     QMainWindow::changeEvent(event);
     if (event->type() == QEvent::WindowStateChange) {
@@ -999,11 +982,11 @@ void MainWindow::ask(const Question& words, const std::function<void(bool option
         box->setObjectName(words.name + QStringLiteral(".option"));
         question->setCheckBox(box);
     }
-    connect(accept, &QPushButton::clicked, session_.get(),
+    connect(accept, &QPushButton::clicked, session_,
             [accepted, box] { accepted(box != nullptr && box->isChecked()); });
     // The answer applies only to the program and robot in the question.
-    connect(session_.get(), &RobotSession::linkBegan, question, &QWidget::close);
-    connect(session_.get(), &RobotSession::stateChanged, question,
+    connect(session_, &RobotSession::linkBegan, question, &QWidget::close);
+    connect(session_, &RobotSession::stateChanged, question,
             [this, question, isAboutProgram = words.text == programText(), asked = askedProgram()]() mutable {
                 const AskedProgram now = askedProgram();
                 if (!isAboutProgram || now == asked) {
@@ -1083,8 +1066,8 @@ void MainWindow::buildActions() {
     for (QAction* action : program_->commandActions()) {
         actions_->adopt("program", action);
     }
-    connect(session_.get(), &RobotSession::stateChanged, actions_, &ActionTable::applyState);
-    connect(session_.get(), &RobotSession::stateChanged, this, &MainWindow::rememberRobot);
+    connect(session_, &RobotSession::stateChanged, actions_, &ActionTable::applyState);
+    connect(session_, &RobotSession::stateChanged, this, &MainWindow::rememberRobot);
     actions_->applyState(session_->state());
 
     for (const auto& [id, title] : actionMenus()) {
@@ -1309,7 +1292,7 @@ void MainWindow::showRecovery() {
         return;
     }
     // The page is not modal, because STOP and the state display must remain accessible.
-    (new RecoveryPage(*session_, *stops_, this))->show();
+    (new RecoveryPage(*session_, station_->stops(), this))->show();
 }
 
 void MainWindow::showSamples() {
@@ -1462,7 +1445,7 @@ ReportSources MainWindow::reportSources() const {
                           .state = session_->state(),
                           .knownNames = {},
                           .log = log_->allText(),
-                          .lastStop = stops_->last(),
+                          .lastStop = station_->stops().last(),
                           .crash = readCrashReport(crashReport_)};
     for (const RobotAddress& robot : settings_.rememberedRobots()) {
         sources.knownNames << robot.host << robot.name;
@@ -1471,7 +1454,7 @@ ReportSources MainWindow::reportSources() const {
         sources.knownNames << sources.state.robotName << sources.state.address;
     }
     sources.knownNames << sources.state.loadedProgram << settings_.ioNames().values();
-    const QStringList projects = settings_.recentProjects() + QStringList{files_->store().path()};
+    const QStringList projects = settings_.recentProjects() + QStringList{station_->file().path()};
     for (const QString& path : projects) {
         sources.knownNames << path << QFileInfo(path).fileName();
     }

@@ -29,7 +29,6 @@ namespace tiller {
 
 class HeaderBar;
 class GripperPanel;
-class IncidentWatch;
 class IoPages;
 class IoTab;
 class DeviceJog;
@@ -45,9 +44,9 @@ struct ProjectStep;
 class PlotDock;
 class RobotPopup;
 class SceneDock;
+class Station;
 class StatusLine;
 class StopKeys;
-class StopRecorder;
 class ProgramTab;
 class ToolsTab;
 class WaypointsTab;
@@ -73,6 +72,7 @@ public:
                         QWidget* parent = nullptr);
     ~MainWindow() override;
 
+    Station& station() { return *station_; }
     RobotSession& session() { return *session_; }
     JogColumn& jogColumn() { return *jog_; }
     UndoableDocument& document() { return *document_; }
@@ -199,8 +199,6 @@ private:
     void publishIoNames();
     void connectParts();
     void connectReplay();
-    /// Updates the copy of the project in recordings and incidents.
-    void keepProject();
     void connectProject();
     void showStep(const ProjectStep& step);
     void followJog();
@@ -230,12 +228,13 @@ private:
     LocalSimulator simulator_;
     bool cellIsSimulated_ = false;
     std::optional<RobotAddress> toRemember_;  ///< robot to be stored when it responds
-    std::unique_ptr<RobotSession> session_;
+    std::unique_ptr<Station> station_;
+    RobotSession* const session_;  ///< of the station
     std::unique_ptr<KeyStateProbe> keyStateProbe_;
     KeyRepeat keyRepeat_;
     HoldPolicy holdPolicy_;
-    std::unique_ptr<UndoableDocument> document_;
-    std::unique_ptr<ProjectFiles> files_;  ///< saves the document on destruction
+    UndoableDocument* const document_;  ///< of the station
+    std::unique_ptr<ProjectFiles> files_;
     std::unique_ptr<ProjectFit> fit_;
     std::unique_ptr<Tutorial> lessons_;
 
@@ -256,8 +255,6 @@ private:
     StopKeys* stopKeys_ = nullptr;
     KeyboardJog* keyboard_ = nullptr;
     DeviceJog* devices_ = nullptr;
-    StopRecorder* stops_ = nullptr;
-    IncidentWatch* incidents_ = nullptr;  ///< null without incident files
     ActionTable* actions_ = nullptr;
     SettingsTransfer* transfer_ = nullptr;
     QMap<QString, QMenu*> menus_;

@@ -6,17 +6,12 @@
 #include "robot/simulator/simulator.h"
 #include "robot/station/document/cell_surroundings.h"
 #include "robot/station/document/project_document.h"
-#include "robot/station/link/robot_session.h"
 #include "widgets/scene/scene_view.h"
 
 namespace tiller::app {
 
-void followCell(SceneView& view, RobotSession& session, const ProjectDocument& document) {
-    const auto follow = [&view, &session, &document] {
-        const collision::CellSurroundings cell = surroundingsOf(document.project());
-        view.setSurroundings(cell);
-        session.setSurroundings(cell);
-    };
+void followCell(SceneView& view, const ProjectDocument& document) {
+    const auto follow = [&view, &document] { view.setSurroundings(surroundingsOf(document.project())); };
     for (const auto change : {&ProjectDocument::cellChanged, &ProjectDocument::framesChanged,
                               &ProjectDocument::toolingChanged, &ProjectDocument::projectReplaced}) {
         QObject::connect(&document, change, &view, follow);

@@ -23,6 +23,7 @@
 #include "robot/station/capture/incident_watch.h"
 #include "robot/station/history/plot_marks.h"
 #include "robot/station/history/signal_store.h"
+#include "robot/station/station.h"
 #include "tests/support/pictures.h"
 #include "tests/support/window_bench.h"
 #include "widgets/common/replay_band.h"
@@ -57,7 +58,7 @@ struct Bench : WindowBench {
     IoTab& io() { return find<IoTab>("io"); }
     LogTab& log() { return find<LogTab>("log"); }
     QTableView& logTable() { return find<QTableView>("log.table"); }
-    IncidentWatch& watch() { return *window.findChild<IncidentWatch*>(); }
+    const IncidentWatch& watch() { return *window.station().incidents(); }
 
     /// Advances virtual time until the condition is true.
     bool within(const std::function<bool()>& condition) {

@@ -9,7 +9,7 @@
 #include <QTest>
 
 #include "robot/core/angles.h"
-#include "robot/station/history/state_lane.h"
+#include "robot/station/station.h"
 #include "tests/support/jog_window_test.h"
 #include "tests/support/key_events.h"
 #include "widgets/common/segmented_control.h"
@@ -19,7 +19,6 @@
 #include "widgets/jog/jog_pad.h"
 #include "widgets/jog/jog_selectors.h"
 #include "widgets/jog/pose_view.h"
-#include "widgets/plots/plot_dock.h"
 #include "widgets/scene/scene_view.h"
 #include "widgets/waypoints/waypoints_tab.h"
 
@@ -44,7 +43,7 @@ private:
     JogSelectors& selectors() { return window().jogColumn().selectors(); }
     PoseView& pose() { return *window().findChild<PoseView*>(); }
     SceneView& view() { return *window().findChild<SceneView*>(); }
-    QString lane() { return window().findChild<PlotDock*>()->lane().segments().back().label; }
+    QString lane() { return window().station().history().lane().segments().back().label; }
     QAbstractButton& segment(const char* name) { return bench_->find<QAbstractButton>(name); }
     void click(QWidget& widget) { QTest::mouseClick(&widget, Qt::LeftButton); }
 

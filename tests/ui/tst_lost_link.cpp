@@ -7,12 +7,11 @@
 #include <QTest>
 
 #include "resources/resources.h"
-#include "robot/station/history/state_lane.h"
+#include "robot/station/station.h"
 #include "tests/support/window_bench.h"
 #include "tests/ui/jog_fixture.h"
 #include "widgets/common/state_chip.h"
 #include "widgets/jog/limiter_line.h"
-#include "widgets/plots/plot_dock.h"
 #include "widgets/plots/plot_overlay.h"
 #include "widgets/plots/plot_view.h"
 
@@ -60,7 +59,6 @@ private Q_SLOTS:
         QCOMPARE(bench.find<StateChip>("lastStopChip").text(), QString("not measured"));
         auto& line = bench.find<LimiterLine>("limiterLine");
         QVERIFY2(line.quietText().contains("not measured"), qPrintable(line.quietText()));
-        const auto& plots = bench.find<PlotDock>("plots");
         auto& view = bench.find<PlotView>("plots.view");
         const auto shown = view.laneItem().segments();
         QVERIFY(!shown.empty());
@@ -79,7 +77,7 @@ private Q_SLOTS:
         QVERIFY(backAt - lostAt > 2.5);
         goOn(bench, 500);
         bool toldOfTheOutage = false;
-        for (const LaneSegment& segment : plots.lane().segments()) {
+        for (const LaneSegment& segment : bench.window.station().history().lane().segments()) {
             const bool meanwhile = segment.end > lostAt + 0.1 && segment.start < backAt - 0.1;
             if (meanwhile) {
                 QVERIFY2(segment.kind == LaneKind::NoData, qPrintable(segment.label));

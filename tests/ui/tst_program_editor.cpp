@@ -23,8 +23,8 @@
 
 #include "app/action_table.h"
 #include "program_samples.h"
-#include "robot/station/history/state_lane.h"
 #include "robot/station/program/program_edit.h"
+#include "robot/station/station.h"
 #include "tests/support/event_spy.h"
 #include "tests/support/window_bench.h"
 #include "tests/ui/jog_fixture.h"
@@ -32,7 +32,6 @@
 #include "widgets/common/segmented_control.h"
 #include "widgets/hold/hold_to_run_button.h"
 #include "widgets/log/log_model.h"
-#include "widgets/plots/plot_dock.h"
 #include "widgets/program/program_model.h"
 #include "widgets/program/program_tab.h"
 #include "widgets/program/step_palette.h"
@@ -551,7 +550,7 @@ private Q_SLOTS:
         QCOMPARE(steps, QStringList({"Step 2 (MoveL)", "Step 3 (MoveL)"}));
 
         QStringList labels;
-        for (const LaneSegment& segment : window().findChild<PlotDock*>()->lane().segments()) {
+        for (const LaneSegment& segment : window().station().history().lane().segments()) {
             labels << segment.label;
         }
         QVERIFY2(labels.count("Step 2 (MoveL)") >= 2, qPrintable(labels.join(", ")));

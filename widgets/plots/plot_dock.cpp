@@ -35,11 +35,8 @@
 #include "robot/recording/incident.h"
 #include "robot/recording/recording_format.h"
 #include "robot/station/history/history_export.h"
-#include "robot/station/history/history_feed.h"
-#include "robot/station/history/lane_text.h"
+#include "robot/station/history/live_history.h"
 #include "robot/station/history/plot_marks.h"
-#include "robot/station/history/signal_store.h"
-#include "robot/station/history/state_lane.h"
 #include "robot/station/link/robot_session.h"
 #include "robot/station/text/format.h"
 #include "robot/station/text/texts.h"
@@ -133,17 +130,16 @@ void setTextIfNew(QToolButton* button, const QString& text) {
 
 }  // namespace
 
-PlotDock::PlotDock(RobotSession& session, QWidget* parent)
+PlotDock::PlotDock(RobotSession& session, LiveHistory& live, QWidget* parent)
     : Panel(QString(), parent)
     , session_(session)
-    , store_(std::make_unique<SignalStore>())
-    , lane_(std::make_unique<StateLane>())
-    , marks_(std::make_unique<PlotMarks>(*store_))
-    , feed_(std::make_unique<HistoryFeed>(*store_)) {
+    , live_(live)
+    , store_(live.store())
+    , marks_(std::make_unique<PlotMarks>(store_)) {
     setObjectName(QStringLiteral("plots"));
     setTitle(tr("Plots"));
-    pages_ = new PlotPages(*store_, *lane_, *marks_);
-    tree_ = new SignalTree(*store_);
+    pages_ = new PlotPages(store_, live_.lane(), *marks_);
+    tree_ = new SignalTree(store_);
     historyLabel_ = new QLabel;
     historyLabel_->setObjectName(QStringLiteral("plots.history"));
     historyLabel_->setFont(textFont(12));
@@ -162,7 +158,7 @@ PlotDock::PlotDock(RobotSession& session, QWidget* parent)
     splitter->setObjectName(QStringLiteral("plots.splitter"));
     splitter->setChildrenCollapsible(false);
     splitter->addWidget(side_);
-    values_ = new PlotValues(*store_);
+    values_ = new PlotValues(store_);
     values_->hide();
     auto* beneath = new QSplitter(Qt::Vertical);
     beneath->setObjectName(QStringLiteral("plots.beneath"));
@@ -176,7 +172,7 @@ PlotDock::PlotDock(RobotSession& session, QWidget* parent)
     plotsLayout->addWidget(comparisonBand_);
     beneath->addWidget(plots);
     beneath->addWidget(values_);
-    analysis_ = new PlotAnalysis(*store_);
+    analysis_ = new PlotAnalysis(store_);
     analysis_->hide();
     beneath->addWidget(analysis_);
     beneath->setStretchFactor(0, 1);
@@ -184,9 +180,9 @@ PlotDock::PlotDock(RobotSession& session, QWidget* parent)
     splitter->setStretchFactor(1, 1);
     splitter->setSizes({kUsualSide, kUsualSide * 5});
     setContent(splitter);
-    replay_ = std::make_unique<PlotReplay>(*store_, *pages_);
+    replay_ = std::make_unique<PlotReplay>(store_, *pages_);
     comparison_ = std::make_unique<PlotComparison>(
-        PlotComparison::Place{*store_, *pages_, *marks_, *replay_, session_, *comparisonBand_});
+        PlotComparison::Place{store_, *pages_, *marks_, *replay_, session_, *comparisonBand_});
     buildHeader();
 
     pages_->setClock([this](double time) { return replay_->clockAt(time); });
@@ -213,12 +209,12 @@ PlotDock::PlotDock(RobotSession& session, QWidget* parent)
     connect(marks_.get(), &PlotMarks::crossed, this, [this](const Threshold& threshold, double time) {
         session_.journal().add(Severity::Warning, tr("%1, at %2 s on the time axis")
                                                       .arg(marks_->words(threshold),
-                                                           format::number(store_->controllerTime(time), 3)));
+                                                           format::number(store_.controllerTime(time), 3)));
     });
     connect(pages_, &PlotPages::zeroChanged, this, &PlotDock::updateHeader);
     connect(pages_, &PlotPages::arrangementChanged, this, [this] {
         announceContent();
-        session_.recording().reportDisplayed(store_->shownFields());
+        session_.recording().reportDisplayed(store_.shownFields());
         updateHeader();
         values_->follow(view());
         analysis_->follow(&view());
@@ -227,23 +223,20 @@ PlotDock::PlotDock(RobotSession& session, QWidget* parent)
         Q_EMIT arrangementChanged();
     });
     connect(pages_, &PlotPages::tooManySignals, this,
-            [this] { session_.journal().add(Severity::Warning, store_->problem()); });
-    connect(store_.get(), &SignalStore::computationFailed, this,
+            [this] { session_.journal().add(Severity::Warning, store_.problem()); });
+    connect(&store_, &SignalStore::computationFailed, this,
             [this](const QString& why) { session_.journal().add(Severity::Warning, why); });
     connect(tree_, &SignalTree::chosen, this, [this](const QStringList& keys) { view().addSignals(keys); });
     connect(tree_, &SignalTree::derivationEntered, this, [this](const QString& text) {
-        const Result<int> made = store_->derive(text);
+        const Result<int> made = store_.derive(text);
         tree_->showDerivationResult(made ? QString() : made.error().controllerMessage);
         if (made) {
-            view().addSignals({store_->info(*made).key});
+            view().addSignals({store_.info(*made).key});
         }
     });
-    connect(store_.get(), &SignalStore::furtherFieldsChanged, &session_, &RobotSession::followExtraFields);
-    connect(&session_, &RobotSession::extraSamplesReceived, this, &PlotDock::takeExtra);
     connect(&session_, &RobotSession::connected, this, &PlotDock::followAbsent);
     announceContent();
     connect(&session_, &RobotSession::linkBegan, this, [this] {
-        feed_->beginLink();
         pages_->clearZero();  // another robot or tool may be connected
     });
     connect(&session_, &RobotSession::samplesReceived, this, &PlotDock::take);
@@ -262,7 +255,7 @@ PlotView& PlotDock::view() {
 }
 
 const SeriesBuffer& PlotDock::history() const {
-    return store_->live();
+    return store_.live();
 }
 
 QByteArray PlotDock::arrangement() const {
@@ -281,14 +274,14 @@ void PlotDock::arrange(const QByteArray& json) {
 }
 
 std::size_t PlotDock::budget() const {
-    return store_->limits().bytes;
+    return store_.limits().bytes;
 }
 
 void PlotDock::setBudget(std::size_t bytes) {
-    HistoryLimits limits = store_->limits();
+    HistoryLimits limits = store_.limits();
     if (limits.bytes != bytes) {
         limits.bytes = bytes;
-        store_->setLimits(limits);
+        store_.setLimits(limits);
         Q_EMIT arrangementChanged();
     }
 }
@@ -377,7 +370,7 @@ void PlotDock::followAbsent() {
 QString PlotDock::historyText() const {
     const SeriesBuffer& all = history();
     const QString size = tr("%1 of %2")
-                             .arg(format::bytes(static_cast<std::int64_t>(store_->memoryBytes())),
+                             .arg(format::bytes(static_cast<std::int64_t>(store_.memoryBytes())),
                                   format::bytes(static_cast<std::int64_t>(budget())));
     return tr("History %1 · %2").arg(format::duration(all.lastTime() - all.firstTime()), size);
 }
@@ -433,7 +426,7 @@ void PlotDock::buildPagesMenu() {
     add(menu, "plots.layout.openRecording", tr("Open recording…"), [this] { askForRecording(); });
     add(menu, "plots.layout.closeRecordings", tr("Close recordings"), [this] {
         closeRecordings();
-    })->setEnabled(store_->hasRecordings());
+    })->setEnabled(store_.hasRecordings());
     add(menu, "plots.layout.compare", tr("Compare with the arm model…"), [this] {
         compareWithModel();
     })->setEnabled(!comparison_->recordingInFront().isEmpty());
@@ -520,7 +513,7 @@ bool PlotDock::isOpen(const QString& path, std::optional<double> moment) {
     // Reuse only incident recordings, because they never change. Another file may have been overwritten by a
     // new recording.
     for (auto known = incidents_.constBegin(); known != incidents_.constEnd(); ++known) {
-        const recording::Recording* file = store_->recorded(known.key());
+        const recording::Recording* file = store_.recorded(known.key());
         if (file != nullptr && file->path() == path) {
             const bool turned = turnTo(known.key());
             goTo(known.key(), moment);
@@ -534,11 +527,11 @@ double PlotDock::placeOf(const recording::Recording& file, double length,
                          std::optional<double> incident) const {
     const double newest = history().isEmpty() ? 0 : history().lastTime();
     const auto chosen = pages_->view().cursor(PlotView::Cursor::A);
-    if (!incident && !chosen && store_->hasRecordings()) {
+    if (!incident && !chosen && store_.hasRecordings()) {
         // Recordings of the same time keep their distance. Other recordings begin together, for comparison.
-        const QString first = store_->recordings().constFirst();
-        const SeriesBuffer& times = *store_->timesOf(first);
-        const auto other = store_->recorded(first)->startUtcNs();
+        const QString first = store_.recordings().constFirst();
+        const SeriesBuffer& times = *store_.timesOf(first);
+        const auto other = store_.recorded(first)->startUtcNs();
         const auto start = file.startUtcNs();
         const double distance = start && other ? static_cast<double>(*start - *other) * 1e-9 : 0;
         const bool overlap = distance > -length && distance < times.lastTime() - times.firstTime();
@@ -554,7 +547,7 @@ double PlotDock::placeOf(const recording::Recording& file, double length,
         row) {
         const auto stamp = file.read(std::array{*column}, {*row, 1});
         const double begin =
-            stamp && !stamp->front().empty() ? feed_->plotTime(stamp->front().front()) - *incident : newest;
+            stamp && !stamp->front().empty() ? live_.plotTime(stamp->front().front()) - *incident : newest;
         if (begin + length > history().firstTime() && begin < newest) {
             return begin;
         }
@@ -571,7 +564,7 @@ PageLayout PlotDock::pageFor(const QString& recording) const {
         PaneLayout own{{}, {}, pane.column, pane.share};
         for (const QString& key : pane.shown) {
             const QString recorded = recording + QLatin1Char('/') + key;
-            own.shown << (store_->find(recorded) >= 0 ? QStringList(recorded) : QStringList());
+            own.shown << (store_.find(recorded) >= 0 ? QStringList(recorded) : QStringList());
         }
         if (!own.shown.isEmpty()) {
             page.panes.append(own);
@@ -580,12 +573,12 @@ PageLayout PlotDock::pageFor(const QString& recording) const {
     if (page.panes.isEmpty()) {
         constexpr qsizetype kFirst = 4;
         page.panes.append(PaneLayout{});
-        const recording::Recording& file = *store_->recorded(recording);
+        const recording::Recording& file = *store_.recorded(recording);
         const std::optional<std::size_t> timeColumn = file.timeColumn();
         const QString time =
             timeColumn ? QString::fromStdString(file.columns()[*timeColumn].name) : QString();
-        for (const int signal : store_->signalsOf(recording)) {
-            const SignalInfo& info = store_->info(signal);
+        for (const int signal : store_.signalsOf(recording)) {
+            const SignalInfo& info = store_.info(signal);
             if (!info.isState() && !isTime(info.field) && info.field != time &&
                 page.panes[0].shown.size() < kFirst) {
                 page.panes[0].shown.append(info.key);
@@ -603,7 +596,7 @@ bool PlotDock::turnTo(const QString& recording) {
                                tr("The maximum number of plot pages has been reached. Remove a page first."));
         return true;
     }
-    const SeriesBuffer& times = *store_->timesOf(recording);
+    const SeriesBuffer& times = *store_.timesOf(recording);
     const auto incident = incidents_.constFind(recording);
     if (incident == incidents_.constEnd()) {
         view().showRange(times.firstTime(),
@@ -621,7 +614,7 @@ bool PlotDock::turnTo(const QString& recording) {
 
 void PlotDock::goTo(const QString& recording, std::optional<double> moment) {
     if (moment && view().recordingsShown().contains(recording)) {
-        view().goTo(store_->timesOf(recording)->firstTime() + *moment);
+        view().goTo(store_.timesOf(recording)->firstTime() + *moment);
     }
 }
 
@@ -639,7 +632,7 @@ void PlotDock::showRecording(std::unique_ptr<recording::Recording> file, std::op
             notes.push_back({begin + event.seconds, event.text});
         }
     }
-    const Result<QString> opened = store_->open(std::move(file), begin);
+    const Result<QString> opened = store_.open(std::move(file), begin);
     if (!opened) {
         session_.journal().add(Severity::Error, texts::errorText(opened.error()));
         return;
@@ -669,7 +662,7 @@ void PlotDock::closeRecordings() {
     marks_->forgetRecordings();
     pages_->dropRecordings();
     incidents_.clear();
-    store_->closeRecordings();
+    store_.closeRecordings();
     announceContent();
     replay_->follow();
     comparison_->follow();
@@ -723,7 +716,7 @@ QString PlotDock::picturesTitle() const {
     QStringList families;
     for (const auto& pane : pages_->view().panes()) {
         for (const int signal : pane->shown()) {
-            const QString family = store_->info(signal).family;
+            const QString family = store_.info(signal).family;
             families << (families.contains(family) ? QStringList() : QStringList(family));
         }
     }
@@ -735,7 +728,7 @@ void PlotDock::announceContent() {
     for (const auto& pane : pages_->view().panes()) {
         QStringList families;
         for (const int signal : pane->shown()) {
-            const QString family = store_->info(signal).family;
+            const QString family = store_.info(signal).family;
             families << (families.contains(family) ? QStringList() : QStringList(family));
         }
         if (!families.isEmpty()) {
@@ -857,50 +850,15 @@ void PlotDock::setForceZeroed(bool zeroed) {
     updateHeader();
 }
 
-void PlotDock::setJogLabel(const QString& label) {
-    jogLabel_ = label;
-}
-
-void PlotDock::setStepLabel(const QString& label) {
-    stepLabel_ = label;
-}
-
-void PlotDock::take(const SampleBatch& batch) {
-    feed_->take(batch);
+void PlotDock::take() {
     marks_->check();
     if (!history().isEmpty()) {
         replay_->noteFrame(history().lastTime(), QDateTime::currentDateTimeUtc());
     }
-    const LaneEntry none = noDataEntry();
-    for (const HistoryFeed::Silence& silence : feed_->takeDataGaps()) {
-        lane_->add(silence.from, none.kind, none.label);
-        lane_->add(silence.to, none.kind, none.label);
-        backAt_ = silence.to;
-    }
-}
-
-void PlotDock::takeExtra(const SampleBatch& batch) {
-    feed_->takeExtra(batch);
-}
-
-void PlotDock::followLane(const SessionState& state) {
-    const double shown = feed_->plotTime(state.robotTime);
-    if (state.hasData() && state.link != LinkState::Connecting) {
-        const LaneEntry entry = laneEntry(state, jogLabel_, stepLabel_);
-        lane_->add(std::exchange(backAt_, {}).value_or(shown), entry.kind, entry.label);
-        lane_->add(shown, entry.kind, entry.label);
-    } else if (state.link == LinkState::Lost && state.sequence != 0) {
-        // The lane shows "no data" from the last sample to the current time.
-        const LaneEntry none = noDataEntry();
-        lane_->add(shown, none.kind, none.label);
-        lane_->add(shown + state.quality.ageMs / 1e3, none.kind, none.label);
-    }
 }
 
 void PlotDock::onState(const SessionState& state) {
-    followLane(state);
     if (!history().isEmpty()) {
-        lane_->forgetBefore(history().firstTime());
         marks_->forgetBefore(history().firstTime());
         replay_->forgetBefore(history().firstTime());
     }
@@ -1023,8 +981,8 @@ Result<void> PlotDock::exportValues(const QString& path, ExportRange range) cons
     if (range == ExportRange::BetweenCursors && a && b) {
         std::tie(from, until) = std::minmax(*a, *b);
     }
-    const std::vector<int> shownSignals = shownInOrder(*store_, *pages_);
-    const QString recording = shownSignals.empty() ? QString() : store_->recordingOf(shownSignals.front());
+    const std::vector<int> shownSignals = shownInOrder(store_, *pages_);
+    const QString recording = shownSignals.empty() ? QString() : store_.recordingOf(shownSignals.front());
     std::vector<HistoryNote> notes;
     for (const PlotMark& mark : marks_->marks()) {
         if (mark.recording == recording && !mark.alarm) {
@@ -1033,7 +991,7 @@ Result<void> PlotDock::exportValues(const QString& path, ExportRange range) cons
                 {mark.time, moment.isValid() ? moment.toMSecsSinceEpoch() * kNsPerMs : 0, mark.text});
         }
     }
-    const Result<std::int64_t> rows = exportSignals(*store_, shownSignals, from, until, path, notes);
+    const Result<std::int64_t> rows = exportSignals(store_, shownSignals, from, until, path, notes);
     return rows ? Result<void>() : Result<void>(rows.error());
 }
 
@@ -1051,7 +1009,7 @@ Result<void> PlotDock::exportPicture(const QString& path) const {
     } else {
         // The robot and the time axis of the live data do not apply to a recording.
         text.title = QStringLiteral("%1 · %2").arg(recording, picturesTitle());
-        const double begin = store_->timesOf(recording)->firstTime();
+        const double begin = store_.timesOf(recording)->firstTime();
         details << QStringLiteral("%1 … %2 s")
                        .arg(format::number(window.start() - begin, 3),
                             format::number(window.end() - begin, 3));
@@ -1066,7 +1024,7 @@ Result<void> PlotDock::exportPicture(const QString& path) const {
         details << zero;
     }
     text.detail = details.join(QStringLiteral("   "));
-    return tiller::exportPicture(pages_->view(), *store_, *lane_, text, path);
+    return tiller::exportPicture(pages_->view(), store_, live_.lane(), text, path);
 }
 
 void PlotDock::showNothingToExport() {
@@ -1151,7 +1109,7 @@ void PlotDock::toggleRecording() {
     constexpr std::int64_t kBytesPerMegabyte = 1'000'000;
     session_.recording().start({.path = path,
                                 .fields = choice_.fields,
-                                .shown = store_->shownFields(),
+                                .shown = store_.shownFields(),
                                 .every = choice_.every,
                                 .format = choice_.format,
                                 .keepFree = choice_.keepFree * kBytesPerMegabyte});

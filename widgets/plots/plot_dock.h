@@ -2,8 +2,8 @@
 #pragma once
 
 // The panel "Plots". It contains the signal list at the left, pages of plots, lanes with the robot state
-// below the plots, and controls in the title bar. In each frame, it reads the state and all new samples from
-// the session.
+// below the plots, and controls in the title bar. It shows the history of the session and adds recordings to
+// it.
 
 #include <QByteArray>
 #include <QHash>
@@ -31,32 +31,30 @@ class ComparisonBand;
 class ElidedLabel;
 class PlotAnalysis;
 class PlotComparison;
-class HistoryFeed;
+class LiveHistory;
 class PlotMarks;
 class PlotPages;
 class PlotReplay;
 class PlotValues;
 class PlotView;
 class RobotSession;
-struct SampleBatch;
 class SeriesBuffer;
 class SignalStore;
 class SignalTree;
-class StateLane;
 
 class PlotDock : public Panel {
     Q_OBJECT
 
 public:
-    explicit PlotDock(RobotSession& session, QWidget* parent = nullptr);
+    /// live  the history of the session; must outlive the panel, like `session`
+    PlotDock(RobotSession& session, LiveHistory& live, QWidget* parent = nullptr);
     ~PlotDock() override;
 
     PlotView& view();
     PlotPages& pages() { return *pages_; }
     PlotMarks& marks() { return *marks_; }
-    SignalStore& store() { return *store_; }
+    SignalStore& store() { return store_; }
     const SeriesBuffer& history() const;
-    const StateLane& lane() const { return *lane_; }
 
     /// Sets the content of recordings that are started with "Record". The next recording uses it.
     void setRecordingChoice(const RecordingChoice& choice);
@@ -98,10 +96,6 @@ public:
     static QVector<Span> spans();
 
 public Q_SLOTS:
-    /// Sets the text in the lane for the held jog button, e.g. "X+" or "Wrist 2−". Empty if there is none.
-    void setJogLabel(const QString& label);
-    /// Sets the text in the lane for the running step of a program. Empty if no program runs.
-    void setStepLabel(const QString& label);
     void setPaused(bool paused);
     /// Displays the force relative to its current value. Recorded and exported values remain unchanged.
     void setForceZeroed(bool zeroed);
@@ -145,8 +139,7 @@ private:
     Result<void> exportPicture(const QString& path) const;
     void buildHeader();
     void styleHeader();
-    void take(const SampleBatch& batch);
-    void takeExtra(const SampleBatch& batch);
+    void take();
     void followAbsent();
     void buildPagesMenu();
     void announceContent();
@@ -168,7 +161,6 @@ private:
     void askToSaveArrangement();
     void askToOpenArrangement();
     void onState(const SessionState& state);
-    void followLane(const SessionState& state);
     void updateHeader();
     void showNothingToExport();
     void buildRecordMenu();
@@ -176,10 +168,9 @@ private:
     void askForFolder();
 
     RobotSession& session_;
-    std::unique_ptr<SignalStore> store_;
-    std::unique_ptr<StateLane> lane_;
+    LiveHistory& live_;
+    SignalStore& store_;
     std::unique_ptr<PlotMarks> marks_;
-    std::unique_ptr<HistoryFeed> feed_;
     std::unique_ptr<PlotReplay> replay_;
     ComparisonBand* comparisonBand_ = nullptr;
     std::unique_ptr<PlotComparison> comparison_;
@@ -201,9 +192,6 @@ private:
     QToolButton* export_ = nullptr;
     QToolButton* record_ = nullptr;
     QToolButton* recordMenu_ = nullptr;
-    QString jogLabel_;
-    QString stepLabel_;
-    std::optional<double> backAt_;  ///< time at which data arrived again, not yet added to the lane [s]
     RecordingChoice choice_;
     QMap<QString, recording::TableFormat> tables_;  ///< as PlotLayout::tables
     bool recording_ = false;

@@ -34,8 +34,8 @@ QString projectFolder() {
     return QDir(documents.isEmpty() ? QDir::homePath() : documents).filePath(QStringLiteral("Tiller"));
 }
 
-ProjectFiles::ProjectFiles(ProjectDocument& document, Journal& journal, QObject* parent)
-    : QObject(parent), journal_(journal), store_(document) {
+ProjectFiles::ProjectFiles(ProjectStore& store, Journal& journal, QObject* parent)
+    : QObject(parent), journal_(journal), store_(store) {
     connect(&store_, &ProjectStore::copyKept, this, [this](const QString& copy) {
         journal_.add(Severity::Warning, tr("The damaged project file was kept as %1.").arg(copy));
     });

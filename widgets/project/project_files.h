@@ -14,14 +14,12 @@ class QWidget;
 
 namespace tiller {
 
-class ProjectDocument;
-
 class ProjectFiles : public QObject {
     Q_OBJECT
 
 public:
-    /// document, journal  must outlive this object
-    ProjectFiles(ProjectDocument& document, Journal& journal, QObject* parent = nullptr);
+    /// store, journal  must outlive this object
+    ProjectFiles(ProjectStore& store, Journal& journal, QObject* parent = nullptr);
 
     /// Manages the project file: path, autosave, and the text for the status line.
     ProjectStore& store() { return store_; }
@@ -76,7 +74,7 @@ private:
     QString startingPlace() const;
 
     Journal& journal_;
-    ProjectStore store_;
+    ProjectStore& store_;
     bool isAnswerPostponed_ = false;
 };
 

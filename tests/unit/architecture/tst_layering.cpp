@@ -219,6 +219,7 @@ const QList<Folder>& folders() {
           "robot/recording", "robot/station/text", "robot/station/executor", "robot/station/link",
           "robot/station/document"},
          kGui},
+        {"robot/station", {"robot/core", "robot/project/project_file.h"}, kGui},
         {"widgets/common", {"robot/core", "robot/station/text"}, {}},
         {"widgets/hold",
          {"robot/core", "robot/control/motion_types.h", "robot/station/link/hold_motion.h", "widgets/common"},
@@ -273,10 +274,16 @@ const QStringList kParts = {
     "robot/examples/cpp/testing",
 };
 
+/// A folder whose row does not apply to its subfolders, because each of them needs a separate row.
+const QString kFolderOfRows = QStringLiteral("robot/station");
+
 const Folder* folderOf(const QString& file) {
     const Folder* best = nullptr;
     for (const Folder& folder : folders()) {
         const QString path = QString::fromLatin1(folder.path);
+        if (path == kFolderOfRows && file.section('/', 0, -2) != path) {
+            continue;
+        }
         if (file.startsWith(path + '/') &&
             (best == nullptr || path.size() > qsizetype(qstrlen(best->path)))) {
             best = &folder;
@@ -492,6 +499,10 @@ private Q_SLOTS:
         QVERIFY(!isAllowed(*folderOf("robot/simulator/servers/services.cpp"), "robot/simulator/faults.h"));
         QVERIFY(!isAllowed(*folderOf("robot/recording/recorder.cpp"), "robot/recording/mcap/reader.h"));
         QVERIFY(!isAllowed(*folderOf("robot/recording/mcap/reader.cpp"), "robot/recording/hdf5/episodes.h"));
+        const Folder* station = folderOf("robot/station/station.cpp");
+        QVERIFY(station != nullptr && isAllowed(*station, "robot/station/link/robot_session.h"));
+        QVERIFY(!isAllowed(*station, "robot/control/controller.h"));
+        QVERIFY(!isAllowed(*folderOf("robot/station/route/route_runner.cpp"), "robot/station/station.h"));
         QVERIFY(folderOf("robot/station/new_folder/x.h") == nullptr);
         QVERIFY(folderOf("widgets/new_folder/x.h") == nullptr);
     }
@@ -517,6 +528,14 @@ private Q_SLOTS:
                 const Folder* row = folderOf(allowed + '/');
                 QVERIFY2(row == nullptr || row <= &folder,
                          qPrintable(folder.path + (" includes " + allowed)));
+        const QList<Folder>& table = folders();
+        for (qsizetype i = 0; i < table.size(); ++i) {
+            for (qsizetype later = i + 1; later < table.size(); ++later) {
+                const QString path = QString::fromLatin1(table[later].path);
+                for (const QString& allowed : table[i].mayInclude) {
+                    const bool isBelow = path != kFolderOfRows && allowed.startsWith(path + '/');
+                    QVERIFY2(allowed != path && !isBelow, qPrintable(table[i].path + (" includes " + path)));
+                }
             }
         }
     }

@@ -34,6 +34,7 @@
 #include "robot/recording/formats/open_recording.h"
 #include "robot/recording/recording_format.h"
 #include "robot/station/history/history_export.h"
+#include "robot/station/history/live_history.h"
 #include "robot/station/history/plot_marks.h"
 #include "robot/station/history/signal_store.h"
 #include "robot/station/history/state_lane.h"
@@ -67,7 +68,8 @@ namespace {
 /// 500 Hz, with Fz [N] equal to the time [s], so that every value can be checked by mental arithmetic.
 struct Bench {
     RobotSession session;
-    PlotDock dock{session};
+    LiveHistory live{session};
+    PlotDock dock{session, live};
     test::SampleStream stream;
     int next = 0;                            ///< index of the next sample
     int restartedAt = 0;                     ///< index of the sample at which the controller started
@@ -549,7 +551,8 @@ private Q_SLOTS:
 
     void zeroNeedsSamples() {
         RobotSession session;
-        PlotDock dock(session);
+        LiveHistory dockLive(session);
+        PlotDock dock(session, dockLive);
         dock.resize(900, 300);
         dock.show();
         const test::EventSpy messages(session.journal());
@@ -623,7 +626,7 @@ private Q_SLOTS:
     void theLaneShowsTheJogByItsKey() {
         Bench b;
         for (int i = 0; i <= 600; ++i) {
-            b.dock.setJogLabel(i >= 400 && i < 500 ? QStringLiteral("X+") : QString());
+            b.live.setJogLabel(i >= 400 && i < 500 ? QStringLiteral("X+") : QString());
             Q_EMIT b.session.stateChanged(running(i * 0.1, i >= 400 && i < 500));
         }
         b.runTo(60.1);
@@ -774,7 +777,7 @@ private Q_SLOTS:
         b.next = 33'000;
         b.runTo(66.1);
         Q_EMIT b.session.stateChanged(running(66.1, false));
-        const auto& after = b.dock.lane().segments();
+        const auto& after = b.live.lane().segments();
         QVERIFY(after.back().kind == LaneKind::Idle);
         const LaneSegment& outage = after[after.size() - 2];
         QVERIFY(outage.kind == LaneKind::NoData);
@@ -789,7 +792,7 @@ private Q_SLOTS:
         b.next = 30'400;  // 0.8 s later
         b.runTo(61);
         Q_EMIT b.session.stateChanged(running(61, true));
-        const auto& segments = b.dock.lane().segments();
+        const auto& segments = b.live.lane().segments();
         QVERIFY(segments.size() >= 2);
         const LaneSegment& silence = segments[segments.size() - 2];
         QVERIFY(silence.kind == LaneKind::NoData);
@@ -1349,7 +1352,8 @@ private Q_SLOTS:
         QCOMPARE(b.view().cursor(PlotView::Cursor::B).value(), 56.0);
         // Saving and restoring reproduces the same plots.
         const QByteArray kept = b.dock.arrangement();
-        PlotDock another(b.session);
+        LiveHistory anotherLive(b.session);
+        PlotDock another(b.session, anotherLive);
         another.arrange(kept);
         QCOMPARE(another.arrangement(), kept);
         QCOMPARE(another.pages().count(), 2);
@@ -1534,7 +1538,8 @@ private Q_SLOTS:
         QCOMPARE(b.dock.marks().marks().size(), std::size_t{1});
         QVERIFY(near(b.dock.marks().marks()[0].time, 65.002, 0.0021));
         // Alarm limits are saved with the plots and removed through the plot menu.
-        PlotDock another(b.session);
+        LiveHistory anotherLive(b.session);
+        PlotDock another(b.session, anotherLive);
         another.arrange(b.dock.arrangement());
         QCOMPARE(another.marks().thresholds(), b.dock.marks().thresholds());
         b.menuAt(b.forces().area().center(), "plots.menu.noAlarm");
@@ -1595,7 +1600,8 @@ private Q_SLOTS:
         QVERIFY(near(b.dock.store().valueAt(slope, 61.5).value(), 1, 1e-2));
         QVERIFY(near(b.dock.store().valueAt(norm, 61.5).value(), 61.5, 1e-3));
         // The signal is saved with the layout.
-        PlotDock another(b.session);
+        LiveHistory anotherLive(b.session);
+        PlotDock another(b.session, anotherLive);
         another.arrange(b.dock.arrangement());
         QCOMPARE(another.arrangement(), b.dock.arrangement());
     }
@@ -1636,7 +1642,8 @@ private Q_SLOTS:
             file.write("timestamp,actual_TCP_force_2\n" + rows.join('\n') + '\n');
         }
         RobotSession session;
-        PlotDock dock(session);
+        LiveHistory dockLive(session);
+        PlotDock dock(session, dockLive);
         session.shutDown();
         dock.resize(1500, 375);
         dock.show();
@@ -2123,7 +2130,8 @@ private Q_SLOTS:
     void aRecordingIsShownWithoutARobot() {
         RobotSession session;
         session.shutDown();
-        PlotDock dock(session);
+        LiveHistory dockLive(session);
+        PlotDock dock(session, dockLive);
         dock.resize(1200, 400);
         dock.show();
         QTemporaryDir folder;
@@ -2139,7 +2147,8 @@ private Q_SLOTS:
         QCOMPARE(dock.view().window().start(), 0.0);
         QVERIFY(dock.view().panes()[0]->curves()[0]->range() == (MinMax{1, 4}));
         // The page is not saved for the next start, because an empty page named after a file is useless.
-        PlotDock next(session);
+        LiveHistory nextLive(session);
+        PlotDock next(session, nextLive);
         next.arrange(dock.arrangement());
         QCOMPARE(next.pages().count(), 1);
         QVERIFY(next.view().panes()[0]->shows(next.store().find("actual_TCP_force_2")));

@@ -62,13 +62,15 @@ private Q_SLOTS:
         directory_ = std::make_unique<QTemporaryDir>();
         path_ = directory_->filePath("cell-7.tiller");
         document_ = std::make_unique<UndoableDocument>();
-        files_ = std::make_unique<ProjectFiles>(*document_, journal_);
+        store_ = std::make_unique<ProjectStore>(*document_);
+        files_ = std::make_unique<ProjectFiles>(*store_, journal_);
         notice_.reset();
         connect(files_.get(), &ProjectFiles::noticeWanted, this,
                 [this](const Notice& notice) { notice_ = notice; });
     }
     void cleanup() {
         files_.reset();
+        store_.reset();
         document_.reset();
     }
 
@@ -255,7 +257,8 @@ private Q_SLOTS:
         document_->insertWaypoints(0, {named("a")}, "Teach");
         files_->saveAs(path_);
         UndoableDocument otherDocument;
-        ProjectFiles other(otherDocument, journal_);
+        ProjectStore otherStore(otherDocument);
+        ProjectFiles other(otherStore, journal_);
         std::optional<Notice> asked;
         connect(&other, &ProjectFiles::noticeWanted, this, [&](const Notice& notice) { asked = notice; });
         other.open(path_);
@@ -462,6 +465,7 @@ private:
     QString path_;
     Journal journal_;
     std::unique_ptr<UndoableDocument> document_;
+    std::unique_ptr<ProjectStore> store_;
     std::unique_ptr<ProjectFiles> files_;
     std::optional<Notice> notice_;
 };

@@ -749,7 +749,8 @@ private Q_SLOTS:
         teachThree();
         QTemporaryDir directory;
         const QString path = directory.filePath("cell-7.tiller");
-        ProjectFiles files(*document_, session_->journal());
+        ProjectStore store(*document_);
+        ProjectFiles files(store, session_->journal());
         connect(&files, &ProjectFiles::noticeWanted, tab_.get(), &WaypointsTab::showNotice);
         files.saveAs(path);
         QFile file(path);
