@@ -14,9 +14,7 @@
 #include <QMimeData>
 #include <QPushButton>
 #include <QScreen>
-#include <QStackedWidget>
 #include <QStatusBar>
-#include <QTabBar>
 #include <QToolButton>
 #include <QUrl>
 #include <QVBoxLayout>
@@ -45,6 +43,7 @@
 #include "app/settings_page.h"
 #include "app/settings_transfer.h"
 #include "app/sleep_watch.h"
+#include "app/tab_panel.h"
 #include "app/tutorial.h"
 #include "robot/kinematics/arm_kinematics.h"
 #include "robot/station/jog/jog_motion.h"
@@ -133,15 +132,6 @@ protected:
 QSize startSize() {
     const QScreen* screen = QGuiApplication::primaryScreen();
     return screen == nullptr ? kStart : kStart.boundedTo(screen->availableSize() - QSize(16, 48));
-}
-
-/// Moves the focus to the list or tree of a page. Without this, Qt would move it to the button that was used last,
-/// e.g. "Run", which reacts to Return.
-void focusPage(QWidget& page) {
-    const QList<QAbstractItemView*> views = page.findChildren<QAbstractItemView*>();
-    const auto view = std::ranges::find_if(
-        views, [](const QAbstractItemView* each) { return each->isVisible() && each->isEnabled(); });
-    (view != views.end() ? static_cast<QWidget*>(*view) : &page)->setFocus(Qt::OtherFocusReason);
 }
 
 }  // namespace
@@ -271,18 +261,18 @@ void MainWindow::buildDocks() {
     // Pass each container its parent first. Reparenting a filled container would apply the style sheet to all
     // its children again.
     stage_->add(*new PanelDock(*scene_, "viewDock", tr("View"), stage_));
-    tabsDock_ =
-        new PanelDock(*buildTabs(), "tabsDock", tr("Waypoints, Program, Frames, Tools, I/O, Log"), stage_);
+    const QString tabTitles = tr("Waypoints, Program, Frames, Tools, I/O, Log");
+    tabs_ = new TabPanel(tabTitles, this);
+    tabsDock_ = new PanelDock(*tabs_, "tabsDock", tabTitles, stage_);
     stage_->add(*tabsDock_);
     fillTabs();
     plotsDock_ = new PanelDock(*plots_, "plotsDock", tr("Plots"), stage_);
     stage_->add(*plotsDock_);
-    perspectives_ =
-        new Perspectives(*stage_, settings_, session_->journal(),
-                         {.stop = [this](control::StopCause cause) { stopMotion(cause); },
-                          .showTab = [this](const QString& name) { selectTab(name); },
-                          .tab = [this] { return tabs_->tabData(tabs_->currentIndex()).toString(); }},
-                         this);
+    perspectives_ = new Perspectives(*stage_, settings_, session_->journal(),
+                                     {.stop = [this](control::StopCause cause) { stopMotion(cause); },
+                                      .showTab = [this](const QString& name) { selectTab(name); },
+                                      .tab = [this] { return tabs_->current(); }},
+                                     this);
 
     statusBar()->setSizeGripEnabled(false);
     statusBar()->addWidget(status_, 1);
@@ -319,45 +309,15 @@ void MainWindow::moveEvent(QMoveEvent* event) {
     layoutTimer_.start();
 }
 
-Panel* MainWindow::buildTabs() {
-    auto* panel = new Panel(QString(), this);
-    tabs_ = new QTabBar;
-    tabs_->setObjectName("tabs");
-    tabs_->setAccessibleName(tr("Waypoints, Program, Frames, Tools, I/O, Log"));
-    tabs_->setDrawBase(false);
-    tabs_->setExpanding(false);
-    // Make the panel at least as wide as all tab titles.
-    tabs_->setUsesScrollButtons(false);
-    tabs_->setElideMode(Qt::ElideNone);
-    for (const auto& [name, title] : {std::pair<QString, QString>{"waypoints", tr("Waypoints")},
-                                      {"program", tr("Program")},
-                                      {"frames", tr("Frames")},
-                                      {"tools", tr("Tools")},
-                                      {"io", tr("I/O")},
-                                      {"log", tr("Log")}}) {
-        tabs_->setTabData(tabs_->addTab(title), name);
-    }
-    pages_ = new QStackedWidget;
-    panel->setHeaderWidget(tabs_);
-    panel->setContent(pages_);
-    return panel;
-}
-
 void MainWindow::fillTabs() {
-    for (QWidget* page :
-         std::initializer_list<QWidget*>{waypoints_, program_, frames_, tools_, ioPages_, log_}) {
-        pages_->addWidget(page);
-    }
-    connect(tabs_, &QTabBar::currentChanged, this, [this](int index) {
-        stopMotion(control::StopCause::SelectionChanged);
-        const bool hasFocus = pages_->isAncestorOf(QApplication::focusWidget());
-        pages_->setCurrentIndex(index);
-        if (hasFocus) {
-            focusPage(*pages_->currentWidget());
-        }
-        tabs_->updateGeometry();  // the title of the selected tab is bold and therefore needs more space
-        showPaths();
-    });
+    tabs_->add("waypoints", tr("Waypoints"), *waypoints_);
+    tabs_->add("program", tr("Program"), *program_);
+    tabs_->add("frames", tr("Frames"), *frames_);
+    tabs_->add("tools", tr("Tools"), *tools_);
+    tabs_->add("io", tr("I/O"), *ioPages_);
+    tabs_->add("log", tr("Log"), *log_);
+    connect(tabs_, &TabPanel::leaving, this, [this] { stopMotion(control::StopCause::SelectionChanged); });
+    connect(tabs_, &TabPanel::currentChanged, this, &MainWindow::showPaths);
 }
 
 void MainWindow::connectParts() {
@@ -618,7 +578,7 @@ void MainWindow::showPaths() {
         retrace.places.push_back(kinematics::forwardTcp(state.dh, q, state.tcpOffset).position);
     }
     PathMark preview{PathMark::Kind::Coming, {}, {}};
-    if (pages_->currentWidget() == program_) {
+    if (tabs_->currentPage() == program_) {
         preview.places = program_->previewPath();
     }
     std::vector<PathMark> paths;
@@ -831,12 +791,7 @@ void MainWindow::selectTab(const QString& name) {
     if (name == QLatin1String("gripper") || name == QLatin1String("io")) {
         ioPages_->show(name == QLatin1String("io") ? IoPages::Page::Signals : IoPages::Page::Gripper);
     }
-    const QString tab = name == QLatin1String("gripper") ? QStringLiteral("io") : name;
-    for (int i = 0; i < tabs_->count(); ++i) {
-        if (tabs_->tabData(i).toString() == tab) {
-            tabs_->setCurrentIndex(i);
-        }
-    }
+    tabs_->select(name == QLatin1String("gripper") ? QStringLiteral("io") : name);
 }
 
 // ---- operator attention
@@ -1158,7 +1113,8 @@ void MainWindow::addViewActions() {
              showTab("gripper");
          }});
     for (PanelDock* dock : stage_->docks()) {
-        addPanelActions(*dock);
+        PanelActions::addDock(*actions_, *stage_, *dock,
+                              [this] { stopMotion(control::StopCause::DialogOpened); });
     }
     actions_->add({"view.reset",
                    tr("Reset layout"),
@@ -1236,7 +1192,7 @@ void MainWindow::showHelp() {
     for (HelpPage* open : findChildren<HelpPage*>()) {
         open->close();
     }
-    const QString about = manualPageOf(focus == tabs_ ? pages_->currentWidget() : focus);
+    const QString about = manualPageOf(focus == &tabs_->bar() ? tabs_->currentPage() : focus);
     // If the focus is in a modal dialog, use it as the parent, because only its children can receive input.
     auto* over = focus == nullptr ? nullptr : qobject_cast<QDialog*>(focus->window());
     auto* page = new HelpPage(preferences_.longestHold, actions_->helpText(), manualFolder(),
@@ -1244,44 +1200,6 @@ void MainWindow::showHelp() {
     page->showManual(about);
     connect(page, &HelpPage::practiceRequested, this, [this] { lessons_->showPractice(); });
     page->show();
-}
-
-void MainWindow::addPanelActions(PanelDock& dock) {
-    const QString name = dock.objectName();
-    QAction* toggle = dock.toggleViewAction();
-    toggle->setObjectName("view.toggle." + name);
-    toggle->setText(tr("Show or hide %1").arg(dock.windowTitle()));
-    actions_->adopt("view", toggle);
-    QAction* floats = actions_->add(
-        {"view.float." + name,
-         tr("Float %1").arg(dock.windowTitle()),
-         tr("Moves the panel to a separate window, e.g. on a second screen, or back to the main window."),
-         {},
-         [&dock] {
-             // Queued, because a key press must not destroy the window while Qt still delivers the next key to it.
-             QMetaObject::invokeMethod(
-                 &dock,
-                 [&dock] {
-                     dock.show();
-                     dock.setFloating(!dock.isFloating());
-                 },
-                 Qt::QueuedConnection);
-         }});
-    dock.menu().addActions({floats, toggle});
-    dock.menu().addSeparator();
-    const auto move = [&](const char* where, const QString& text, StageSide side) {
-        dock.menu().addAction(actions_->add({QStringLiteral("panel.%1.%2").arg(name, QLatin1String(where)),
-                                             text.arg(dock.windowTitle()),
-                                             tr("Moves the panel to this side of the main window."),
-                                             {},
-                                             [this, &dock, side] { stage_->move(dock, side); }}));
-    };
-    move("left", tr("%1 to the left"), StageSide::Left);
-    move("right", tr("%1 to the right"), StageSide::Right);
-    move("top", tr("%1 to the top"), StageSide::Top);
-    move("bottom", tr("%1 to the bottom"), StageSide::Bottom);
-    connect(&dock.menu(), &QMenu::aboutToShow, this,
-            [this] { stopMotion(control::StopCause::DialogOpened); });
 }
 
 void MainWindow::showRecovery() {

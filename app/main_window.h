@@ -21,9 +21,7 @@
 #include "widgets/hold/key_repeat.h"
 #include "widgets/hold/key_state_probe.h"
 
-class QTabBar;
 class QMenu;
-class QStackedWidget;
 
 namespace tiller {
 
@@ -36,7 +34,6 @@ class FramesTab;
 class JogColumn;
 class KeyboardJog;
 class LogTab;
-class Panel;
 class UndoableDocument;
 class ProjectFiles;
 class ProjectFit;
@@ -61,6 +58,7 @@ class PanelDock;
 class Perspectives;
 class SettingsPage;
 struct ReportSources;
+class TabPanel;
 class SettingsTransfer;
 
 class MainWindow : public QMainWindow {
@@ -149,13 +147,11 @@ protected:
 
 private:
     void buildDocks();
-    Panel* buildTabs();
     void fillTabs();
     void buildActions();
     void addProjectActions();
     void addViewActions();
     void selectTab(const QString& name);
-    void addPanelActions(PanelDock& dock);
     void showRecovery();
     void showSamples();
     void showHelp();
@@ -266,8 +262,7 @@ private:
     Perspectives* perspectives_ = nullptr;
     QString crashReport_;          ///< crash report file for the next problem report; may be empty
     bool layoutRestored_ = false;  ///< true after the last layout was restored
-    QTabBar* tabs_ = nullptr;
-    QStackedWidget* pages_ = nullptr;
+    TabPanel* tabs_ = nullptr;
 };
 
 }  // namespace app

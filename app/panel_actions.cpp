@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panel_actions.h"
 
+#include <QMenu>
+
 #include "app/action_table.h"
+#include "app/dock_stage.h"
+#include "app/panel_dock.h"
 #include "widgets/io/io_tab.h"
 #include "widgets/log/log_tab.h"
 #include "widgets/plots/plot_dock.h"
@@ -126,6 +130,44 @@ void PanelActions::addLog(ActionTable& table, LogTab& log, const std::function<v
         {"log.action.export", tr("Export the log…"), tr("Writes the visible entries to a file."), {}, [&log] {
              log.exportToFile();
          }});
+}
+
+void PanelActions::addDock(ActionTable& table, DockStage& stage, PanelDock& dock,
+                           const std::function<void()>& menuOpens) {
+    const QString name = dock.objectName();
+    QAction* toggle = dock.toggleViewAction();
+    toggle->setObjectName("view.toggle." + name);
+    toggle->setText(tr("Show or hide %1").arg(dock.windowTitle()));
+    table.adopt("view", toggle);
+    QAction* floats = table.add(
+        {"view.float." + name,
+         tr("Float %1").arg(dock.windowTitle()),
+         tr("Moves the panel to a separate window, e.g. on a second screen, or back to the main window."),
+         {},
+         [&dock] {
+             // Queued, because a key press must not destroy the window while Qt still delivers the next key to it.
+             QMetaObject::invokeMethod(
+                 &dock,
+                 [&dock] {
+                     dock.show();
+                     dock.setFloating(!dock.isFloating());
+                 },
+                 Qt::QueuedConnection);
+         }});
+    dock.menu().addActions({floats, toggle});
+    dock.menu().addSeparator();
+    const auto move = [&](const char* where, const QString& text, StageSide side) {
+        dock.menu().addAction(table.add({QStringLiteral("panel.%1.%2").arg(name, QLatin1String(where)),
+                                         text.arg(dock.windowTitle()),
+                                         tr("Moves the panel to this side of the main window."),
+                                         {},
+                                         [&stage, &dock, side] { stage.move(dock, side); }}));
+    };
+    move("left", tr("%1 to the left"), StageSide::Left);
+    move("right", tr("%1 to the right"), StageSide::Right);
+    move("top", tr("%1 to the top"), StageSide::Top);
+    move("bottom", tr("%1 to the bottom"), StageSide::Bottom);
+    QObject::connect(&dock.menu(), &QMenu::aboutToShow, &dock, menuOpens);
 }
 
 }  // namespace tiller::app

@@ -1915,6 +1915,38 @@
         <source>Adds a note at the selected cursor if it is visible, otherwise at the end of the plots.</source>
         <translation>Fügt eine Notiz am gewählten Cursor hinzu, falls er sichtbar ist, sonst am Ende der Diagramme.</translation>
     </message>
+    <message>
+        <source>Show or hide %1</source>
+        <translation>%1 zeigen oder verbergen</translation>
+    </message>
+    <message>
+        <source>Float %1</source>
+        <translation>%1 lösen</translation>
+    </message>
+    <message>
+        <source>Moves the panel to a separate window, e.g. on a second screen, or back to the main window.</source>
+        <translation>Verschiebt den Bereich in ein eigenes Fenster, z. B. für einen zweiten Bildschirm, oder zurück.</translation>
+    </message>
+    <message>
+        <source>Moves the panel to this side of the main window.</source>
+        <translation>Verschiebt diesen Bereich auf diese Seite des Hauptfensters.</translation>
+    </message>
+    <message>
+        <source>%1 to the left</source>
+        <translation>%1 nach links</translation>
+    </message>
+    <message>
+        <source>%1 to the right</source>
+        <translation>%1 nach rechts</translation>
+    </message>
+    <message>
+        <source>%1 to the top</source>
+        <translation>%1 nach oben</translation>
+    </message>
+    <message>
+        <source>%1 to the bottom</source>
+        <translation>%1 nach unten</translation>
+    </message>
 </context>
 <context>
     <name>PlotMenu</name>
@@ -12499,38 +12531,6 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     <message>
         <source>Stops the arm, ends the connection and closes the window.</source>
         <translation>Stoppt den Arm, beendet die Verbindung und schließt das Fenster.</translation>
-    </message>
-    <message>
-        <source>Show or hide %1</source>
-        <translation>%1 zeigen oder verbergen</translation>
-    </message>
-    <message>
-        <source>Float %1</source>
-        <translation>%1 lösen</translation>
-    </message>
-    <message>
-        <source>Moves the panel to a separate window, e.g. on a second screen, or back to the main window.</source>
-        <translation>Verschiebt den Bereich in ein eigenes Fenster, z. B. für einen zweiten Bildschirm, oder zurück.</translation>
-    </message>
-    <message>
-        <source>Moves the panel to this side of the main window.</source>
-        <translation>Verschiebt diesen Bereich auf diese Seite des Hauptfensters.</translation>
-    </message>
-    <message>
-        <source>%1 to the left</source>
-        <translation>%1 nach links</translation>
-    </message>
-    <message>
-        <source>%1 to the right</source>
-        <translation>%1 nach rechts</translation>
-    </message>
-    <message>
-        <source>%1 to the top</source>
-        <translation>%1 nach oben</translation>
-    </message>
-    <message>
-        <source>%1 to the bottom</source>
-        <translation>%1 nach unten</translation>
     </message>
     <message>
         <source>Load program</source>

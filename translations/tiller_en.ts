@@ -1915,6 +1915,38 @@
         <source>Adds a note at the selected cursor if it is visible, otherwise at the end of the plots.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Show or hide %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Float %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves the panel to a separate window, e.g. on a second screen, or back to the main window.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves the panel to this side of the main window.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 to the left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 to the right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 to the top</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 to the bottom</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>PlotMenu</name>
@@ -12393,14 +12425,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Float %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Moves the panel to a separate window, e.g. on a second screen, or back to the main window.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Reset layout</source>
         <translation type="unfinished"></translation>
     </message>
@@ -12506,30 +12530,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
     </message>
     <message>
         <source>Shows which settings a file will replace, then imports them.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Show or hide %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Moves the panel to this side of the main window.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 to the left</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 to the right</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 to the top</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 to the bottom</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -1915,6 +1915,38 @@
         <source>Adds a note at the selected cursor if it is visible, otherwise at the end of the plots.</source>
         <translation>Añade una nota en el cursor seleccionado si es visible; si no, al final de los gráficos.</translation>
     </message>
+    <message>
+        <source>Show or hide %1</source>
+        <translation>Mostrar u ocultar %1</translation>
+    </message>
+    <message>
+        <source>Float %1</source>
+        <translation>Separar %1</translation>
+    </message>
+    <message>
+        <source>Moves the panel to a separate window, e.g. on a second screen, or back to the main window.</source>
+        <translation>Mueve el panel a una ventana aparte, p. ej. para una segunda pantalla, o de vuelta.</translation>
+    </message>
+    <message>
+        <source>Moves the panel to this side of the main window.</source>
+        <translation>Mueve este panel a este lado de la ventana principal.</translation>
+    </message>
+    <message>
+        <source>%1 to the left</source>
+        <translation>Mover %1 a la izquierda</translation>
+    </message>
+    <message>
+        <source>%1 to the right</source>
+        <translation>Mover %1 a la derecha</translation>
+    </message>
+    <message>
+        <source>%1 to the top</source>
+        <translation>Mover %1 arriba</translation>
+    </message>
+    <message>
+        <source>%1 to the bottom</source>
+        <translation>Mover %1 abajo</translation>
+    </message>
 </context>
 <context>
     <name>PlotMenu</name>
@@ -12499,38 +12531,6 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     <message>
         <source>Stops the arm, ends the connection and closes the window.</source>
         <translation>Detiene el brazo, termina la conexión y cierra la ventana.</translation>
-    </message>
-    <message>
-        <source>Show or hide %1</source>
-        <translation>Mostrar u ocultar %1</translation>
-    </message>
-    <message>
-        <source>Float %1</source>
-        <translation>Separar %1</translation>
-    </message>
-    <message>
-        <source>Moves the panel to a separate window, e.g. on a second screen, or back to the main window.</source>
-        <translation>Mueve el panel a una ventana aparte, p. ej. para una segunda pantalla, o de vuelta.</translation>
-    </message>
-    <message>
-        <source>Moves the panel to this side of the main window.</source>
-        <translation>Mueve este panel a este lado de la ventana principal.</translation>
-    </message>
-    <message>
-        <source>%1 to the left</source>
-        <translation>Mover %1 a la izquierda</translation>
-    </message>
-    <message>
-        <source>%1 to the right</source>
-        <translation>Mover %1 a la derecha</translation>
-    </message>
-    <message>
-        <source>%1 to the top</source>
-        <translation>Mover %1 arriba</translation>
-    </message>
-    <message>
-        <source>%1 to the bottom</source>
-        <translation>Mover %1 abajo</translation>
     </message>
     <message>
         <source>Load program</source>

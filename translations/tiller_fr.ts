@@ -1915,6 +1915,38 @@
         <source>Adds a note at the selected cursor if it is visible, otherwise at the end of the plots.</source>
         <translation>Ajoute une note au curseur sélectionné s&apos;il est visible, sinon à la fin des tracés.</translation>
     </message>
+    <message>
+        <source>Show or hide %1</source>
+        <translation>Montrer ou cacher %1</translation>
+    </message>
+    <message>
+        <source>Float %1</source>
+        <translation>Détacher %1</translation>
+    </message>
+    <message>
+        <source>Moves the panel to a separate window, e.g. on a second screen, or back to the main window.</source>
+        <translation>Place le panneau dans une fenêtre séparée, p. ex. pour un second écran, ou le remet en place.</translation>
+    </message>
+    <message>
+        <source>Moves the panel to this side of the main window.</source>
+        <translation>Déplace ce panneau de ce côté de la fenêtre principale.</translation>
+    </message>
+    <message>
+        <source>%1 to the left</source>
+        <translation>Placer %1 à gauche</translation>
+    </message>
+    <message>
+        <source>%1 to the right</source>
+        <translation>Placer %1 à droite</translation>
+    </message>
+    <message>
+        <source>%1 to the top</source>
+        <translation>Placer %1 en haut</translation>
+    </message>
+    <message>
+        <source>%1 to the bottom</source>
+        <translation>Placer %1 en bas</translation>
+    </message>
 </context>
 <context>
     <name>PlotMenu</name>
@@ -12499,38 +12531,6 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     <message>
         <source>Stops the arm, ends the connection and closes the window.</source>
         <translation>Arrête le bras, termine la connexion et ferme la fenêtre.</translation>
-    </message>
-    <message>
-        <source>Show or hide %1</source>
-        <translation>Montrer ou cacher %1</translation>
-    </message>
-    <message>
-        <source>Float %1</source>
-        <translation>Détacher %1</translation>
-    </message>
-    <message>
-        <source>Moves the panel to a separate window, e.g. on a second screen, or back to the main window.</source>
-        <translation>Place le panneau dans une fenêtre séparée, p. ex. pour un second écran, ou le remet en place.</translation>
-    </message>
-    <message>
-        <source>Moves the panel to this side of the main window.</source>
-        <translation>Déplace ce panneau de ce côté de la fenêtre principale.</translation>
-    </message>
-    <message>
-        <source>%1 to the left</source>
-        <translation>Placer %1 à gauche</translation>
-    </message>
-    <message>
-        <source>%1 to the right</source>
-        <translation>Placer %1 à droite</translation>
-    </message>
-    <message>
-        <source>%1 to the top</source>
-        <translation>Placer %1 en haut</translation>
-    </message>
-    <message>
-        <source>%1 to the bottom</source>
-        <translation>Placer %1 en bas</translation>
     </message>
     <message>
         <source>Load program</source>

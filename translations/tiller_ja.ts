@@ -1915,6 +1915,38 @@
         <source>Adds a note at the selected cursor if it is visible, otherwise at the end of the plots.</source>
         <translation>選択したカーソルが表示されていればその位置に、そうでなければプロットの末尾にメモを追加します。</translation>
     </message>
+    <message>
+        <source>Show or hide %1</source>
+        <translation>%1 の表示／非表示</translation>
+    </message>
+    <message>
+        <source>Float %1</source>
+        <translation>%1 を切り離す</translation>
+    </message>
+    <message>
+        <source>Moves the panel to a separate window, e.g. on a second screen, or back to the main window.</source>
+        <translation>第二画面用に独立したウィンドウにする、または戻します。</translation>
+    </message>
+    <message>
+        <source>Moves the panel to this side of the main window.</source>
+        <translation>パネルをメインウィンドウのこの側へ移動します。</translation>
+    </message>
+    <message>
+        <source>%1 to the left</source>
+        <translation>%1 を左へ移動</translation>
+    </message>
+    <message>
+        <source>%1 to the right</source>
+        <translation>%1 を右へ移動</translation>
+    </message>
+    <message>
+        <source>%1 to the top</source>
+        <translation>%1 を上へ移動</translation>
+    </message>
+    <message>
+        <source>%1 to the bottom</source>
+        <translation>%1 を下へ移動</translation>
+    </message>
 </context>
 <context>
     <name>PlotMenu</name>
@@ -12458,38 +12490,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>Stops the arm, ends the connection and closes the window.</source>
         <translation>アームを止め、接続を終え、ウィンドウを閉じます。</translation>
-    </message>
-    <message>
-        <source>Show or hide %1</source>
-        <translation>%1 の表示／非表示</translation>
-    </message>
-    <message>
-        <source>Float %1</source>
-        <translation>%1 を切り離す</translation>
-    </message>
-    <message>
-        <source>Moves the panel to a separate window, e.g. on a second screen, or back to the main window.</source>
-        <translation>第二画面用に独立したウィンドウにする、または戻します。</translation>
-    </message>
-    <message>
-        <source>Moves the panel to this side of the main window.</source>
-        <translation>パネルをメインウィンドウのこの側へ移動します。</translation>
-    </message>
-    <message>
-        <source>%1 to the left</source>
-        <translation>%1 を左へ移動</translation>
-    </message>
-    <message>
-        <source>%1 to the right</source>
-        <translation>%1 を右へ移動</translation>
-    </message>
-    <message>
-        <source>%1 to the top</source>
-        <translation>%1 を上へ移動</translation>
-    </message>
-    <message>
-        <source>%1 to the bottom</source>
-        <translation>%1 を下へ移動</translation>
     </message>
     <message>
         <source>Load program</source>

@@ -1915,6 +1915,38 @@
         <source>Adds a note at the selected cursor if it is visible, otherwise at the end of the plots.</source>
         <translation>如果所选光标可见，则在其位置添加备注，否则添加在图表末尾。</translation>
     </message>
+    <message>
+        <source>Show or hide %1</source>
+        <translation>显示或隐藏 %1</translation>
+    </message>
+    <message>
+        <source>Float %1</source>
+        <translation>浮动 %1</translation>
+    </message>
+    <message>
+        <source>Moves the panel to a separate window, e.g. on a second screen, or back to the main window.</source>
+        <translation>将面板移到独立窗口（例如用于第二屏幕），或移回。</translation>
+    </message>
+    <message>
+        <source>Moves the panel to this side of the main window.</source>
+        <translation>将面板移到主窗口的这一侧。</translation>
+    </message>
+    <message>
+        <source>%1 to the left</source>
+        <translation>将 %1 移到左侧</translation>
+    </message>
+    <message>
+        <source>%1 to the right</source>
+        <translation>将 %1 移到右侧</translation>
+    </message>
+    <message>
+        <source>%1 to the top</source>
+        <translation>将 %1 移到顶部</translation>
+    </message>
+    <message>
+        <source>%1 to the bottom</source>
+        <translation>将 %1 移到底部</translation>
+    </message>
 </context>
 <context>
     <name>PlotMenu</name>
@@ -12458,38 +12490,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>Stops the arm, ends the connection and closes the window.</source>
         <translation>停止机械臂，结束连接并关闭窗口。</translation>
-    </message>
-    <message>
-        <source>Show or hide %1</source>
-        <translation>显示或隐藏 %1</translation>
-    </message>
-    <message>
-        <source>Float %1</source>
-        <translation>浮动 %1</translation>
-    </message>
-    <message>
-        <source>Moves the panel to a separate window, e.g. on a second screen, or back to the main window.</source>
-        <translation>将面板移到独立窗口（例如用于第二屏幕），或移回。</translation>
-    </message>
-    <message>
-        <source>Moves the panel to this side of the main window.</source>
-        <translation>将面板移到主窗口的这一侧。</translation>
-    </message>
-    <message>
-        <source>%1 to the left</source>
-        <translation>将 %1 移到左侧</translation>
-    </message>
-    <message>
-        <source>%1 to the right</source>
-        <translation>将 %1 移到右侧</translation>
-    </message>
-    <message>
-        <source>%1 to the top</source>
-        <translation>将 %1 移到顶部</translation>
-    </message>
-    <message>
-        <source>%1 to the bottom</source>
-        <translation>将 %1 移到底部</translation>
     </message>
     <message>
         <source>Load program</source>
