@@ -191,7 +191,7 @@ void ProgramTab::setRobot(RobotSession& session, HoldPolicy& policy, std::functi
     connect(variables, &VariableList::refused, runBar_, &RunBar::refused);
     connect(&runBar_->runner(), &program::ProgramRunner::variableChanged, this,
             [this](const QString& text, bool isConfirmed) {
-                Q_EMIT session_->message(isConfirmed ? Severity::Info : Severity::Warning, text);
+                session_->journal().add(isConfirmed ? Severity::Info : Severity::Warning, text);
                 showStatus(isConfirmed ? text : tr("⚠ %1").arg(text));
             });
     connect(runBar_, &RunBar::runChanged, this, &ProgramTab::showRun);

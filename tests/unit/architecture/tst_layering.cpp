@@ -528,14 +528,6 @@ private Q_SLOTS:
                 const Folder* row = folderOf(allowed + '/');
                 QVERIFY2(row == nullptr || row <= &folder,
                          qPrintable(folder.path + (" includes " + allowed)));
-        const QList<Folder>& table = folders();
-        for (qsizetype i = 0; i < table.size(); ++i) {
-            for (qsizetype later = i + 1; later < table.size(); ++later) {
-                const QString path = QString::fromLatin1(table[later].path);
-                for (const QString& allowed : table[i].mayInclude) {
-                    const bool isBelow = path != kFolderOfRows && allowed.startsWith(path + '/');
-                    QVERIFY2(allowed != path && !isBelow, qPrintable(table[i].path + (" includes " + path)));
-                }
             }
         }
     }

@@ -57,7 +57,7 @@ private Q_SLOTS:
                 if (TILLER_HAS_HDF5 == 0 && format.name == QLatin1String("HDF5")) {
                     const QString missing = QStringLiteral("built without libhdf5");
                     QVERIFY(report.error().toString().contains(missing));
-                    QVERIFY(test::writeFile(choice.path, format.magic));
+                    QVERIFY(test::writeFile(choice.path, format.magic.toStdString()));
                     QVERIFY(openRecording(choice.path).error().toString().contains(missing));
                     continue;
                 }

@@ -487,8 +487,8 @@ private Q_SLOTS:
         bench.tab.tree().selectIds({steps.at(4).id});
         bench.find<QAction>("program.action.breakpoint").trigger();
         QStringList log;
-        QObject::connect(&bench.session, &RobotSession::message, &bench.tab,
-                         [&log](Severity, const QString& text) { log << text; });
+        onMessage(bench.session.journal(), &bench.tab,
+                  [&log](Severity, const QString& text) { log << text; });
         QVERIFY(bench.preview() && bench.moveToStart());
         bench.cell.advanceMs(20);
         bench.run().click();

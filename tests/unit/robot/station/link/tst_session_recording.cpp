@@ -93,12 +93,11 @@ private Q_SLOTS:
         QVERIFY2(cell.connect(), qPrintable(cell.what()));
         QVERIFY(cell.robot.inject("rtde-clients 1").ok());
         QStringList warnings;
-        QObject::connect(&session, &RobotSession::message, &session,
-                         [&](Severity severity, const QString& text) {
-                             if (severity != Severity::Info) {
-                                 warnings << text;
-                             }
-                         });
+        onMessage(session.journal(), &session, [&](Severity severity, const QString& text) {
+            if (severity != Severity::Info) {
+                warnings << text;
+            }
+        });
         const QString path = folder.filePath(QStringLiteral("run.") + format);
         session.recording().start(
             {.path = path,
