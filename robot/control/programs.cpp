@@ -291,6 +291,10 @@ Result<void> Programs::runScript(const Text& program, const Deadline& deadline, 
         }
         run.motion.cancel(outcome ? StopCause::Completed : StopCause::ControlLost);
     }
+    if (outcome && terms.regainsControl && !terms.regainsControl()) {
+        d.loop.abandonTaking();
+        return outcome;
+    }
     if (auto back = bringBack(d, hasEnded); !back) {
         if (outcome) {
             return back;

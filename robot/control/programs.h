@@ -33,6 +33,9 @@ struct ScriptTerms {
     /// represents it. Ending this motion ends the program. Returns false to cancel the start. Not called for
     /// an unattended program.
     std::function<bool(const Motion& run)> starting = {};
+    /// Called in the calling thread after the script has ended without an error. If it returns false, control is not
+    /// taken again, e.g. because the script was stopped on the robot.
+    std::function<bool()> regainsControl = {};
 };
 
 /// Errors   of every call: NotInControl, UnsafeState, LinkLost, Timeout, Cancelled, ConnectionRefused,

@@ -8,8 +8,11 @@
 #include "robot/control/compliance.h"
 #include "robot/control/motions.h"
 #include "robot/control/programs.h"
+#include "robot/core/wait_until.h"
 #include "robot/receive/field_info.h"
+#include "robot/receive/robot_state.h"
 #include "robot/rtde/fields.h"
+#include "robot/script/step_gate.h"
 #include "robot/script/supervised_program.h"
 #include "robot/station/link/detail/session_backend.h"
 #include "robot/station/text/controller_codes.h"
@@ -55,6 +58,19 @@ bool isOperatorStop(control::StopCause cause) {
     using control::StopCause;
     return cause == StopCause::Released || cause == StopCause::PointerLeft || cause == StopCause::Escape ||
            cause == StopCause::Space || cause == StopCause::StopButton || cause == StopCause::SecondButton;
+}
+
+/// True if a program with step numbers ended during a step, e.g. because of the stop button of the pendant. At its
+/// own end, a program resets the step number.
+bool wasStoppedOnRobot(const receive::Receiver& receiver) {
+    receive::Sample newest;
+    const auto hasEnded = [&] {
+        newest = receiver.latest();
+        return !newest.isEmpty() && receive::RobotState(newest).runtimeState() == RuntimeState::Stopped;
+    };
+    // The data of this connection may be older than those of the control connection.
+    return waitUntil(Deadline::after(std::chrono::milliseconds(200)), hasEnded) &&
+           receive::RobotState(newest).outputIntRegister(script::kStepRegister).value_or(0) > 0;
 }
 
 }  // namespace
@@ -459,35 +475,36 @@ Result<RobotSession::MotionId> RobotSession::beginProgram(
     run.shared = std::make_shared<ProgramRun::Shared>();
     run.shared->heldNs = d_->clock->nowNs();
     run.shared->gate = gate;
-    d_->controlling.post(this, [this, ticket = run.ticket, generation = d_->generation, shared = run.shared,
-                                script, holding, stops, gate, variables, clock = d_->clock,
-                                controller = d_->link->controller](const CancelToken& token) {
-        control::ScriptTerms terms;
-        terms.holding = holding;
-        terms.stops = stops;
-        terms.gate = gate;
-        terms.variables = variables;
-        terms.starting = [&](const control::Motion& motion) {
-            const std::lock_guard lock(shared->mutex);
-            const bool held =
-                clock->nowNs() - shared->heldNs <= std::chrono::nanoseconds(control::kHoldTime).count();
-            if (shared->cancelled || (holding == control::Holding::Held && !held)) {
-                return false;
-            }
-            shared->motion = motion;
-            shared->isStarted = true;
-            motion.setGate(shared->gate);  // the gate may have changed since the call
-            return true;
-        };
-        const Result<void> outcome =
-            control::Programs(*controller).runScript(script, Deadline::never(token), terms);
-        return std::function<void()>([this, ticket, generation, outcome] {
-            if (generation == d_->generation && ticket == d_->link->program.ticket) {
-                d_->link->program.outcome = outcome;
-                refresh();
-            }
+    d_->controlling.post(
+        this, [this, ticket = run.ticket, generation = d_->generation, shared = run.shared, script, holding,
+               stops, gate, variables, clock = d_->clock, controller = d_->link->controller,
+               receiver = d_->link->receiver](const CancelToken& token) {
+            control::ScriptTerms terms;
+            terms.holding = holding;
+            terms.stops = stops;
+            terms.gate = gate;
+            terms.variables = variables;
+            terms.starting = [&](const control::Motion& motion) {
+                const std::lock_guard lock(shared->mutex);
+                const bool held =
+                    clock->nowNs() - shared->heldNs <= std::chrono::nanoseconds(control::kHoldTime).count();
+                if (shared->cancelled || (holding == control::Holding::Held && !held)) {
+                    return false;
+                }
+                shared->motion = motion;
+                shared->isStarted = true;
+                motion.setGate(shared->gate);  // the gate may have changed since the call
+                return true;
+            };
+            const Result<void> outcome =
+                control::Programs(*controller).runScript(script, Deadline::never(token), terms);
+            return std::function<void()>([this, ticket, generation, outcome] {
+                if (generation == d_->generation && ticket == d_->link->program.ticket) {
+                    d_->link->program.outcome = outcome;
+                    refresh();
+                }
+            });
         });
-    });
     refresh();
     return run.ticket;
 }

@@ -322,6 +322,11 @@ private Q_SLOTS:
         QVERIFY2(text.contains("on the robot"), qPrintable(text));
         QVERIFY(bench.runner.isStoppedInLastStep());
         QVERIFY(bench.standstill() == 0);
+        // A person stopped the program on the robot, so control is not taken again without a request.
+        QVERIFY(bench.session.state().control == ControlState::None);
+        QCOMPARE(bench.cell.truth().runtimeState, RuntimeState::Stopped);
+        bench.session.takeControl();
+        QVERIFY(bench.cell.advanceUntil([&] { return bench.session.state().canMove(); }, kLongMs));
         // The next run of the same program completes.
         QVERIFY(bench.begin(holding));
         QVERIFY(bench.awaitEnd());
