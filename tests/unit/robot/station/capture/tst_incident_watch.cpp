@@ -59,7 +59,7 @@ void TestIncidentWatch::aProtectiveStopIsRecordedAndReported() {
     VirtualClock clock;
     RobotSession session(clock);
     IncidentWatch watch(session, folder.filePath("Incidents"));
-    const test::EventSpy told(session.journal(), JournalEvent::Kind::Recording);
+    const test::EventSpy notified(session.journal(), JournalEvent::Kind::Recording);
     test::VirtualCell cell(clock, session);
     QVERIFY2(cell.connect(), qPrintable(cell.what()));
     QVERIFY(hasSeen(watch, cell, 1));  // the black box starts in its own thread
@@ -69,15 +69,15 @@ void TestIncidentWatch::aProtectiveStopIsRecordedAndReported() {
     QVERIFY(hasSeen(watch, cell, 700));
     cell.robot.protectiveStop();
     QVERIFY(hasSeen(watch, cell, watch.packets() + 4000));  // 8 s
-    QCOMPARE(told.count(), 0);                              // packets after the stop belong to the incident
+    QCOMPARE(notified.count(), 0);                          // packets after the stop belong to the incident
     QVERIFY(!QDir(folder.filePath("Incidents")).exists());
     // At the stop, the black box may have been half a second behind, so its 4000 packets began earlier.
     QVERIFY(hasSeen(watch, cell, watch.packets() + 2000));
-    QTRY_COMPARE_WITH_TIMEOUT(told.count(), 1, kWaitTimeoutMs);
-    QCOMPARE(told.front().severity, Severity::Warning);
-    QVERIFY(told.front().text.contains("protective stop"));
-    const QString path = told.front().recording;
-    QVERIFY(told.front().detail.contains(QDir::toNativeSeparators(path)));
+    QTRY_COMPARE_WITH_TIMEOUT(notified.count(), 1, kWaitTimeoutMs);
+    QCOMPARE(notified.front().severity, Severity::Warning);
+    QVERIFY(notified.front().text.contains("protective stop"));
+    const QString path = notified.front().recording;
+    QVERIFY(notified.front().detail.contains(QDir::toNativeSeparators(path)));
     const auto recording = recording::openMcap(path).value();
     QVERIFY2(recording->problems().isEmpty(), qPrintable(recording->problems().join('\n')));
     const auto times = recording->times({recording->rows() - 1, 1}).value();
@@ -93,15 +93,15 @@ void TestIncidentWatch::aNewLinkEndsTheIncidentOfThePreviousLink() {
     VirtualClock clock;
     RobotSession session(clock);
     IncidentWatch watch(session, folder.path());
-    const test::EventSpy told(session.journal(), JournalEvent::Kind::Recording);
+    const test::EventSpy notified(session.journal(), JournalEvent::Kind::Recording);
     test::VirtualCell cell(clock, session);
     QVERIFY2(cell.connect(), qPrintable(cell.what()));
     QVERIFY(hasSeen(watch, cell, 500));
     cell.robot.protectiveStop();
     QVERIFY(hasSeen(watch, cell, watch.packets() + 200));
     session.connectTo(session.address());
-    QTRY_COMPARE_WITH_TIMEOUT(told.count(), 1, kWaitTimeoutMs);
-    QVERIFY(QFile::exists(told.front().recording));
+    QTRY_COMPARE_WITH_TIMEOUT(notified.count(), 1, kWaitTimeoutMs);
+    QVERIFY(QFile::exists(notified.front().recording));
     session.shutDown();
 }
 
@@ -111,7 +111,7 @@ void TestIncidentWatch::displayedRegistersAreRecordedWhileTheyAreDisplayed() {
     VirtualClock clock;
     RobotSession session(clock);
     IncidentWatch watch(session, folder.path());
-    const test::EventSpy told(session.journal(), JournalEvent::Kind::Recording);
+    const test::EventSpy notified(session.journal(), JournalEvent::Kind::Recording);
     QSignalSpy extra(&session, &RobotSession::extraSamplesReceived);
     test::VirtualCell cell(clock, session);
     QVERIFY2(cell.connect(), qPrintable(cell.what()));
@@ -134,10 +134,10 @@ void TestIncidentWatch::displayedRegistersAreRecordedWhileTheyAreDisplayed() {
     for (int i = 0; i < 6; ++i) {
         QVERIFY(hasSeen(watch, cell, watch.packets() + 1000));
     }
-    QTRY_COMPARE_WITH_TIMEOUT(told.count(), 1, kWaitTimeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(notified.count(), 1, kWaitTimeoutMs);
     session.shutDown();
 
-    const QString path = told.front().recording;
+    const QString path = notified.front().recording;
     const auto file = recording::openMcap(path).value();
     QVERIFY2(file->problems().isEmpty(), qPrintable(file->problems().join('\n')));
     const auto column = [&file](const char* name) {
