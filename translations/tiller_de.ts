@@ -3385,6 +3385,10 @@
         <source>The robot did not confirm the new value of “%1”. Check the value in the list.</source>
         <translation>Der Roboter hat den neuen Wert von „%1“ nicht bestätigt. Prüfen Sie den Wert in der Liste.</translation>
     </message>
+    <message>
+        <source>The robot does not report its variables. Wait until the connection is restored.</source>
+        <translation>Der Roboter meldet seine Variablen nicht. Warten Sie, bis die Verbindung wiederhergestellt ist.</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -10314,6 +10318,18 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <source>The value of “%1” is being changed.</source>
         <translation>Der Wert von „%1“ wird geändert.</translation>
     </message>
+    <message>
+        <source>Continue program</source>
+        <translation>Programm fortsetzen</translation>
+    </message>
+    <message>
+        <source>A variable was changed. The moves after this change were not previewed, so collisions and other problems are unknown.</source>
+        <translation>Eine Variable wurde geändert. Für die Bewegungen nach dieser Änderung gibt es keine Vorschau. Kollisionen und andere Probleme sind nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Fortsetzen</translation>
+    </message>
 </context>
 <context>
     <name>tiller::SceneDock</name>
@@ -10960,6 +10976,32 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
     <message>
         <source>%1: %2 left until %3 is %4 from %5</source>
         <translation>%1: noch %2, bis %3 %4 von %5 entfernt ist</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::VariableList</name>
+    <message>
+        <source>Variables of the program</source>
+        <translation>Variablen des Programms</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::VariableModel</name>
+    <message>
+        <source>%1 (changing…)</source>
+        <translation>%1 (wird geändert …)</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
     </message>
 </context>
 <context>
@@ -13384,32 +13426,6 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     <message>
         <source>Practice: add “%1”</source>
         <translation>Übung: „%1“ hinzufügen</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::VariableList</name>
-    <message>
-        <source>Variables of the program</source>
-        <translation>Variablen des Programms</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::VariableModel</name>
-    <message>
-        <source>%1 (changing…)</source>
-        <translation>%1 (wird geändert …)</translation>
-    </message>
-    <message>
-        <source>Variable</source>
-        <translation>Variable</translation>
-    </message>
-    <message>
-        <source>Type</source>
-        <translation>Typ</translation>
-    </message>
-    <message>
-        <source>Value</source>
-        <translation>Wert</translation>
     </message>
 </context>
 </TS>

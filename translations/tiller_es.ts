@@ -3385,6 +3385,10 @@
         <source>The robot did not confirm the new value of “%1”. Check the value in the list.</source>
         <translation>El robot no confirmó el nuevo valor de «%1». Compruebe el valor en la lista.</translation>
     </message>
+    <message>
+        <source>The robot does not report its variables. Wait until the connection is restored.</source>
+        <translation>El robot no comunica sus variables. Espere hasta que se restablezca la conexión.</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -10314,6 +10318,18 @@ Suelte el botón para detener el brazo.</translation>
         <source>The value of “%1” is being changed.</source>
         <translation>Se está cambiando el valor de «%1».</translation>
     </message>
+    <message>
+        <source>Continue program</source>
+        <translation>Continuar programa</translation>
+    </message>
+    <message>
+        <source>A variable was changed. The moves after this change were not previewed, so collisions and other problems are unknown.</source>
+        <translation>Se ha cambiado una variable. Los movimientos posteriores a este cambio no se han comprobado en la vista previa. Se desconocen las colisiones y otros problemas.</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Continuar</translation>
+    </message>
 </context>
 <context>
     <name>tiller::SceneDock</name>
@@ -10960,6 +10976,32 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
     <message>
         <source>%1: %2 left until %3 is %4 from %5</source>
         <translation>%1: quedan %2 hasta que %3 esté a %4 de %5</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::VariableList</name>
+    <message>
+        <source>Variables of the program</source>
+        <translation>Variables del programa</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::VariableModel</name>
+    <message>
+        <source>%1 (changing…)</source>
+        <translation>%1 (cambiando…)</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valor</translation>
     </message>
 </context>
 <context>
@@ -13384,32 +13426,6 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     <message>
         <source>Practice: add “%1”</source>
         <translation>Ejercicio: añadir «%1»</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::VariableList</name>
-    <message>
-        <source>Variables of the program</source>
-        <translation>Variables del programa</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::VariableModel</name>
-    <message>
-        <source>%1 (changing…)</source>
-        <translation>%1 (cambiando…)</translation>
-    </message>
-    <message>
-        <source>Variable</source>
-        <translation>Variable</translation>
-    </message>
-    <message>
-        <source>Type</source>
-        <translation>Tipo</translation>
-    </message>
-    <message>
-        <source>Value</source>
-        <translation>Valor</translation>
     </message>
 </context>
 </TS>

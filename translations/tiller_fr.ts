@@ -3385,6 +3385,10 @@
         <source>The robot did not confirm the new value of “%1”. Check the value in the list.</source>
         <translation>Le robot n&apos;a pas confirmé la nouvelle valeur de « %1 ». Vérifiez la valeur dans la liste.</translation>
     </message>
+    <message>
+        <source>The robot does not report its variables. Wait until the connection is restored.</source>
+        <translation>Le robot ne communique pas ses variables. Attendez que la connexion soit rétablie.</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -10314,6 +10318,18 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <source>The value of “%1” is being changed.</source>
         <translation>La valeur de « %1 » est en cours de modification.</translation>
     </message>
+    <message>
+        <source>Continue program</source>
+        <translation>Continuer le programme</translation>
+    </message>
+    <message>
+        <source>A variable was changed. The moves after this change were not previewed, so collisions and other problems are unknown.</source>
+        <translation>Une variable a été modifiée. Les mouvements qui suivent cette modification n’ont pas été vérifiés dans l’aperçu. Les collisions et autres problèmes sont inconnus.</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Continuer</translation>
+    </message>
 </context>
 <context>
     <name>tiller::SceneDock</name>
@@ -10960,6 +10976,32 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
     <message>
         <source>%1: %2 left until %3 is %4 from %5</source>
         <translation>%1 : encore %2 jusqu’à ce que %3 soit à %4 de %5</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::VariableList</name>
+    <message>
+        <source>Variables of the program</source>
+        <translation>Variables du programme</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::VariableModel</name>
+    <message>
+        <source>%1 (changing…)</source>
+        <translation>%1 (modification…)</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valeur</translation>
     </message>
 </context>
 <context>
@@ -13384,32 +13426,6 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     <message>
         <source>Practice: add “%1”</source>
         <translation>Exercice : ajouter « %1 »</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::VariableList</name>
-    <message>
-        <source>Variables of the program</source>
-        <translation>Variables du programme</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::VariableModel</name>
-    <message>
-        <source>%1 (changing…)</source>
-        <translation>%1 (modification…)</translation>
-    </message>
-    <message>
-        <source>Variable</source>
-        <translation>Variable</translation>
-    </message>
-    <message>
-        <source>Type</source>
-        <translation>Type</translation>
-    </message>
-    <message>
-        <source>Value</source>
-        <translation>Valeur</translation>
     </message>
 </context>
 </TS>

@@ -3385,6 +3385,10 @@
         <source>The robot did not confirm the new value of “%1”. Check the value in the list.</source>
         <translation>ロボットは「%1」の新しい値を確認しませんでした。リストの値を確認してください。</translation>
     </message>
+    <message>
+        <source>The robot does not report its variables. Wait until the connection is restored.</source>
+        <translation>ロボットが変数を送信していません。接続が復旧するまでお待ちください。</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -10288,6 +10292,18 @@ Release the button to stop the arm.</source>
         <source>The value of “%1” is being changed.</source>
         <translation>「%1」の値を変更しています。</translation>
     </message>
+    <message>
+        <source>Continue program</source>
+        <translation>プログラムの続行</translation>
+    </message>
+    <message>
+        <source>A variable was changed. The moves after this change were not previewed, so collisions and other problems are unknown.</source>
+        <translation>変数が変更されました。変更後の動作はプレビューされていないため、衝突などの問題は確認されていません。</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>続行</translation>
+    </message>
 </context>
 <context>
     <name>tiller::SceneDock</name>
@@ -10932,6 +10948,32 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
     <message>
         <source>%1: %2 left until %3 is %4 from %5</source>
         <translation>%1：残り%2で%3は%5まで%4</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::VariableList</name>
+    <message>
+        <source>Variables of the program</source>
+        <translation>プログラムの変数</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::VariableModel</name>
+    <message>
+        <source>%1 (changing…)</source>
+        <translation>%1(変更中…)</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>変数</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>型</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>値</translation>
     </message>
 </context>
 <context>
@@ -13341,32 +13383,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>Practice: add “%1”</source>
         <translation>練習：「%1」を追加</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::VariableList</name>
-    <message>
-        <source>Variables of the program</source>
-        <translation>プログラムの変数</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::VariableModel</name>
-    <message>
-        <source>%1 (changing…)</source>
-        <translation>%1(変更中…)</translation>
-    </message>
-    <message>
-        <source>Variable</source>
-        <translation>変数</translation>
-    </message>
-    <message>
-        <source>Type</source>
-        <translation>型</translation>
-    </message>
-    <message>
-        <source>Value</source>
-        <translation>値</translation>
     </message>
 </context>
 </TS>

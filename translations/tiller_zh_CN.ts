@@ -3385,6 +3385,10 @@
         <source>The robot did not confirm the new value of “%1”. Check the value in the list.</source>
         <translation>机器人未确认“%1”的新值。请检查列表中的值。</translation>
     </message>
+    <message>
+        <source>The robot does not report its variables. Wait until the connection is restored.</source>
+        <translation>机器人未报告其变量。请等待连接恢复。</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -10288,6 +10292,18 @@ Release the button to stop the arm.</source>
         <source>The value of “%1” is being changed.</source>
         <translation>正在更改“%1”的值。</translation>
     </message>
+    <message>
+        <source>Continue program</source>
+        <translation>继续程序</translation>
+    </message>
+    <message>
+        <source>A variable was changed. The moves after this change were not previewed, so collisions and other problems are unknown.</source>
+        <translation>变量已更改。更改之后的运动未经预览，因此碰撞和其他问题未知。</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>继续</translation>
+    </message>
 </context>
 <context>
     <name>tiller::SceneDock</name>
@@ -10932,6 +10948,32 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
     <message>
         <source>%1: %2 left until %3 is %4 from %5</source>
         <translation>%1：再移动 %2 后，%3 距 %5 %4</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::VariableList</name>
+    <message>
+        <source>Variables of the program</source>
+        <translation>程序的变量</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::VariableModel</name>
+    <message>
+        <source>%1 (changing…)</source>
+        <translation>%1（正在更改…）</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>变量</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>值</translation>
     </message>
 </context>
 <context>
@@ -13341,32 +13383,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>Practice: add “%1”</source>
         <translation>练习：添加“%1”</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::VariableList</name>
-    <message>
-        <source>Variables of the program</source>
-        <translation>程序的变量</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::VariableModel</name>
-    <message>
-        <source>%1 (changing…)</source>
-        <translation>%1（正在更改…）</translation>
-    </message>
-    <message>
-        <source>Variable</source>
-        <translation>变量</translation>
-    </message>
-    <message>
-        <source>Type</source>
-        <translation>类型</translation>
-    </message>
-    <message>
-        <source>Value</source>
-        <translation>值</translation>
     </message>
 </context>
 </TS>

@@ -82,6 +82,16 @@ struct Publication::Entry {
         }
         return again ? TurnEnd::AtOnce : TurnEnd::Wait;
     }
+
+    /// Ends after an exception of the sink, so that the other sinks are not affected.
+    void fail(const QString& text) {
+        if (opening) {
+            opening->set_value(Error{ErrorCode::Internal, QStringLiteral("publish samples"), text});
+            opening.reset();
+        } else {
+            qWarning("A destination of robot data failed: %s", qPrintable(text));
+        }
+    }
 };
 
 struct Publisher::Worker {
@@ -106,7 +116,14 @@ struct Publisher::Worker {
     void runTurn(const Entry& entry, std::unique_lock<std::mutex>& lock) {
         const bool last = entry->isLast;
         lock.unlock();
-        const TurnEnd end = entry->runTurn(last);
+        TurnEnd end = TurnEnd::Ended;
+        try {
+            end = entry->runTurn(last);
+        } catch (const std::exception& failure) {
+            entry->fail(QString::fromUtf8(failure.what()));
+        } catch (...) {
+            entry->fail(QStringLiteral("unknown exception"));
+        }
         if (end == TurnEnd::Ended) {
             entry->sink.reset();
         }
@@ -129,7 +146,11 @@ struct Publisher::Worker {
         }
         if (others.empty() || now - blocking.front()->handedOver >= kPatience) {
             blocking.front()->handedOver = now;
-            others.emplace_back([this] { runOther(); });
+            try {
+                others.emplace_back([this] { runOther(); });
+            } catch (const std::system_error&) {
+                // The system has no more threads. The turn waits for one of the others, or for the next attempt.
+            }
         }
         return blocking.front()->handedOver + kPatience;
     }

@@ -238,6 +238,7 @@ void RunBar::run(std::int32_t permitted) {
         return;
     }
     confirmedScript_.clear();
+    hasChange_ = false;
     if (const auto begun = runner_.start(planned, control::Holding::Free, permitted); !begun) {
         Q_EMIT refused(reasonOf(begun.error()));
     }
@@ -246,25 +247,46 @@ void RunBar::run(std::int32_t permitted) {
 void RunBar::askToRun(std::int32_t permitted, const QString& script) {
     const QString steps =
         program::stepNumbersText(program::stepsNotRun(document_.project(), previewed_, *preview_));
-    auto* question = new QMessageBox(
-        QMessageBox::Question, tr("Run program"),
+    ask(QStringLiteral("program.notSimulated"), tr("Run program"),
         tr("The preview did not run %1, so collisions and other problems in these steps are unknown. Test "
            "them with Run (hold), or set the inputs and preview the program again.")
             .arg(steps),
-        QMessageBox::NoButton, window());
-    question->setObjectName(QStringLiteral("program.notSimulated"));
+        tr("Run"),
+        // The program may have been changed in the meantime. It is then refused, or the question is asked again.
+        [this, permitted, script] {
+            confirmedScript_ = script;
+            run(permitted);
+        });
+}
+
+void RunBar::ask(const QString& name, const QString& title, const QString& text, const QString& accept,
+                 const std::function<void()>& accepted) {
+    auto* question = new QMessageBox(QMessageBox::Question, title, text, QMessageBox::NoButton, window());
+    question->setObjectName(name);
     question->setAttribute(Qt::WA_DeleteOnClose);
-    QPushButton* accept = question->addButton(tr("Run"), QMessageBox::AcceptRole);
-    accept->setObjectName(QStringLiteral("program.notSimulated.run"));
+    QPushButton* key = question->addButton(accept, QMessageBox::AcceptRole);
+    key->setObjectName(name + QStringLiteral(".run"));
     QPushButton* keep = question->addButton(tr("Cancel"), QMessageBox::RejectRole);
     question->setDefaultButton(keep);
     question->setEscapeButton(keep);
-    // The program may have been changed in the meantime. It is then refused, or the question is asked again.
-    connect(accept, &QPushButton::clicked, this, [this, permitted, script] {
-        confirmedScript_ = script;
-        run(permitted);
-    });
+    connect(key, &QPushButton::clicked, this, accepted);
+    // The answer must not apply to another robot.
+    connect(&session_, &RobotSession::linkBegan, question, &QWidget::close);
     question->open();
+}
+
+void RunBar::continueRun(const std::function<void()>& proceed) {
+    if (!hasChange_ || isHeld_) {
+        proceed();
+        return;
+    }
+    ask(QStringLiteral("program.changed"), tr("Continue program"),
+        tr("A variable was changed. The moves after this change were not previewed, so collisions and other "
+           "problems are unknown."),
+        tr("Continue"), [this, proceed] {
+            hasChange_ = false;
+            proceed();
+        });
 }
 
 std::vector<program::InputChange> RunBar::inputs() const {
@@ -281,7 +303,7 @@ std::vector<program::InputChange> RunBar::inputs() const {
 
 void RunBar::pauseOrResume() {
     if (runner_.isPaused()) {
-        runner_.resume();
+        continueRun([this] { runner_.resume(); });
     } else {
         runner_.pause();
     }
@@ -289,7 +311,7 @@ void RunBar::pauseOrResume() {
 
 void RunBar::stepOnce() {
     if (runner_.isActive()) {
-        runner_.step();
+        continueRun([this] { runner_.step(); });
     } else {
         run(1);
     }
@@ -298,6 +320,8 @@ void RunBar::stepOnce() {
 void RunBar::changeVariable(const QString& name, const QString& text) {
     if (const Result<void> changed = runner_.changeVariable(name, text); !changed) {
         Q_EMIT refused(changed.error().context);
+    } else {
+        hasChange_ = true;
     }
     updateGateKeys();
 }

@@ -91,6 +91,11 @@ protected:
     bool focusNextPrevChild(bool next) override;
 
 private:
+    /// name  object name of the question
+    void ask(const QString& name, const QString& title, const QString& text, const QString& accept,
+             const std::function<void()>& accepted);
+    /// Continues a paused program. Asks first if a variable was changed in this run.
+    void continueRun(const std::function<void()>& proceed);
     /// Asks before a run without hold whose preview did not run all steps of this script.
     void askToRun(std::int32_t permitted, const QString& script);
     /// True if the preview of the current script ran every step that moves the arm or takes time.
@@ -121,6 +126,7 @@ private:
     bool isHeld_ = false;  ///< true if releasing the button ends the current run
     QUuid program_;
     program::ProgramScript script_;
+    bool hasChange_ = false;   ///< a variable of the run without hold was changed, and not confirmed yet
     QString confirmedScript_;  ///< may run although the preview did not run every step
     program::ProgramScript previewed_;
     std::optional<program::Preview> preview_;

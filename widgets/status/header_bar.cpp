@@ -399,10 +399,18 @@ void HeaderBar::stackStopAbove() {
     }
     // The display server puts windows of this type in front of all others. There, the button would cover the window of
     // another program, e.g. STOP of another robot.
-    // QWidget::winId() is outdated here, because Qt has created the native window again.
-    const QWidget* dialog = stopAbove_->parentWidget();
-    switch (stackDirectlyAbove({window()->windowHandle(), dialog->window()->windowHandle()},
-                               *stopAbove_->windowHandle())) {
+    // All other windows of this program stay below it. QWidget::winId() is outdated here, because Qt has created the
+    // native window again.
+    QList<QWindow*> windows;
+    const QWidgetList all = QApplication::topLevelWidgets();
+    for (const QWidget* each : all) {
+        const Qt::WindowType type = each->windowType();
+        if (each->isVisible() && each->windowHandle() != nullptr && type != Qt::Popup &&
+            type != Qt::ToolTip) {
+            windows.append(each->windowHandle());
+        }
+    }
+    switch (stackDirectlyAbove(windows, *stopAbove_->windowHandle())) {
         case Stacking::Done:
             stopAbove_->show();
             break;
@@ -410,7 +418,6 @@ void HeaderBar::stackStopAbove() {
             stopAbove_->hide();
             break;
         case Stacking::Unsupported:
-            stopAbove_->setVisible(QGuiApplication::applicationState() != Qt::ApplicationInactive);
             break;
     }
 }

@@ -496,6 +496,7 @@ Result<RobotSession::MotionId> RobotSession::beginProgram(
                 motion.setGate(shared->gate);  // the gate may have changed since the call
                 return true;
             };
+            terms.regainsControl = [receiver] { return !wasStoppedOnRobot(*receiver); };
             const Result<void> outcome =
                 control::Programs(*controller).runScript(script, Deadline::never(token), terms);
             return std::function<void()>([this, ticket, generation, outcome] {
@@ -762,9 +763,18 @@ void RobotSession::reportChanges() {
     }
     if (state.unmeasuredStop.count > d_->unmeasuredSeen) {
         d_->unmeasuredSeen = state.unmeasuredStop.count;
+        d_->unmeasuredNs = d_->clock->nowNs();
+    }
+    // The arm may still be braking when data arrive again.
+    constexpr std::int64_t kBrakingNs = kNsPerSecond;
+    const bool isBraking = state.moving && state.isFresh() && d_->unmeasuredNs &&
+                           d_->clock->nowNs() - *d_->unmeasuredNs < kBrakingNs;
+    if (d_->unmeasuredNs && !isBraking) {
+        d_->unmeasuredNs.reset();
         const control::UnmeasuredStop& stop = state.unmeasuredStop;
         const QString cause = causeWords(stop.cause, state.safety());
-        if (stop.reason == control::UnmeasuredStop::Reason::DataGap && state.isFresh() && state.moving) {
+        if (stop.reason == control::UnmeasuredStop::Reason::DataGap && state.isFresh() && state.moving &&
+            !state.motionActive) {
             // The stop did not reach the robot, e.g. because the connection was interrupted.
             journal_.add(Severity::Error,
                          tr("Not stopped: the arm moves (%1). Press STOP again.").arg(cause));

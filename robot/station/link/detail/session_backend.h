@@ -145,8 +145,9 @@ struct SessionBackend {
     std::uint64_t ownUnmeasured = 0;  ///< like ownStops, for stops that could not be measured
     std::uint64_t foreignUnmeasured = 0;
     std::uint64_t unmeasuredSeen = 0;
-    std::int64_t readNs = 0;                ///< time of the last read()
-    std::optional<std::int64_t> stalledNs;  ///< end of the last hang of the window
+    std::optional<std::int64_t> unmeasuredNs;  ///< time of a stop that was not measured and not reported yet
+    std::int64_t readNs = 0;                   ///< time of the last read()
+    std::optional<std::int64_t> stalledNs;     ///< end of the last hang of the window
 
     SafetyMode safetySeen = SafetyMode::Normal;
     LinkState linkSeen = LinkState::Disconnected;

@@ -470,6 +470,16 @@ ProgramScript StepWriter::Private::write(const QUuid& id) {
     put(QStringLiteral("  # %1").arg(scriptComment(program->name)), 0);
     put(QStringLiteral("  # The number of the running step is in output_int_register_%1.").arg(kStepRegister),
         0);
+    // A condition of a watch can call functions that URScript text defines.
+    const auto uses = [&](QLatin1String kind) {
+        return std::ranges::any_of(result.steps, [&](const NumberedStep& at) {
+            const project::Program* owner = project.programs.find(at.program);
+            const project::ProgramStep* step = owner != nullptr ? findStep(owner->steps, at.step) : nullptr;
+            return step != nullptr && step->kind == kind;
+        });
+    };
+    result.changesMayMove =
+        result.changesMayMove || (uses(QLatin1String("watch")) && uses(QLatin1String("script")));
     for (const auto& [name, type] : variables) {
         if (const auto changed = gateType(type); changed && !result.changesMayMove) {
             result.variables.push_back({name, *changed});

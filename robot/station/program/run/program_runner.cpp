@@ -116,8 +116,33 @@ bool isAtStart(const Preview& preview, const SessionState& state) {
     return !preview.path.empty() && isAtStart(preview.path.front().q, state.q);
 }
 
+namespace {
+
+/// Collects the steps in parallel watches. They cannot move the arm, and previews do not count them.
+void collectWatched(const Steps& steps, bool isWatched, QSet<QUuid>& watched) {
+    for (const project::ProgramStep& step : steps) {
+        if (isWatched) {
+            watched.insert(step.id);
+        }
+        collectWatched(step.steps, isWatched || step.kind == QLatin1String("watch"), watched);
+    }
+}
+
+/// True for steps that may move the arm or take time. Sections take as long as their steps.
+bool mayMatter(const project::ProgramStep* step) {
+    const StepKind* kind = step != nullptr ? findStepKind(step->kind) : nullptr;
+    return kind == nullptr || kind->id == QLatin1String("script") ||
+           (!kind->isSection && (kind->moves || kind->takesTime));
+}
+
+}  // namespace
+
 std::vector<int> stepsNotRun(const project::Project& project, const ProgramScript& script,
                              const Preview& preview) {
+    QSet<QUuid> watched;
+    for (const project::Program& program : project.programs) {
+        collectWatched(program.steps, false, watched);
+    }
     std::vector<int> numbers;
     for (int number = 1; number <= static_cast<int>(script.steps.size()); ++number) {
         const auto i = static_cast<std::size_t>(number - 1);
@@ -129,9 +154,7 @@ std::vector<int> stepsNotRun(const project::Project& project, const ProgramScrip
         const project::Program* program = project.programs.find(script.steps[i].program);
         const project::ProgramStep* step =
             program != nullptr ? findStep(program->steps, script.steps[i].step) : nullptr;
-        const StepKind* kind = step != nullptr ? findStepKind(step->kind) : nullptr;
-        // Sections take as long as their steps.
-        if (kind == nullptr || (!kind->isSection && (kind->moves || kind->takesTime))) {
+        if (mayMatter(step) && !watched.contains(script.steps[i].step)) {
             numbers.push_back(number);
         }
     }
@@ -318,6 +341,9 @@ QString ProgramRunner::changeObstacle(const script::ProgramVariable& variable) c
            : isPausedOnRobot()
                ? ProgramText::tr("The program is paused on the robot. Resume it on the teach pendant.")
            : !isWaiting() ? ProgramText::tr("Pause the program first.")
+           : session_.state().primaryStates == 0
+               ? ProgramText::tr(
+                     "The robot does not report its variables. Wait until the connection is restored.")
            : !variables_.pending().isEmpty()
                ? ProgramText::tr("Wait until the robot has confirmed the new value of “%1”.")
                      .arg(variables_.pending())

@@ -548,8 +548,12 @@ private Q_SLOTS:
         QVERIFY(bench.cell.advanceUntil([&] { return text(1, 2) == "True"; }, kLongMs));
         QVERIFY(log.contains("Variable “done”: False → True"));
         QVERIFY(bench.standstill() == 0 && bench.runner().isWaiting());
-        // While the program runs, and after its end, the values are shown only.
+        // The moves with the new values were not previewed.
         bench.pause().click();
+        QVERIFY(bench.tab.findChild<QMessageBox*>("program.changed") != nullptr);
+        QVERIFY(bench.standstill() == 0 && bench.runner().isWaiting());
+        // While the program runs, and after its end, the values are shown only.
+        QTest::mouseClick(bench.tab.findChild<QPushButton*>("program.changed.run"), Qt::LeftButton);
         QVERIFY(bench.reachMotion());
         QVERIFY(!index(0).flags().testFlag(Qt::ItemIsEditable));
         QVERIFY(bench.awaitEnd());

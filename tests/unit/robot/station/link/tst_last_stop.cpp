@@ -238,7 +238,7 @@ private Q_SLOTS:
         QVERIFY(bench.cell.robot.inject("link back").ok());
         QVERIFY(bench.within([&] { return bench.state().isFresh() && bench.state().moving; }));
         QVERIFY(bench.within([&] { return bench.state().unmeasuredStop.count == 1; }));
-        bench.cell.advanceMs(200);
+        bench.cell.advanceMs(1200);  // the arm could still have been braking
         QVERIFY(bench.state().moving);
         const QString all = messages.join('\n');
         QVERIFY2(!all.contains("Stopped: "), qPrintable(all));
@@ -272,7 +272,8 @@ private Q_SLOTS:
         QVERIFY(bench.cell.advanceUntil([&] { return !allowsMotion(bench.state().safety()); }, 100));
         QVERIFY2(bench.state().moving, "the arm stopped before the data end");
         QVERIFY(bench.cell.robot.inject("link lost").ok());
-        QVERIFY(bench.cell.advanceUntil([&] { return bench.state().link != LinkState::Live; }, 2000));
+        bench.passWithoutData(500);
+        QVERIFY(bench.state().link != LinkState::Live);
         QVERIFY(!bench.state().lastStopSeen);
     }
 };
