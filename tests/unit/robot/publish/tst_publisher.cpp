@@ -5,6 +5,7 @@
 #include <atomic>
 #include <memory>
 #include <mutex>
+#include <stdexcept>
 #include <thread>
 
 #include "robot/publish/publisher.h"
@@ -37,6 +38,9 @@ struct FakeSink : SampleSink {
     bool mayBlock() const override { return blocks; }
     Result<void> open() override {
         ++opened;
+        if (throwsWhenOpened) {
+            throw std::runtime_error("no server");
+        }
         return openError.code == ErrorCode::None ? Result<void>() : Result<void>(openError);
     }
     Next take(const receive::Sample& sample, std::uint64_t missing) override {
@@ -49,6 +53,9 @@ struct FakeSink : SampleSink {
             lastThread = std::this_thread::get_id();
         }
         lost += missing;
+        if (throws) {
+            throw std::runtime_error("no server");
+        }
         return ++taken == endAfter ? Next::End : (taken % newTurnEvery == 0 ? Next::NewTurn : Next::Continue);
     }
     bool endTurn(bool last) override {
@@ -62,6 +69,8 @@ struct FakeSink : SampleSink {
     }
 
     bool blocks = false;
+    bool throwsWhenOpened = false;
+    std::atomic<bool> throws{false};
     Error openError;
     int endAfter = -1;
     int newTurnEvery = 1'000'000;
@@ -193,6 +202,30 @@ private Q_SLOTS:
         second.stop();
         QCOMPARE(failing->closed.load(), 1);
         QCOMPARE(done->closed.load(), 1);
+    }
+
+    // The sinks of users may throw.
+    void anExceptionEndsOnlyItsSink() {
+        Bench bench;
+        const auto failing = bench.sink();
+        const auto blocking = bench.sink();
+        const auto other = bench.sink();
+        blocking->blocks = true;
+        failing->throws = blocking->throws = true;
+        auto first = bench.add(failing).value();
+        auto second = bench.add(blocking).value();
+        auto third = bench.add(other).value();
+        bench.send(10);
+        TRY_COMPARE(other->taken.load(), 10);
+        first.stop();
+        second.stop();
+        QCOMPARE(failing->sequences.size(), std::size_t(1));
+        QCOMPARE(blocking->sequences.size(), std::size_t(1));
+        const auto unopened = bench.sink();
+        unopened->throwsWhenOpened = true;
+        const auto added = bench.add(unopened);
+        QVERIFY(!added);
+        QVERIFY(added.error().toString().contains("no server"));
     }
 
     void aSinkThatCannotOpenIsRefused() {
