@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <QStringList>
+#include <algorithm>
 
 #include "robot/station/text/format.h"
 #include "robot/station/text/joint_name.h"
@@ -111,6 +112,13 @@ QString reportText(const divergence::Report& report) {
         return deviationText(*first);
     }
     const QString model = QString::fromLatin1(robotModel(report.model).name);
+    const bool isPartial = std::ranges::any_of(
+        report.outcomes, [](const divergence::Outcome& each) { return !each.missing.empty(); });
+    if (report.firstCompared && isPartial) {
+        return ComparisonText::tr(
+                   "The compared values match the model of a %1; other values were not recorded")
+            .arg(model);
+    }
     return report.firstCompared ? ComparisonText::tr("The motion matches the model of a %1").arg(model)
                                 : ComparisonText::tr(
                                       "Nothing to compare: the arm was powered off or guided by hand for the "

@@ -92,6 +92,14 @@ Result<std::int64_t> exportCsv(const SignalStore& store, const std::vector<int>&
                          "This range contains no samples. Select a different range, then export again."),
                      {}};
     }
+    if (store.hasSeveralRobots(begin, end)) {
+        return Error{
+            ErrorCode::Rejected,
+            QCoreApplication::translate("tiller::PlotDock",
+                                        "The range contains samples of different robots. Select a range "
+                                        "of one robot with the cursors A and B, then export again."),
+            {}};
+    }
     AtomicFile file(path);
     if (const Result<void> opened = file.open(); !opened) {
         return opened.error();

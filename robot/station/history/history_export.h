@@ -37,8 +37,8 @@ Result<std::int64_t> exportSignals(const SignalStore& store, const std::vector<i
 /// valid value at that time. A value that the robot does not send is an empty cell. A lost sample is a
 /// missing row, as in recordings. Notes are written to a second file, as by recording::writeCsvNotes().
 /// Returns  number of rows written
-/// Errors   FileNotWritable, DiskFull; InvalidArgument if there is no sample in the range. An existing file
-///          is unchanged after an error
+/// Errors   FileNotWritable, DiskFull; InvalidArgument if there is no sample in the range; Rejected if the samples are
+///          of different robots. An existing file is unchanged after an error
 Result<std::int64_t> exportCsv(const SignalStore& store, const std::vector<int>& shown, double t0, double t1,
                                const QString& path, const std::vector<HistoryNote>& notes = {});
 

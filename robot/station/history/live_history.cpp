@@ -10,7 +10,11 @@ namespace tiller {
 
 LiveHistory::LiveHistory(RobotSession& session, QObject* parent) : QObject(parent) {
     connect(&store_, &SignalStore::furtherFieldsChanged, &session, &RobotSession::followExtraFields);
-    connect(&session, &RobotSession::linkBegan, this, [this] { feed_.beginLink(); });
+    connect(&session, &RobotSession::linkBegan, this, [this, &session] {
+        feed_.beginLink();
+        const RobotAddress& address = session.address();
+        store_.setRobot(QStringLiteral("%1 %2").arg(address.host).arg(address.portOffset));
+    });
     connect(&session, &RobotSession::samplesReceived, this, &LiveHistory::take);
     connect(&session, &RobotSession::extraSamplesReceived, this,
             [this](const SampleBatch& batch) { feed_.takeExtra(batch); });

@@ -45,6 +45,18 @@ Result<void> readTimes(const recording::Recording& file, SeriesBuffer& history, 
 
 }  // namespace
 
+void SignalStore::setRobot(const QString& robot) {
+    if (!robot_.isEmpty() && robot != robot_ && !live().isEmpty()) {
+        robotChanges_.push_back(live().end());
+    }
+    robot_ = robot;
+}
+
+bool SignalStore::hasSeveralRobots(std::int64_t begin, std::int64_t end) const {
+    return std::ranges::any_of(robotChanges_,
+                               [&](std::int64_t change) { return begin < change && change < end; });
+}
+
 SignalStore::SignalStore(const HistoryLimits& limits, QObject* parent) : QObject(parent), limits_(limits) {
     for (int i = 0; i < 2; ++i) {
         tables_.emplace_back().buffer = std::make_unique<SeriesBuffer>();

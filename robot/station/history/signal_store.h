@@ -115,6 +115,11 @@ public:
 
     /// History of the standard fields, and history of the additionally requested fields.
     const SeriesBuffer& live() const { return *tables_[kLive].buffer; }
+    /// Sets the robot of the samples that are added from now on.
+    /// robot  its address
+    void setRobot(const QString& robot);
+    /// True if the live samples begin ... end - 1 are of different robots.
+    bool hasSeveralRobots(std::int64_t begin, std::int64_t end) const;
     const SeriesBuffer& further() const { return *tables_[kFurther].buffer; }
     /// Appends rows. source(column, row) returns each value of the signals sent by the robot.
     template <class Source>
@@ -219,6 +224,8 @@ private:
     std::vector<Signal> signals_;
     QHash<QString, int> byKey_;
     std::vector<std::pair<double, double>> clocks_;  ///< see beginClock(), in the order of their times
+    QString robot_;                                  ///< of the newest live samples
+    std::vector<std::int64_t> robotChanges_;         ///< first live sample of each further robot
     QHash<const void*, QSet<int>> wanted_;
     QStringList furtherFields_;
     QString problem_;

@@ -164,6 +164,32 @@ private Q_SLOTS:
                  ErrorCode::Rejected);
     }
 
+    // The rows of two robots in one table could not be distinguished.
+    void aRangeWithTwoRobotsIsRefused() {
+        SignalStore store;
+        const auto append = [&](double from) {
+            std::vector<SeriesBuffer::Row> rows;
+            for (int i = 0; i < 100; ++i) {
+                rows.push_back({from + i * 0.002, false});
+            }
+            store.appendLive(rows, [](std::size_t, std::size_t) { return 1.0; });
+        };
+        store.setRobot("first");
+        append(1);
+        store.setRobot("first");  // connected again
+        append(2);
+        store.setRobot("second");
+        append(3);
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("range.csv");
+        const std::vector<int> shown{store.find("actual_q_0")};
+        const auto mixed = exportCsv(store, shown, 1, 4, path);
+        QVERIFY(!mixed && mixed.error().context.contains("different robots"));
+        QVERIFY(!QFile::exists(path));
+        QCOMPARE(exportCsv(store, shown, 1, 2.9, path).value(), 200);
+        QCOMPARE(exportCsv(store, shown, 3, 4, path).value(), 100);
+    }
+
     void formulaInTheHeaderIsOneCell() {
         QTemporaryDir folder;
         SignalStore store;
