@@ -60,6 +60,7 @@ namespace tiller {
 namespace {
 
 constexpr int kMinReadout = 1;  // [px]
+constexpr int kMinContent = 240;
 constexpr int kMinSide = 150;
 constexpr int kUsualSide = 230;
 constexpr int kFramesPerHistoryText = 60;
@@ -177,6 +178,10 @@ PlotDock::PlotDock(RobotSession& session, LiveHistory& live, QWidget* parent)
     beneath->addWidget(analysis_);
     beneath->setStretchFactor(0, 1);
     splitter->addWidget(beneath);
+    // The minimum width does not depend on the parts that are shown. Otherwise, a narrow panel would grow and move the
+    // button that shows them away from the pointer.
+    splitter->setMinimumWidth(kMinContent);
+    beneath->setMinimumWidth(1);
     splitter->setStretchFactor(1, 1);
     splitter->setSizes({kUsualSide, kUsualSide * 5});
     setContent(splitter);
