@@ -320,6 +320,10 @@
         <source>Not compared with the arm model.</source>
         <translation>Nicht mit dem Modell des Arms verglichen.</translation>
     </message>
+    <message>
+        <source>The compared values match the model of a %1; other values were not recorded</source>
+        <translation>Die verglichenen Werte stimmen mit dem Modell eines %1 überein; andere Werte wurden nicht aufgezeichnet</translation>
+    </message>
 </context>
 <context>
     <name>ControllerCodes</name>
@@ -8530,6 +8534,10 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
     <message>
         <source>The range contains too many values to export from this window. Export a shorter range, or run “tiller-cli export”.</source>
         <translation>Der Bereich enthält zu viele Werte, um ihn aus diesem Fenster zu exportieren. Exportieren Sie einen kürzeren Bereich, oder führen Sie „tiller-cli export“ aus.</translation>
+    </message>
+    <message>
+        <source>The range contains samples of different robots. Select a range of one robot with the cursors A and B, then export again.</source>
+        <translation>Der Bereich enthält Werte verschiedener Roboter. Wählen Sie mit den Cursorn A und B einen Bereich eines Roboters und exportieren Sie erneut.</translation>
     </message>
 </context>
 <context>

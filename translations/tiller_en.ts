@@ -320,6 +320,10 @@
         <source>Not compared with the arm model.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The compared values match the model of a %1; other values were not recorded</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ControllerCodes</name>
@@ -8521,6 +8525,10 @@ Press “Measure…” to measure the payload with the arm.</source>
     </message>
     <message>
         <source>The range contains too many values to export from this window. Export a shorter range, or run “tiller-cli export”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The range contains samples of different robots. Select a range of one robot with the cursors A and B, then export again.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

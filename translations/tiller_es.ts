@@ -320,6 +320,10 @@
         <source>Not compared with the arm model.</source>
         <translation>No comparado con el modelo del brazo.</translation>
     </message>
+    <message>
+        <source>The compared values match the model of a %1; other values were not recorded</source>
+        <translation>Los valores comparados coinciden con el modelo de un %1; otros valores no se han registrado</translation>
+    </message>
 </context>
 <context>
     <name>ControllerCodes</name>
@@ -8530,6 +8534,10 @@ Pulse Medir… para medir la carga con el brazo.</translation>
     <message>
         <source>The range contains too many values to export from this window. Export a shorter range, or run “tiller-cli export”.</source>
         <translation>El intervalo tiene demasiados valores para exportarlo desde esta ventana. Exporte un intervalo más corto o ejecute «tiller-cli export».</translation>
+    </message>
+    <message>
+        <source>The range contains samples of different robots. Select a range of one robot with the cursors A and B, then export again.</source>
+        <translation>El rango contiene valores de distintos robots. Seleccione con los cursores A y B un rango de un solo robot y exporte de nuevo.</translation>
     </message>
 </context>
 <context>

@@ -320,6 +320,10 @@
         <source>Not compared with the arm model.</source>
         <translation>Pas comparé au modèle du bras.</translation>
     </message>
+    <message>
+        <source>The compared values match the model of a %1; other values were not recorded</source>
+        <translation>Les valeurs comparées correspondent au modèle d’un %1 ; les autres valeurs n’ont pas été enregistrées</translation>
+    </message>
 </context>
 <context>
     <name>ControllerCodes</name>
@@ -8530,6 +8534,10 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
     <message>
         <source>The range contains too many values to export from this window. Export a shorter range, or run “tiller-cli export”.</source>
         <translation>La plage contient trop de valeurs pour être exportée depuis cette fenêtre. Exportez une plage plus courte ou exécutez « tiller-cli export ».</translation>
+    </message>
+    <message>
+        <source>The range contains samples of different robots. Select a range of one robot with the cursors A and B, then export again.</source>
+        <translation>La plage contient des valeurs de différents robots. Sélectionnez avec les curseurs A et B une plage d’un seul robot, puis exportez de nouveau.</translation>
     </message>
 </context>
 <context>

@@ -320,6 +320,10 @@
         <source>Not compared with the arm model.</source>
         <translation>アームのモデルとは比較していません。</translation>
     </message>
+    <message>
+        <source>The compared values match the model of a %1; other values were not recorded</source>
+        <translation>比較した値は %1 のモデルと一致します。その他の値は記録されていません</translation>
+    </message>
 </context>
 <context>
     <name>ControllerCodes</name>
@@ -8511,6 +8515,10 @@ Press “Measure…” to measure the payload with the arm.</source>
     <message>
         <source>The range contains too many values to export from this window. Export a shorter range, or run “tiller-cli export”.</source>
         <translation>範囲の値が多すぎるため、このウィンドウからエクスポートできません。範囲を短くするか、「tiller-cli export」を実行してください。</translation>
+    </message>
+    <message>
+        <source>The range contains samples of different robots. Select a range of one robot with the cursors A and B, then export again.</source>
+        <translation>範囲に複数のロボットのデータが含まれています。カーソル A と B で 1 台のロボットの範囲を選択して、もう一度エクスポートしてください。</translation>
     </message>
 </context>
 <context>

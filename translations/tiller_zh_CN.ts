@@ -320,6 +320,10 @@
         <source>Not compared with the arm model.</source>
         <translation>未与机械臂模型比较。</translation>
     </message>
+    <message>
+        <source>The compared values match the model of a %1; other values were not recorded</source>
+        <translation>所比较的数值与 %1 的模型一致；其他数值未记录</translation>
+    </message>
 </context>
 <context>
     <name>ControllerCodes</name>
@@ -8511,6 +8515,10 @@ Press “Measure…” to measure the payload with the arm.</source>
     <message>
         <source>The range contains too many values to export from this window. Export a shorter range, or run “tiller-cli export”.</source>
         <translation>该范围的值过多，无法从此窗口导出。请导出较短的范围，或运行“tiller-cli export”。</translation>
+    </message>
+    <message>
+        <source>The range contains samples of different robots. Select a range of one robot with the cursors A and B, then export again.</source>
+        <translation>该范围包含不同机器人的数据。请用光标 A 和 B 选择一台机器人的范围，然后重新导出。</translation>
     </message>
 </context>
 <context>
