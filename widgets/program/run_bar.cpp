@@ -162,12 +162,12 @@ void RunBar::setPreview(const program::ProgramScript& script,
                         const std::optional<program::Preview>& preview) {
     previewed_ = script;
     preview_ = preview;
+    ranEveryStep_ = preview && program::stepsNotRun(document_.project(), script, *preview).empty();
     updateAvailability();
 }
 
 bool RunBar::isPreviewedInFull() const {
-    return preview_ && previewed_.text == script_.text &&
-           program::stepsNotRun(document_.project(), previewed_, *preview_).empty();
+    return preview_ && previewed_.text == script_.text && ranEveryStep_;
 }
 
 program::SpeedLimits RunBar::limits() const {

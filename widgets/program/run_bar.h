@@ -126,8 +126,9 @@ private:
     bool isHeld_ = false;  ///< true if releasing the button ends the current run
     QUuid program_;
     program::ProgramScript script_;
-    bool hasChange_ = false;   ///< a variable of the run without hold was changed, and not confirmed yet
-    QString confirmedScript_;  ///< may run although the preview did not run every step
+    bool hasChange_ = false;     ///< a variable of the run without hold was changed, and not confirmed yet
+    bool ranEveryStep_ = false;  ///< of the preview; stored, because the steps are many
+    QString confirmedScript_;    ///< may run although the preview did not run every step
     program::ProgramScript previewed_;
     std::optional<program::Preview> preview_;
     QUuid selected_;
