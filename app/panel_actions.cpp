@@ -149,8 +149,12 @@ void PanelActions::addDock(ActionTable& table, DockStage& stage, PanelDock& dock
              QMetaObject::invokeMethod(
                  &dock,
                  [&dock] {
-                     dock.show();
-                     dock.setFloating(!dock.isFloating());
+                     if (dock.isFloating()) {
+                         dock.show();
+                         dock.setFloating(false);
+                     } else {
+                         dock.floatFree();
+                     }
                  },
                  Qt::QueuedConnection);
          }});

@@ -116,14 +116,34 @@ PanelDock::PanelDock(Panel& panel, const QString& name, const QString& title, QW
     connect(toggleViewAction(), &QAction::triggered, this, &PanelDock::rearranged);
 }
 
+void PanelDock::floatFree() {
+    show();
+    setFloating(true);
+    place_ = pos();
+}
+
+// If Qt asks for the position of a new window before the window manager has placed it, Qt reads the upper left corner
+// of the screen and keeps this position. The window would then cover the jog buttons.
+void PanelDock::keepInPlace() {
+    if (place_ && pos().isNull() && pos() != *place_) {
+        QMetaObject::invokeMethod(
+            this, [this, place = *place_] { move(place); }, Qt::QueuedConnection);
+        place_.reset();
+    }
+}
+
 bool PanelDock::event(QEvent* event) {
     switch (event->type()) {
         case QEvent::MouseButtonPress:
         case QEvent::MouseMove:
         case QEvent::MouseButtonRelease:
+            place_.reset();  // from now on, the user moves the window
             if (!isFloating()) {
                 return barEvent(*static_cast<QMouseEvent*>(event));
             }
+            break;
+        case QEvent::Move:
+            keepInPlace();
             break;
         case QEvent::WindowDeactivate:
             if (isWindow()) {

@@ -30,6 +30,8 @@ public:
 
     /// The menu of the panel button. The owner adds commands to it.
     QMenu& menu() { return *menu_; }
+    /// Makes the panel a separate window, in its present place or in the place of its last window.
+    void floatFree();
 
 Q_SIGNALS:
     /// The user closed, floated, docked or moved the panel.
@@ -45,11 +47,13 @@ private:
     class Bar;
     class Key;
 
+    void keepInPlace();
     bool barEvent(QMouseEvent& event);
     void beginDrag(const QPointF& pressedAt, const QMouseEvent& now);
 
     Panel& panel_;
     QMenu* menu_;
+    std::optional<QPoint> place_;     ///< position of a window that was just shown
     std::optional<double> pressedY_;  ///< vertical position of the press in the panel's title bar [px]
 };
 
