@@ -122,6 +122,7 @@ struct UnmeasuredStop {
     enum class Reason : std::uint8_t {
         DataGap,       ///< no data arrived while the arm was stopping
         OtherProgram,  ///< a program of another client moved the arm before standstill
+        NotStopped,    ///< the stop did not reach the robot; determined by RobotSession
     };
     StopCause cause = StopCause::None;
     Reason reason = Reason::DataGap;

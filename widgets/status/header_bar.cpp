@@ -269,8 +269,10 @@ void HeaderBar::showLastStop() {
     };
     lastStop_->setCaption(note.isEmpty() ? tr("LAST STOP") : tr("LAST STOP · no key check"));
     if (const control::UnmeasuredStop& lost = state_.unmeasuredStop; !state_.lastStopSeen) {
+        const bool failed = lost.reason == control::UnmeasuredStop::Reason::NotStopped;
         lastStop_->setState(
-            tr("not measured"), StateChip::Shape::None, StateChip::Emphasis::Muted,
+            failed ? tr("not stopped") : tr("not measured"), StateChip::Shape::None,
+            failed ? StateChip::Emphasis::Warning : StateChip::Emphasis::Muted,
             advice(
                 lost.cause == control::StopCause::None
                     ? tr("The robot data ended while the arm was moving, so the stop could not be measured.")

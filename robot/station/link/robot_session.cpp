@@ -761,28 +761,7 @@ void RobotSession::reportChanges() {
         journal_.add(Severity::Info, stopSentence(state.lastStop, state.safety()),
                      isOperatorStop(state.lastStop.cause) ? Origin::Operator : Origin::Tiller);
     }
-    if (state.unmeasuredStop.count > d_->unmeasuredSeen) {
-        d_->unmeasuredSeen = state.unmeasuredStop.count;
-        d_->unmeasuredNs = d_->clock->nowNs();
-    }
-    // The arm may still be braking when data arrive again.
-    constexpr std::int64_t kBrakingNs = kNsPerSecond;
-    const bool isBraking = state.moving && state.isFresh() && d_->unmeasuredNs &&
-                           d_->clock->nowNs() - *d_->unmeasuredNs < kBrakingNs;
-    if (d_->unmeasuredNs && !isBraking) {
-        d_->unmeasuredNs.reset();
-        const control::UnmeasuredStop& stop = state.unmeasuredStop;
-        const QString cause = causeWords(stop.cause, state.safety());
-        if (stop.reason == control::UnmeasuredStop::Reason::DataGap && state.isFresh() && state.moving &&
-            !state.motionActive) {
-            // The stop did not reach the robot, e.g. because the connection was interrupted.
-            journal_.add(Severity::Error,
-                         tr("Not stopped: the arm moves (%1). Press STOP again.").arg(cause));
-        } else {
-            journal_.add(Severity::Warning,
-                         tr("Stopped: %1 (%2)").arg(cause, texts::unmeasuredText(stop.reason)));
-        }
-    }
+    reportUnmeasuredStop();
     if (state.link != d_->linkSeen) {
         if (state.link == LinkState::Live && d_->linkSeen != LinkState::Stale) {
             journal_.add(Severity::Info, tr("Connected to %1").arg(state.robotName));
@@ -821,6 +800,40 @@ void RobotSession::reportChanges() {
     recording_.reportFailure();
     if (d_->link) {
         reportControllerMessages();
+    }
+}
+
+void RobotSession::reportUnmeasuredStop() {
+    const SessionState& state = d_->state;
+    control::UnmeasuredStop& stop = d_->state.unmeasuredStop;
+    if (stop.count > d_->unmeasuredSeen) {
+        d_->unmeasuredSeen = stop.count;
+        d_->unmeasuredNs = d_->clock->nowNs();
+    }
+    if (!d_->unmeasuredNs) {
+        return;
+    }
+    // A program that the operator wanted to stop may be waiting between two motions.
+    const bool programRuns = isOperatorStop(stop.cause) && state.foreignProgramRuns();
+    // The arm may still be braking and the program may still be ending when data arrive again.
+    constexpr std::int64_t kBrakingNs = kNsPerSecond;
+    if (state.isFresh() && (state.moving || programRuns) &&
+        d_->clock->nowNs() - *d_->unmeasuredNs < kBrakingNs) {
+        return;
+    }
+    d_->unmeasuredNs.reset();
+    using Reason = control::UnmeasuredStop::Reason;
+    const bool canHaveFailed = stop.reason == Reason::DataGap && state.isFresh() && !state.motionActive;
+    const QString cause = causeWords(stop.cause, state.safety());
+    if (canHaveFailed && (state.moving || programRuns)) {
+        stop.reason = Reason::NotStopped;
+        journal_.add(Severity::Error,
+                     state.moving
+                         ? tr("Not stopped: the arm moves (%1). Press STOP again.").arg(cause)
+                         : tr("Not stopped: a program is still running (%1). Press STOP again.").arg(cause));
+    } else {
+        journal_.add(Severity::Warning,
+                     tr("Stopped: %1 (%2)").arg(cause, texts::unmeasuredText(stop.reason)));
     }
 }
 

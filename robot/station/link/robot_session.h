@@ -249,6 +249,7 @@ private:
     Result<control::MotionProgress> programProgress() const;
     void startPath(MotionId ticket, const Result<control::PreparedPath>& prepared);
     void reportChanges();
+    void reportUnmeasuredStop();
     void reportExternalProgram();
     void reportEndOfExternalProgram(bool exists);
     void reportControllerMessages();

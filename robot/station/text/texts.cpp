@@ -225,9 +225,16 @@ QString stopCauseText(control::StopCause cause) {
 }
 
 QString unmeasuredText(control::UnmeasuredStop::Reason reason) {
-    return reason == control::UnmeasuredStop::Reason::OtherProgram
-               ? TextsText::tr("not measured: another program moves the arm")
-               : TextsText::tr("not measured: no data during the stop");
+    using Reason = control::UnmeasuredStop::Reason;
+    switch (reason) {
+        case Reason::OtherProgram:
+            return TextsText::tr("not measured: another program moves the arm");
+        case Reason::NotStopped:
+            return TextsText::tr("the robot did not receive the stop");
+        case Reason::DataGap:
+            break;
+    }
+    return TextsText::tr("not measured: no data during the stop");
 }
 
 QString robotModeObstacle(RobotMode mode) {

@@ -121,6 +121,9 @@ private Q_SLOTS:
         state.lastStopSeen = false;
         header.applyState(state);
         QCOMPARE(header.findChild<StateChip*>("lastStopChip")->text(), QStringLiteral("not measured"));
+        state.unmeasuredStop.reason = control::UnmeasuredStop::Reason::NotStopped;
+        header.applyState(state);
+        QCOMPARE(header.findChild<StateChip*>("lastStopChip")->text(), QStringLiteral("not stopped"));
         state.lastStopSeen = true;
         header.applyState(state);
         QCOMPARE(header.findChild<StateChip*>("lastStopChip")->text(), QStringLiteral("62 ms · 3.1 mm"));

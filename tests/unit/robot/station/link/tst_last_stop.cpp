@@ -60,17 +60,18 @@ struct Bench {
     }
 
     /// Releases control and lets another client move the arm.
-    bool runOtherProgram() {
+    bool runOtherProgram(const QString& pause = "") {
         session.releaseControl();
         return within([this] {
                    return state().control == ControlState::None &&
                           state().runtimeState == RuntimeState::Stopped;
                }) &&
-               takeOver();
+               takeOver(pause);
     }
 
     /// Lets another client move the arm.
-    bool takeOver() {
+    /// pause  statement between the motions
+    bool takeOver(const QString& pause = "") {
         script::ScriptClient other(cell.robot.listenAddress(),
                                    script::kPrimaryPort + cell.robot.options().portOffset);
         const bool sent =
@@ -78,8 +79,9 @@ struct Bench {
             other
                 .send(QStringLiteral("def others():\nwhile True:\n"
                                      "movej([1.0, -1.7, -2.2, -0.8, 1.6, 0], a=2, v=1)\n"
-                                     "movej([-1.6, -1.7, -2.2, -0.8, 1.6, 0], a=2, v=1)\nsync()\n"
-                                     "end\nend\n"),
+                                     "movej([-1.6, -1.7, -2.2, -0.8, 1.6, 0], a=2, v=1)\nsync()\n%1\n"
+                                     "end\nend\n")
+                          .arg(pause),
                       patience())
                 .ok();
         if (!sent || !within([this] { return state().moving; })) {
@@ -220,6 +222,33 @@ private Q_SLOTS:
     }
 
     // The program of another client moves the arm, and STOP is pressed while the robot cannot be reached.
+    // The arm is at rest when the connection is back, and the program moves it again later.
+    void aStopOfAWaitingProgramThatDidNotArriveIsNotReportedAsAStop() {
+        QStringList messages;  // must outlive the session, which reports its end in the destructor
+        Bench bench;
+        test::onMessage(bench.session.journal(), &bench.session,
+                        [&](Severity, const QString& text) { messages << text; });
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.runOtherProgram("sleep(60)"));
+        messages.clear();
+        QVERIFY(bench.cell.robot.inject("link lost").ok());
+        bench.session.stop(StopCause::StopButton);
+        const Deadline limit = patience();
+        while (messages.filter("could not be stopped").isEmpty() && !limit.hasExpired()) {
+            bench.passWithoutData(50);
+        }
+        bench.passWithoutData(5000);  // the motion of the program ends
+        QVERIFY(bench.cell.robot.inject("link back").ok());
+        QVERIFY(bench.within([&] { return bench.state().isFresh(); }));
+        QVERIFY(!bench.state().moving);
+        bench.cell.advanceMs(1200);
+        QVERIFY(bench.state().foreignProgramRuns());
+        const QString all = messages.join('\n');
+        QVERIFY2(!all.contains("Stopped: "), qPrintable(all));
+        QVERIFY2(all.contains("still running"), qPrintable(all));
+        QCOMPARE(bench.state().unmeasuredStop.reason, control::UnmeasuredStop::Reason::NotStopped);
+    }
+
     void aStopThatDidNotArriveIsNotReportedAsAStop() {
         QStringList messages;  // must outlive the session, which reports its end in the destructor
         Bench bench;
@@ -243,6 +272,7 @@ private Q_SLOTS:
         const QString all = messages.join('\n');
         QVERIFY2(!all.contains("Stopped: "), qPrintable(all));
         QVERIFY2(all.contains("the arm moves"), qPrintable(all));
+        QCOMPARE(bench.state().unmeasuredStop.reason, control::UnmeasuredStop::Reason::NotStopped);
     }
 
     void aSafetyStopOfAnotherProgramIsTheLastStop_data() { addSafetyRows(); }
