@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <limits>
 #include <mutex>
+#include <optional>
 #include <utility>
 
 #include "robot/publish/publisher.h"
@@ -35,12 +36,13 @@ constexpr milliseconds kLookAtDiskEvery{1000};
 // About 256 KB of text.
 constexpr std::size_t kWriteAtSamples = 256;
 
-std::int64_t freeBytesFor(const QString& path) {
+/// Free space on the disk of this file; empty if the folder does not exist.
+std::optional<std::int64_t> freeBytesFor(const QString& path) {
     // QStorageInfo does not find file systems whose mount point is not listed, e.g. in a chroot or a
     // container.
     std::error_code failed;
     const auto space = std::filesystem::space(QFileInfo(path).absolutePath().toStdString(), failed);
-    return failed ? 0 : static_cast<std::int64_t>(space.available);
+    return failed ? std::nullopt : std::optional(static_cast<std::int64_t>(space.available));
 }
 
 /// One sentence for each field that cannot be recorded.
@@ -194,6 +196,11 @@ struct Recorder::Worker : publish::SampleSink {
             notesFile.reset();
         }
         earlierNs += lastNs - firstNs;
+        if (result && closed && !QFileInfo::exists(path)) {
+            return Error{ErrorCode::FileNotWritable, QDir::toNativeSeparators(path),
+                         QStringLiteral("the recording is complete, but its file or folder was moved or "
+                                        "renamed during the recording")};
+        }
         return result ? closed : result;
     }
 
@@ -333,9 +340,11 @@ struct Recorder::Worker : publish::SampleSink {
         last = last || isDone();
         const auto now = steady_clock::now();
         if (outcome && file && now >= lookDue && !last) {
-            freeBytes = freeBytesFor(options.path);
+            // If the folder was renamed, the file is still open and the recording goes on.
+            const std::optional<std::int64_t> left = freeBytesFor(options.path);
+            freeBytes = left.value_or(freeBytes);
             lookDue = now + kLookAtDiskEvery;
-            if (freeBytes < options.keepFree) {
+            if (left && *left < options.keepFree) {
                 outcome = finishFile();
                 end(outcome ? noRoom() : outcome);
                 return false;
@@ -354,7 +363,7 @@ struct Recorder::Worker : publish::SampleSink {
         } else if (file) {
             static_cast<void>(file->close());  // only the first error is reported
         }
-        freeBytes = freeBytesFor(options.path);
+        freeBytes = freeBytesFor(options.path).value_or(freeBytes);
         end(outcome);
         return false;
     }
@@ -452,7 +461,7 @@ Result<void> Recorder::start(const RecorderOptions& options, receive::Subscripti
     } else if (auto opened = next->openFile(options.path); !opened) {
         return opened;
     }
-    next->freeBytes = freeBytesFor(options.path);
+    next->freeBytes = freeBytesFor(options.path).value_or(0);
     next->syncDue = steady_clock::now() + kSyncEvery;
     next->lookDue = steady_clock::now() + kLookAtDiskEvery;
     next->publisher =

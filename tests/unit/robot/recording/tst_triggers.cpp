@@ -100,6 +100,7 @@ private Q_SLOTS:
     void unknownColumnsAreRefused();
     void aStalledDiskNeverMakesTheReceiverWait();
     void lowDiskSpaceEndsTheRecordingCleanly();
+    void aRenamedFolderDoesNotEndTheRecording();
     void recordsMcapWithMessages();
 };
 
@@ -288,6 +289,37 @@ void TestTriggers::lowDiskSpaceEndsTheRecordingCleanly() {
     const auto recording = openRecording(bench.path("a.mcap")).value();
     QVERIFY(recording->problems().isEmpty());
     QCOMPARE(recording->rows(), std::uint64_t(20));
+}
+
+void TestTriggers::aRenamedFolderDoesNotEndTheRecording() {
+    Bench bench;
+    const QString folder = bench.path("before");
+    QVERIFY(QDir().mkpath(folder));
+    Recorder recorder;
+    RecorderOptions options{.path = folder + "/a.mcap", .format = mcapFormat()};
+    options.keepFree = 1;
+    QVERIFY(recorder.start(options, bench.receiver).ok());
+    bench.send(20, 1);
+    TRY_COMPARE(recorder.progress().rows, std::uint64_t(20));
+    QVERIFY(QDir().rename(folder, bench.path("after")));
+    // Longer than the interval at which the free space is read.
+    QElapsedTimer time;
+    time.start();
+    int next = 21;
+    while (time.elapsed() < 2500) {
+        bench.send(1, next++);
+        QTest::qWait(50);
+    }
+    TRY_COMPARE(recorder.progress().rows, std::uint64_t(next - 1));
+    QCOMPARE(recorder.progress().state, RecorderState::Recording);
+    recorder.stop();
+    QCOMPARE(recorder.progress().state, RecorderState::Failed);
+    QCOMPARE(recorder.error().code, ErrorCode::FileNotWritable);
+    QVERIFY2(recorder.error().controllerMessage.contains("moved or renamed"),
+             qPrintable(recorder.error().controllerMessage));
+    const auto recording = openRecording(bench.path("after") + "/a.mcap").value();
+    QVERIFY(recording->problems().isEmpty());
+    QCOMPARE(recording->rows(), std::uint64_t(next - 1));
 }
 
 void TestTriggers::recordsMcapWithMessages() {
