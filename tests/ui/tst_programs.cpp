@@ -248,6 +248,17 @@ private Q_SLOTS:
         QVERIFY2(reaches(RuntimeState::Playing), qPrintable(errors_.join('\n')));
     }
 
+    void aRestartedControllerHasNoPopups() {
+        auto* card = window_->findChild<RobotPopup*>("robotPopup");
+        QVERIFY(robot_->inject("popup Put the part in").ok());
+        QTRY_VERIFY_WITH_TIMEOUT(card->isVisible(), 60'000);
+        SessionState state = window_->session().state();
+        QVERIFY(state.robotTime > 0);
+        state.robotTime = 0;
+        Q_EMIT window_->session().stateChanged(state);
+        QVERIFY(!card->isVisible());
+    }
+
     void theStopKeyDoesNotCloseAPopup() {
         auto* card = window_->findChild<RobotPopup*>("robotPopup");
         QVERIFY(robot_->inject("popup Put the part in").ok());

@@ -122,10 +122,13 @@ void RobotPopup::showSoon() {
 }
 
 void RobotPopup::followState(const SessionState& state) {
+    // A controller that was restarted has closed its popups.
+    const bool isRestarted = state.hasData() && state.robotTime < robotTime_;
+    robotTime_ = state.hasData() ? state.robotTime : robotTime_;
     if (popups_.isEmpty()) {
         return;
     }
-    if (state.link == LinkState::Disconnected) {
+    if (state.link == LinkState::Disconnected || isRestarted) {
         forget();
         return;
     }
@@ -212,6 +215,7 @@ void RobotPopup::forget() {
     obstacle_.clear();
     asked_.reset();
     refused_ = false;
+    robotTime_ = 0;
     showNewest();
 }
 

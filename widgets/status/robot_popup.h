@@ -69,6 +69,7 @@ private:
     QString obstacle_;  ///< the reason why the popup can be closed only on the pendant
     /// Index of the popup that the robot is requested to close; empty after the response.
     std::optional<qsizetype> asked_;
+    double robotTime_ = 0;  ///< time since the controller was switched on, as last reported [s]
     bool refused_ = false;  ///< true if the robot did not close the displayed popup
     QTimer unread_;
     QTimer nextUpdate_;
