@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Shows a widget at the bottom of a page. While it is visible, the area above becomes shorter, so that rows
-// are neither moved nor covered.
+// Shows a widget at the bottom of a page. While the widget is visible, the area above it becomes shorter, so
+// that rows are neither moved nor covered.
 
 #include <QList>
 #include <QObject>

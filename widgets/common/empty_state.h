@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A message over a list that is empty because of a search or filter.
+// A message over a list that is empty, e.g. because no entry matches the search text.
 
 #include <QLabel>
 

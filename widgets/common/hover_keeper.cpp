@@ -65,7 +65,7 @@ bool HoverKeeper::eventFilter(QObject* watched, QEvent* event) {
 void HoverKeeper::lookSoon() {
     if (!pending_) {
         pending_ = true;
-        // Queued, so that Qt finishes processing the event first.
+        // Call look() later, after Qt has processed the event.
         QMetaObject::invokeMethod(this, &HoverKeeper::look, Qt::QueuedConnection);
     }
 }

@@ -26,7 +26,8 @@ struct Notice {
     /// Identifies the cause for NoticeBar::resolve(). If another notice replaces a notice with a cause, the
     /// replaced notice is shown again afterwards. A notice without a cause is discarded when it is replaced.
     QString cause = {};
-    /// Returns the current text of a question about the position of the arm: NoticeBar::refresh().
+    /// Returns the current text of a question that depends on the position of the arm; see
+    /// NoticeBar::refresh().
     std::function<QString()> liveText = {};
 };
 

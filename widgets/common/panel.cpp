@@ -123,7 +123,8 @@ void Panel::setContent(QWidget* content) {
 void Panel::paintEvent(QPaintEvent* event) {
     const Theme& theme = Theme::current();
     QPainter painter(this);
-    // Frequently repainted content is inside this rectangle. There are no corners and no separator to paint.
+    // If only content inside this rectangle is repainted, the corners and the separator do not have to be
+    // drawn.
     const QRect inside(kCornerRadius, header_->geometry().bottom() + 2, width() - 2 * kCornerRadius,
                        height() - header_->geometry().bottom() - 2 - kCornerRadius);
     if (inside.contains(event->rect())) {

@@ -60,7 +60,8 @@ void ReplayBand::setShown(bool shown) {
 
 void ReplayBand::leaveEvent(QEvent* event) {
     QFrame::leaveEvent(event);
-    // After a touch, there is no pointer. Wait for the second tap of a double tap.
+    // A finger that has left the screen is not on the band. Keep the band for the double-click interval, so
+    // that the second tap of a double tap does not press another button.
     QTimer::singleShot(QApplication::doubleClickInterval(), this, [this] {
         if (words().isEmpty() && !underMouse()) {
             setShown(false);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A band below a part of the window that shows past data. It displays the time, and a button that returns to
-// live data. The widget above becomes lower while the band is visible, so that no button moves.
+// A band below a part of the window that shows past data. The band displays the time and a button that returns
+// to live data. The widget above becomes lower while the band is visible, so that no button moves.
 
 #include <QFrame>
 

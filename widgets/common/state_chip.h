@@ -61,7 +61,8 @@ public:
     /// Sets a minimum width that fits the caption and this number of characters of the value. Longer values
     /// are elided.
     void setLeastCharacters(int characters);
-    /// Minimum width with this caption for a value elided to the set number of characters [px].
+    /// Minimum width for this caption and a value that is elided to the number of characters set by
+    /// setLeastCharacters() [px].
     int leastRoom(const QString& caption) const;
     /// Sets a fixed width [px]. Texts that do not fit use a smaller font, then a second line, and are then
     /// elided.

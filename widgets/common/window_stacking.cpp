@@ -66,7 +66,7 @@ Stacking stackDirectlyAbove(const QList<QWindow*>& references, const QWindow& un
     if (!root) {
         return Stacking::Unsupported;
     }
-    // From the lowest to the topmost window.
+    // The server lists the windows from the lowest to the topmost.
     const std::span<const xcb_window_t> order(
         xcb_query_tree_children(root.get()),
         static_cast<std::size_t>(xcb_query_tree_children_length(root.get())));

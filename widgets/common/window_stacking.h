@@ -14,8 +14,8 @@ enum class Stacking {
     Unsupported,  ///< not available on this platform
 };
 
-/// Places a window that the window manager does not manage, e.g. a tool tip, directly above the topmost of some other
-/// windows of this program. Windows of other programs in front of these stay in front.
+/// Places a window that the window manager does not manage, e.g. a tooltip, directly above the topmost
+/// reference window. Windows of other programs that are in front of the reference windows stay in front.
 Stacking stackDirectlyAbove(const QList<QWindow*>& references, const QWindow& unmanaged);
 
 }  // namespace tiller
