@@ -27,7 +27,8 @@ public:
     FrameEditing(ProjectDocument& document, FrameModel& model, NoticeBar& notice, Journal& journal,
                  QObject* parent = nullptr);
 
-    /// The new pose of a frame. `obstacle` is the reason why it cannot be stored now; empty if it can.
+    /// The new pose of a frame. `obstacle` is the reason why the pose cannot be stored now; empty if it can be
+    /// stored.
     struct NewPose {
         Pose T_base_frame;
         QString obstacle = {};

@@ -28,7 +28,8 @@ void FrameTable::shareWidth() {
     setColumnWidth(FrameModel::Rotation, kThreeDigits);
     setColumnWidth(FrameModel::Waypoints, kPoints);
     setColumnWidth(FrameModel::Distance, kDistance);
-    // Hide columns to keep a minimum width for the name. The details below the table also show their values.
+    // Hide columns to keep a minimum width for the name. The details below the table show the values of the
+    // hidden columns.
     const int least = kName + 2 * kThreeDigits + kPoints;
     setColumnHidden(FrameModel::Distance, room < least + kDistance);
     setColumnHidden(FrameModel::Rotation, room < least);

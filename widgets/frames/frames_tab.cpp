@@ -52,7 +52,8 @@ FramesTab::FramesTab(RobotSession& session, ProjectDocument& document, QWidget* 
 }
 
 FramesTab::~FramesTab() {
-    // The base class destroys the table after its model, and the document may already be destroyed.
+    // The base class destroys the table after the model, and possibly after the document. Disconnect the table,
+    // because the slots use both.
     disconnect(table_, nullptr, this, nullptr);
 }
 
@@ -200,7 +201,8 @@ void FramesTab::selectRow(int row) {
     if (row < 0 || row >= model_->rowCount()) {
         table_->selectionModel()->clear();
     } else {
-        // Not through the view, which would extend the selection according to the modifiers of the shortcut.
+        // Use the selection model, because the view would extend the selection according to the modifiers of
+        // the shortcut.
         const QModelIndex index = model_->index(row, FrameModel::Name);
         table_->selectionModel()->setCurrentIndex(
             index, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
