@@ -283,7 +283,8 @@ struct HoldRules::HoldRuleTable {
     static const BeginRow beginRows[];
 };
 
-// One line, one rule: tests/support/without_rules.py takes each away in turn and looks which test notices.
+// Each rule is one line, because tests/support/without_rules.py removes one line at a time and checks that a
+// test fails.
 // clang-format off
 const HoldRules::HoldRuleTable::Row HoldRules::HoldRuleTable::rows[] = {
     {"the key is released", &HoldRuleTable::letGo},

@@ -70,9 +70,9 @@ public:
         if (!isAsking()) {
             return false;
         }
-        // The second reply first. The library reads the connection in each call, so if the replies arrived
-        // between two calls, the second call would put the first reply into the library's queue, and the
-        // thread would wait for data that it has already read.
+        // Read the second reply first, because each call reads the connection. If the first reply were read
+        // first, and both replies arrived between the calls, the second call would put the first reply into the
+        // queue of the library, and the thread would wait for data that the library has already read.
         if (!taken(link_, keysRequest_, keys_)) {
             return false;
         }
