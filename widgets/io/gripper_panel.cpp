@@ -506,7 +506,7 @@ QString GripperPanel::obstacleOfLink() const {
     if (state_.monitorOnly) {
         return texts::monitorOnlyObstacle();
     }
-    // All buttons have the same text, because they are enabled together.
+    // This reason applies to all buttons, because they are enabled together.
     return chosen_.isValid() && chosen_.elapsed() < kSettleMs ? tr("Please wait…") : QString();
 }
 

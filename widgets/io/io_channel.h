@@ -44,7 +44,7 @@ public:
 
 Q_SIGNALS:
     void nameChanged();
-    /// The user requested a pulse: on, and off again after a moment.
+    /// The user requested a pulse: the output is switched on, and off again after IoTab::kPulseMs.
     void pulseRequested();
 
 protected:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The two pages of the tab "I/O": signals and gripper. On separate pages, a change on one does not move the
-// rows of the other.
+// The two pages of the tab "I/O": signals and gripper. The pages are separate, so that a change on one page
+// does not move the rows of the other.
 
 #include <QWidget>
 

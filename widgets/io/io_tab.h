@@ -47,8 +47,8 @@ public:
     AnalogRow* analogInput(int channel) const { return analogInputs_[channel]; }
     AnalogRow* analogOutput(int channel) const { return analogOutputs_[channel]; }
     RegisterPanel* registers() const { return registers_; }
-    /// Shows past inputs and outputs with their time. Outputs cannot be switched in the meantime. Empty: live
-    /// data.
+    /// Shows past inputs and outputs with their time, and disables switching outputs. An empty replay shows
+    /// live data.
     void setReplay(const Replay& moment);
     /// Shows only rows with this text in the terminal or the name.
     void search(const QString& text);
