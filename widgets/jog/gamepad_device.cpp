@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/jog/gamepad_device.h"
 
-// The application has its own main().
+// Prevents SDL from renaming main(), because the application has its own.
 #define SDL_MAIN_HANDLED
 #include <SDL.h>
 
@@ -58,8 +58,8 @@ public:
         DeviceShape shape;
         static_cast<DeviceTuning&>(shape) = kGamepadTuning;
         shape.kind = kGamepadKind;
-        // SDL reports only changes. The values of a gyroscope change continuously, but the sticks of a
-        // gamepad without one may be constant for some time.
+        // SDL reports only changes. The values of a gyroscope change continuously, but the sticks of a gamepad
+        // without a gyroscope may not change while they are held.
         shape.maxReportInterval = std::chrono::milliseconds(gyro_ ? 100 : 2000);
         shape.deadManName = QCoreApplication::translate("Gamepad", "left bumper");
         shape.directions = QCoreApplication::translate("Gamepad",

@@ -32,9 +32,9 @@ struct DeviceShape : DeviceTuning {
     QString kind;         ///< device type, e.g. "gamepad"; all devices of a type share the settings
     QString deadManName;  ///< name of the enabling button, e.g. "left bumper"
     QString directions;   ///< the axes and their motions, as a sentence
-    /// A hand is never perfectly still. If a deflected device does not report for this time, the device or
-    /// its driver has hung and the last value is invalid. Values above 100 ms are limited by
-    /// HoldBounds::holdTimeoutNs.
+    /// Maximum time between two reports of a deflected device, because a hand is never perfectly still. If it
+    /// is exceeded, the device or its driver has hung, and the last value is invalid. During a motion,
+    /// HoldBounds::holdTimeoutNs also limits this time.
     std::chrono::milliseconds maxReportInterval{100};
 };
 

@@ -65,7 +65,7 @@ QString stepNote(MotionChoice motion, const std::optional<StepSize>& other, bool
                 : JogSelectors::tr("Hold the button until the step is complete."));
 }
 
-/// Formats a number with as few digits as possible, e.g. "0.1", "45".
+/// Formats an angle in degrees with as few digits as possible, e.g. "0.1", "45".
 QString angleNumber(double angle) {
     const double degrees = toDegrees(angle);
     const bool whole = std::abs(degrees - std::round(degrees)) < 1e-6;

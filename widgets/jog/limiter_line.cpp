@@ -71,7 +71,7 @@ QList<LimiterLine::Line> LimiterLine::lines() const {
         return {line(limiter_.what, QFont::Bold, Qt::ElideRight),
                 line(limiter_.advice, QFont::Normal, Qt::ElideMiddle)};
     }
-    // Without a separate advice, the text is a sentence that ends with the suggested action.
+    // If there is no advice, the text is a sentence that ends with the suggested action.
     const bool quiet = limiter_.what.isEmpty();
     const QString& sentence = quiet ? quiet_ : limiter_.what;
     const QFont::Weight weight = quiet ? QFont::Normal : QFont::Bold;

@@ -20,7 +20,7 @@ public:
     explicit PoseView(QWidget* parent = nullptr);
 
     /// pose    in the base frame
-    /// moving  if true, shows one decimal less
+    /// moving  if true, shows one decimal fewer
     /// valid   if false, shows dashes
     /// stale   if true, shows grey values
     void setPose(const Pose& pose, bool moving, bool valid, bool stale);

@@ -95,16 +95,15 @@ void StopKeys::follow(const SessionState& state, std::int64_t nowNs) {
 
 StopKeys::Use StopKeys::useAt(std::int64_t nowNs) const {
     if (dark_ && movedBeforeDark_) {
-        // The arm may still be moving. The keys only stop the arm until enough time has passed after the
-        // stop.
+        // The arm may still be moving. Until kReflexMs after the stop, the keys only stop the arm.
         return !stoppedDarkNs_ || isYounger(stoppedDarkNs_, nowNs, kReflexMs) ? Use::StopOnly
                                                                               : Use::StopAndControl;
     }
     if (!inControl_ && !controlIsJustLost(nowNs)) {
         return Use::Control;
     }
-    // The state is some milliseconds old, so a press just after the arm has stopped is also intended as a
-    // stop.
+    // The state is delayed by a few milliseconds, so a press just after the arm has stopped is also intended as
+    // a stop.
     return isYounger(lastMotionNs_, nowNs, kReflexMs) ? Use::StopOnly : Use::StopAndControl;
 }
 
