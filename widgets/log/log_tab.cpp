@@ -232,13 +232,13 @@ void LogTab::setReplay(const Replay& moment) {
         select(-1);
         table_->scrollToBottom();
     }
-    // Replacing the entries does not report a change of the current row.
+    // Replacing the entries does not emit a change of the current row.
     showDetails();
     showEmptyState();
 }
 
 void LogTab::append(const JournalEvent& event) {
-    // Only the first run of each step, so that a program with loops does not fill the log.
+    // Log only the first run of each step, so that a program with loops does not fill the log.
     if (event.kind == JournalEvent::Kind::Step && !event.isFirstRun) {
         return;
     }
@@ -260,7 +260,7 @@ void LogTab::append(const JournalEvent& event) {
 void LogTab::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
     if (follows_) {
-        // Queued, because the tab does not have its final size yet.
+        // Scroll later, because the tab does not have its final size yet.
         QMetaObject::invokeMethod(table_, &QTableView::scrollToBottom, Qt::QueuedConnection);
     }
 }
