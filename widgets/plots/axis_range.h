@@ -2,7 +2,7 @@
 #pragma once
 
 // A vertical scale that changes rarely. Steps are round numbers. The scale grows immediately if a curve would
-// exceed it. It shrinks only after the curves have needed less space for some time.
+// exceed it. It shrinks only after the curves have needed less space for 3 s.
 
 namespace tiller {
 

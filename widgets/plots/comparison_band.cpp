@@ -44,7 +44,7 @@ ComparisonBand::ComparisonBand(QWidget* parent)
         }
     });
     connect(compare_, &QToolButton::clicked, this, &ComparisonBand::comparisonWanted);
-    // Set the text before there is a result, because it determines the width of the button.
+    // Set the initial texts, because they determine the width of the buttons.
     tell({}, {}, Key::None, false);
     style();
     hide();

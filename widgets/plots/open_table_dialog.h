@@ -18,7 +18,7 @@ class OpenTableDialog : public QDialog {
 
 public:
     /// format  the previous choice
-    /// reason  why the table cannot be read with it
+    /// reason  why the table cannot be read with this format
     OpenTableDialog(const QString& path, const recording::TableFormat& format, const QString& reason,
                     QWidget* parent = nullptr);
 

@@ -533,7 +533,8 @@ double PlotDock::placeOf(const recording::Recording& file, double length,
     const double newest = history().isEmpty() ? 0 : history().lastTime();
     const auto chosen = pages_->view().cursor(PlotView::Cursor::A);
     if (!incident && !chosen && store_.hasRecordings()) {
-        // Recordings of the same time keep their distance. Other recordings begin together, for comparison.
+        // Recordings that overlap in time keep their offset. Other recordings start at the same position, for
+        // comparison.
         const QString first = store_.recordings().constFirst();
         const SeriesBuffer& times = *store_.timesOf(first);
         const auto other = store_.recorded(first)->startUtcNs();

@@ -67,12 +67,12 @@ public:
     /// .hdf5 or .mcap.
     bool exportTo(const QString& path, ExportRange range = ExportRange::Visible);
 
-    /// Opens a recording of any format on a separate page next to the live data. By default, its end is
-    /// aligned to the end of the history. If cursor A is set, its start is aligned to cursor A. An incident
-    /// recording is placed at the time of the incident if the history of its robot includes that time, and
-    /// cursor A is set to the stop. The file is read in the background, and the result is shown to the user.
+    /// Opens a recording of any format on a separate page next to the live data. By default, its end is aligned
+    /// to the end of the history. If cursor A is set, its start is aligned to cursor A. An incident recording
+    /// is placed at the time of the incident if the history of its robot includes that time, and cursor A is
+    /// set to the stop. The file is read in the background, and the result is shown to the user.
     /// moment  position of cursor A on the time axis of the recording [s]; if empty, as described above
-    /// format  for a table of another program. If the table needs more of it, a dialog asks.
+    /// format  for a table of another program. A dialog asks for missing parts.
     void openRecording(const QString& path, std::optional<double> moment = {},
                        const recording::TableFormat& format = {});
     /// The time of cursor A while the cursor is in a recording or in a paused history.

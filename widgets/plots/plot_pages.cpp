@@ -135,7 +135,7 @@ void PlotPages::dropRecordings() {
         const bool had = takeRecordingsFrom(page);
         view->setPage(page);
         const bool isNamed =
-            !page.name.isEmpty() && store_.recorded(page.name) == nullptr;  // by the operator
+            !page.name.isEmpty() && store_.recorded(page.name) == nullptr;  // named by the operator
         if (had && !isNamed && page.lanes.isEmpty() &&
             std::all_of(page.panes.begin(), page.panes.end(), [](const PaneLayout& pane) {
                 return pane.shown.isEmpty() && pane.hidden.isEmpty();

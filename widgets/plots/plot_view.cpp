@@ -236,7 +236,7 @@ bool PlotView::want(const QSet<int>& shown) {
             all.unite(QSet<int>(ofLane.begin(), ofLane.end()));
         }
     }
-    // If the signals of the lane exceed a limit, the curves are shown without the lane.
+    // If the store cannot provide the signals of the lane in addition, the curves are shown without the lane.
     return store_.want(this, all) || store_.want(this, shown);
 }
 
@@ -602,8 +602,8 @@ void PlotView::setTimeAxis(TimeAxis axis, std::function<QDateTime(double)> clock
 }
 
 void PlotView::placeTicks() {
-    // Reference of the labels. The time of day refers to midnight, so that ticks are round numbers.
-    // A recording has its own clocks. If it lacks the selected one, the axis shows the time since its start.
+    // Reference of the labels. The time of day refers to midnight, so that ticks are round numbers. A recording
+    // has its own clocks. If the recording lacks the selected clock, the axis shows the time since its start.
     const RecordedClock* recorded = recordedClock();
     const auto controllerTime = [&](double time) {
         return recorded ? recorded->controllerTime(time).value_or(time - recorded->begin())

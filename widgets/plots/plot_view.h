@@ -138,7 +138,7 @@ Q_SIGNALS:
     /// The time range, pause state or position in the history has changed.
     void windowChanged();
     void readoutChanged();
-    /// The age of the cursor times has changed, while the view follows the data. At most 10 times per second.
+    /// The age of the cursor times has changed while following the data; at most 10 times per second.
     void readoutAged();
     void zeroChanged();
     /// Plots, signals or lanes have changed.
