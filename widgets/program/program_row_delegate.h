@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Draws the rows of the program and of the palette. Rows have little height, because a program has many
-// steps. With Touch density, they are high enough for fingers.
+// Draws the rows of the program and of the palette. The rows are low, because a program has many steps. With
+// Touch density, they are high enough for fingers.
 
 #include <QStyledItemDelegate>
 #include <algorithm>

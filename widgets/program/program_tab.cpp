@@ -44,7 +44,7 @@ namespace {
 constexpr int kWide = 820;  ///< minimum width for palette, tree and fields next to each other [px]
 constexpr double kPathSpacing = 0.003;  ///< distance between path points in the 3D view [m]
 
-/// The only program file that is dragged; empty if something else is dragged.
+/// Returns the path of the dragged program file; empty unless exactly one program file is dragged.
 QString draggedProgram(const QMimeData& data) {
     const QList<QUrl> urls = data.urls();
     const QString path = urls.size() == 1 ? urls.front().toLocalFile() : QString();
@@ -418,7 +418,8 @@ program::ProgramScript ProgramTab::completeScript() const {
     return program::writeScript(document_.project(), program_, options);
 }
 
-// Edits of the program itself change the numbers of its steps, and their effect is visible in the tree.
+// Does not highlight steps after an edit of the programs, because it changes the step numbers, and its effect
+// is visible in the tree.
 void ProgramTab::highlightLastEdit(const program::ProgramScript& before) {
     if (!std::exchange(hasEdit_, false)) {
         return;
@@ -463,7 +464,7 @@ void ProgramTab::check() {
     recoverAction_->setEnabled(script_.ok());
     const bool endsOffer = std::exchange(mayEndOffer_, false) && !runBar_->offersContinuation();
     if (runBar_ != nullptr && runBar_->runner().isActive()) {
-        // Keep showing the state of the run, with the new numbers. Changes take effect at the next start.
+        // Keep showing the state of the run, with the new step numbers. Changes take effect at the next start.
         if (runBar_->runner().state() == program::ProgramRunner::State::Running) {
             showRunningStep(runBar_->runner());
         }
@@ -823,7 +824,7 @@ QString ProgramTab::offerContinuation() {
     }
     const RunBar::StoppedAt stop = runBar_->stoppedAt();
     program::Continuation continuation;
-    // The number of a step of a called program is not valid in the called program itself.
+    // The step number refers to the program that was started, which may have called the displayed program.
     if (recovery_ && stop.step > 0 && runBar_->runner().program() == program_) {
         continuation.text = continuationObstacle();
         if (continuation.text.isEmpty()) {

@@ -36,7 +36,7 @@ QPushButton* keyNamed(const char* name, const QString& text) {
     return key;
 }
 
-/// A key that keeps its size when it shows one of the other texts.
+/// A button that keeps its size when its text changes to one of the other texts.
 class ChangingKey : public EnterKey {
 public:
     ChangingKey(const char* name, const QString& text, const QStringList& others)
@@ -252,7 +252,7 @@ void RunBar::askToRun(std::int32_t permitted, const QString& script) {
            "them with Run (hold), or set the inputs and preview the program again.")
             .arg(steps),
         tr("Run"),
-        // The program may have been changed in the meantime. It is then refused, or the question is asked again.
+        // If the program was changed while the question was open, run() rejects it or asks again.
         [this, permitted, script] {
             confirmedScript_ = script;
             run(permitted);
@@ -415,7 +415,7 @@ void RunBar::follow(const SessionState& state) {
     updateAvailability();
 }
 
-// The recoverability check assumes the outputs that the stop has left.
+// The recoverability check assumes that the outputs have not changed since the stop.
 void RunBar::followOutputs(const SessionState& state) {
     if (runner_.isActive() || runner_.state() == program::ProgramRunner::State::Idle || !state.hasData()) {
         return;

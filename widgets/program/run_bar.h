@@ -126,9 +126,12 @@ private:
     bool isHeld_ = false;  ///< true if releasing the button ends the current run
     QUuid program_;
     program::ProgramScript script_;
-    bool hasChange_ = false;     ///< a variable of the run without hold was changed, and not confirmed yet
-    bool ranEveryStep_ = false;  ///< of the preview; stored, because the steps are many
-    QString confirmedScript_;    ///< may run although the preview did not run every step
+    bool hasChange_ = false;  ///< true if a variable was changed in a run without hold, and the user has not
+                              ///< confirmed the change
+    bool ranEveryStep_ = false;  ///< true if preview_ ran every step; cached because a program can have many
+                                 ///< steps
+    QString confirmedScript_;  ///< script that the user has permitted to run although the preview did not run
+                               ///< every step
     program::ProgramScript previewed_;
     std::optional<program::Preview> preview_;
     QUuid selected_;

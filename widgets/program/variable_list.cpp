@@ -31,7 +31,8 @@ void VariableModel::follow() {
     }
     shown_ = list;
     if (!shown_.empty()) {
-        // Several cells, because a view would otherwise replace the text in an open editor.
+        // Report several cells, because a view replaces the text in an open editor if only its cell has
+        // changed.
         Q_EMIT dataChanged(index(0, Type), index(rowCount() - 1, Value));
     }
 }
