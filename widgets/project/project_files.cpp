@@ -309,7 +309,7 @@ void ProjectFiles::endRefusal() {
     if (std::exchange(isAnswerPostponed_, false) && store_.obstacle() != ProjectStore::Obstacle::None) {
         askAboutFile();
     }
-    store_.checkFile();  // a save of another window may not have been shown
+    store_.checkFile();  // another window may have saved the file while no question could be shown
 }
 
 bool ProjectFiles::mayReplace(QWidget* over) {

@@ -40,7 +40,7 @@ public:
     /// Offers to restore the newest unsaved project of a window that was closed or has crashed.
     void offerKept();
     /// Like mayLeave(), but also refuses with a message if the project must not be replaced now; see
-    /// ProjectStore::setReplaceGuard(). To be called before every replacement.
+    /// ProjectStore::setReplaceGuard(). Call this before every replacement.
     bool mayReplace(QWidget* over);
     /// The project may be replaced again, so the message of mayReplace() no longer applies.
     void endRefusal();

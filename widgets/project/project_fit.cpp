@@ -37,7 +37,7 @@ ProjectFit::ProjectFit(RobotSession& session, ProjectDocument& document, QWidget
     session_.setProjectGuard([this] {
         const QString why = obstacle();
         if (!why.isEmpty()) {
-            // Queued, so that the question opens after the rejected press has been processed.
+            // Open the question later, after the rejected press has been processed.
             QMetaObject::invokeMethod(this, &ProjectFit::ask, Qt::QueuedConnection);
         }
         return why;
@@ -178,7 +178,7 @@ void ProjectFit::askAboutModel() {
     question->setEscapeButton(cancel);
     connect(question, &QMessageBox::buttonClicked, this, [this, poses, joints](QAbstractButton* button) {
         if (!isOfOtherModel()) {
-            return;  // another robot or project may have replaced the one in the question
+            return;  // the robot or the project was replaced while the question was open
         }
         if (button == poses) {
             change(project::Keep::Poses);
