@@ -38,7 +38,7 @@ void SceneDock::setReplay(const Replay& moment) {
             mark->q = receive::RobotState(moment->sample).q();
         }
         if (!mark->q.allFinite()) {
-            // First, because the end of the text may be elided.
+            // Insert this text at the start, because the end of the text may be elided.
             mark->words = tr("No joint positions to replay") + QStringLiteral(" · ") + mark->words;
         }
     }
