@@ -40,7 +40,8 @@ StateChip* chip(const QString& caption, const char* name, QWidget* parent) {
     return made;
 }
 
-/// Does not apply to a program of Tiller, because its operator may slow it down at any time.
+/// True if the operator must confirm a change of the slider. Not required for a program of Tiller, because the
+/// operator may slow down that program at any time.
 bool asksBeforeSlider(const RobotSession& session) {
     return session.state().foreignProgramRuns() && session.mustAskBeforeChange();
 }
@@ -399,10 +400,10 @@ void HeaderBar::stackStopAbove() {
         stacking_.stop();
         return;
     }
-    // The display server puts windows of this type in front of all others. There, the button would cover the window of
-    // another program, e.g. STOP of another robot.
-    // All other windows of this program stay below it. QWidget::winId() is outdated here, because Qt has created the
-    // native window again.
+    // The display server puts windows of this type in front of all others, where the button would cover windows
+    // of other programs, e.g. the STOP button of another robot. Move it below them, but keep it above all
+    // windows of this program.
+    // QWidget::winId() is outdated here, because Qt has created the native window again.
     QList<QWindow*> windows;
     const QWidgetList all = QApplication::topLevelWidgets();
     for (const QWidget* each : all) {
@@ -440,7 +441,7 @@ bool HeaderBar::eventFilter(QObject* watched, QEvent* event) {
     if (watched == window()) {
         switch (event->type()) {
             case QEvent::WindowBlocked:
-                // Queued, because the dialog is not visible yet.
+                // Show the button later, because the dialog is not visible yet.
                 QMetaObject::invokeMethod(this, &HeaderBar::offerStopAbove, Qt::QueuedConnection);
                 break;
             case QEvent::WindowUnblocked:

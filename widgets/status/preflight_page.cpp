@@ -181,7 +181,7 @@ PreflightPage::PreflightPage(const doctor::Patient& patient, QWidget* parent)
     connect(again_, &QPushButton::clicked, this, &PreflightPage::examine);
     connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
     connect(connect_, &QPushButton::clicked, this, [this] {
-        accept();  // before a question that the request may cause, because it would close with this page
+        accept();  // close this page first, because it would also close a question that the request may open
         Q_EMIT connectRequested();
     });
     examine();

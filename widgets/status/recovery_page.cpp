@@ -56,7 +56,7 @@ void StopPlot::show(const StopRecord& record, const Value& value, const std::fun
         curve_.append({point.time - record.stoppedAt, y});
         peak = std::max(peak, std::abs(y));
     }
-    // After a stop before the connection, the only point is from after the stop.
+    // If the robot had stopped before Tiller connected, the only point was measured after the stop.
     const bool isMeasured = curve_.size() > 1;
     peak_ = isMeasured ? tr("max %1").arg(text(peak)) : tr("no data before the stop");
     setAccessibleDescription(isMeasured ? tr("Maximum in the last five seconds: %1").arg(text(peak)) : peak_);
@@ -190,7 +190,7 @@ void RecoveryPage::build() {
 
 void RecoveryPage::applyState(const SessionState& state) {
     if (state.link == LinkState::Stale && !guide_.title.isEmpty()) {
-        // Data may be missing for less than a second. The confirmations remain valid.
+        // Keep the confirmations, because data are often missing for less than a second.
         guide_.waiting = tr("Waiting for data from the robot…");
         showKey();
         return;

@@ -81,7 +81,7 @@ StatusLine::StatusLine(QWidget* parent)
     file_->setFont(textFont(13));
     message_->setFont(textFont(13));
     message_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    // Elided in the middle, because the suggested action is at the end of a message.
+    // Elide in the middle, because the suggested action is at the end of a message.
     message_->setElideMode(Qt::ElideMiddle);
     details_->setElideMode(Qt::ElideMiddle);
 
@@ -176,7 +176,8 @@ void StatusLine::showMessage(Severity severity, const QString& text) {
     paintWords();
 }
 
-/// The error of a recording remains until the next recording. It leaves space for newer messages.
+/// The error of a recording is displayed until the next recording starts. Limit its width, to leave space for
+/// newer messages.
 void StatusLine::limitDetails() {
     constexpr int kShareOfError = 3;
     details_->setMaximumWidth(!state_.active && !state_.error.isEmpty() ? width() / kShareOfError
