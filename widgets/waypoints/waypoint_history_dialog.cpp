@@ -60,7 +60,7 @@ const project::WaypointRevision& WaypointHistoryDialog::revision() const {
 project::Waypoint WaypointHistoryDialog::chosen() const {
     project::Waypoint result = revision().before;
     result.history = waypoint_.history;
-    // Another waypoint may have taken the name since then, and the pattern may have been deleted.
+    // Since that change, another waypoint may have received the name, and the pattern may have been deleted.
     const int named = document_.waypoints().indexOfName(result.name);
     if (named >= 0 && document_.waypoints().at(named).id != result.id) {
         result.name = waypoint_.name;

@@ -126,7 +126,8 @@ void WaypointTable::fitColumns() {
     const int digits = fontMetrics().horizontalAdvance(QString::number(model_.rowCount()));
     setColumnWidth(WaypointModel::Number,
                    std::max(columnWidth(WaypointModel::Number), digits + kCellMargins));
-    // Hide columns to keep a minimum width for the name. Their values are also displayed elsewhere.
+    // Hide columns to keep a minimum width for the name. The values of the hidden columns are also displayed
+    // elsewhere.
     setColumnHidden(WaypointModel::Blend, room < 500);
     setColumnHidden(WaypointModel::Number, room < 440);
 }
