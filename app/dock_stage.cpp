@@ -218,10 +218,10 @@ void DockStage::resizeEvent(QResizeEvent* event) {
 
 void DockStage::showEvent(QShowEvent* event) {
     QMainWindow::showEvent(event);
-    // A window that is restored after being minimized has kept its sizes. Resizing its panels then would push the
+    // A window that is restored after being minimized has kept its sizes. Resizing its panels would push the
     // last one out of the window.
     if (!event->spontaneous()) {
-        // Queued, because the panels do not have their final size yet.
+        // Resize the panels later, because they do not have their final size yet.
         QTimer::singleShot(0, this, &DockStage::proportion);
     }
 }

@@ -44,7 +44,7 @@ void FocusReturn::follow(QWidget* old, QWidget* now) {
          up = up->parentWidget()) {
         around.append(up);
     }
-    // Queued, because the element is hidden or disabled only after the focus has moved.
+    // Call leaveJogColumn() later, because the element is hidden or disabled only after the focus has moved.
     QMetaObject::invokeMethod(
         this, [this, around, fell = QPointer<QWidget>(now)] { leaveJogColumn(around, fell); },
         Qt::QueuedConnection);

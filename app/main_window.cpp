@@ -383,7 +383,7 @@ void MainWindow::connectParts() {
             stopMotion(control::StopCause::WindowDeactivated);
         }
     });
-    // The user may cancel the end of the desktop session in another program.
+    // Only start a timer, because the user may cancel the end of the desktop session in another program.
     connect(qApp, &QGuiApplication::commitDataRequest, this,
             [this] { desktopEnds_.setRemainingTime(kDesktopEndMs); });
 }

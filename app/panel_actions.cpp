@@ -145,7 +145,7 @@ void PanelActions::addDock(ActionTable& table, DockStage& stage, PanelDock& dock
          tr("Moves the panel to a separate window, e.g. on a second screen, or back to the main window."),
          {},
          [&dock] {
-             // Queued, because a key press must not destroy the window while Qt still delivers the next key to it.
+             // Call this later, because it may destroy the window to which Qt is still delivering key events.
              QMetaObject::invokeMethod(
                  &dock,
                  [&dock] {

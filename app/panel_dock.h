@@ -30,7 +30,7 @@ public:
 
     /// The menu of the panel button. The owner adds commands to it.
     QMenu& menu() { return *menu_; }
-    /// Makes the panel a separate window, in its present place or in the place of its last window.
+    /// Makes the panel a separate window at its current position, or at the position of its last window.
     void floatFree();
 
 Q_SIGNALS:

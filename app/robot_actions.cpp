@@ -19,7 +19,8 @@ QString needsNormalSafety(const SessionState& state) {
                                           : safetyWords(state.safety()).advice;
 }
 
-/// Checks the connection and then the service, without which no other action would help.
+/// Returns the reason why the robot or its service is not available, without which no command is possible;
+/// empty if the command is possible.
 QString needsService(const SessionState& state, RobotCommand command) {
     const QString link = needsLink(state);
     return link.isEmpty() ? serviceObstacle(state, command) : link;

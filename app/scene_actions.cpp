@@ -14,7 +14,7 @@ void SceneActions::addTo(ActionTable& table, SceneView& view) {
         Qt::Key key;
         StandardView from;
     };
-    // Function keys, because letters and digits are used for teaching and by the armed keyboard.
+    // Use function keys, because letters and digits are used for teaching and by the armed keyboard.
     const Side sides[] = {
         {"view.look.home", tr("Default view (perspective)"),
          tr("Look from between the front and the side, slightly from above, and fit everything in the view."),

@@ -15,7 +15,7 @@ namespace tiller::app {
 
 namespace {
 
-/// Set once and for all, because a terminal may send several events.
+/// Never reset, because a terminal may send several events.
 HANDLE endRequested() {
     static const HANDLE event = CreateEventW(nullptr, TRUE, FALSE, nullptr);
     return event;
@@ -25,7 +25,7 @@ BOOL WINAPI onConsoleEvent(DWORD type) {
     SetEvent(endRequested());
     if (type != CTRL_C_EVENT && type != CTRL_BREAK_EVENT) {
         // The window of the terminal closes, or the user logs off: Windows ends the process when this function
-        // returns, or after some seconds. Until then, the main thread stops the motion and ends the process.
+        // returns, or after a few seconds. Before that, the main thread stops the motion and ends the process.
         Sleep(INFINITE);
     }
     return TRUE;
