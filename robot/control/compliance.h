@@ -72,7 +72,8 @@ public:
     /// after      reaction to the contact; it is part of the motion and ends with any stop
     Result<void> startContactDetection(const Twist& direction, const Deadline& deadline,
                                        AfterContact after = AfterContact::Stand);
-    Result<bool> hasContact(const Deadline& deadline);  ///< Counts from the start of the detection.
+    Result<bool> hasContact(const Deadline& deadline);  ///< True if a contact has occurred since the start of
+                                                        ///< the detection.
     /// Returns  true if a contact occurred
     Result<bool> endContactDetection(const Deadline& deadline);
 

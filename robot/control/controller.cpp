@@ -159,7 +159,7 @@ void Controller::leave(Supervision supervision) {
         stopEndless();
         d_->loop.permitFinish();
         d_->link.wake();
-        // Typically 5 ms. If the robot does not respond, its program ends the motion.
+        // This typically takes 5 ms. If the robot does not respond, its program ends the motion.
         waitUntil(Deadline::after(kLastWords),
                   [this] { return !d_->isInControl() || d_->loop.isFinishPermitted(); });
     });

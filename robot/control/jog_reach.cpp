@@ -11,7 +11,7 @@
 namespace tiller::control {
 namespace {
 
-// Speeds of the simulated jog. A slower jog ends some tenths of a millimetre closer to the limits.
+// Speeds of the simulated jog. A slower jog ends a few tenths of a millimetre closer to the limits.
 constexpr double kFollowSpeed = 0.25;                      // [m/s]
 constexpr double kFollowTurnSpeed = std::numbers::pi / 4;  // [rad/s]
 constexpr double kFollowStep = 0.010;                      // [m]; step size far from limits

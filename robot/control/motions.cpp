@@ -123,7 +123,7 @@ MotionPlan planned(double length, const Dynamics& asked, const kinematics::Speed
 struct Beginning {
     const char* context;
     Controller& controller;
-    std::uint64_t stops;  ///< read before anything else
+    std::uint64_t stops;  ///< read before all other values
     Controller::Private& d = ControllerAccess::of(controller);
     ArmLimits arm = d.program.arm();
     MotionLimits limits = d.limitsNow();

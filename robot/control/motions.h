@@ -99,8 +99,8 @@ public:
     Result<Motion> moveL(const Pose& target, const MoveParameters& parameters = {});
     /// Like moveL(), to the TCP pose at these joint positions.
     Result<Motion> moveLToJoints(const JointPositions& target, const MoveParameters& parameters = {});
-    /// Follows the whole path to its last target. The control program is sent again together with the path,
-    /// which takes a moment. The arm must be at standstill.
+    /// Follows the whole path to its last target. The control program is sent again together with the path. The
+    /// arm must be at standstill.
     /// start    time limit for sending; use the handle to wait for the end of the path
     /// silence  as MoveParameters::silence
     /// Errors   also Timeout, Cancelled, ScriptError (with line and text)

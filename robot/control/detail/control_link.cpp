@@ -68,7 +68,7 @@ Result<void> ControlLink::open(const Deadline& deadline) {
     wanted.request.inputs = {{inputNames(options_.registers, kCommandInputs), true},
                              {inputNames(options_.registers, kWatchdogInputs), false},
                              {inputNames(options_.registers, kWrenchInputs), false}};
-    // A controller may keep the registers of a closed connection reserved for some time.
+    // A controller may release the registers of a closed connection late, so retry for up to one second.
     const Deadline grace =
         Deadline::after(std::min(milliseconds(1000), deadline.remaining() / 2), deadline.token());
     auto opened = rtde::Connection::open(wanted, deadline);

@@ -24,7 +24,7 @@ std::int32_t inMillimetres(double cap) {
     return static_cast<std::int32_t>(std::clamp(std::round(cap * kMillimetresPerMetre), 1.0, kLargest));
 }
 
-/// The integer closest to a value; 0 without one.
+/// The integer nearest to the value; 0 if the value is not finite.
 std::int32_t wholeOf(double value) {
     using Limits = std::numeric_limits<std::int32_t>;
     return std::isfinite(value) ? static_cast<std::int32_t>(

@@ -104,7 +104,7 @@ public:
     /// ends when either is exceeded.
     /// Threads: before the control thread starts
     void setDataTimeout(std::int64_t ns) { dataTimeoutNs_ = ns; }
-    /// Same, for the active motion. Threads: the control thread
+    /// Returns this limit for the active motion. Threads: the control thread
     std::int64_t dataTimeoutNs() const;
     /// For joining a running program: continues with the sequence and epoch of the previous client.
     /// Threads: after begin(), before the control thread starts

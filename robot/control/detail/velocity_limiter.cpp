@@ -214,8 +214,8 @@ double VelocityLimiter::brakingTime(bool cartesian, const Twist& twist, const Ve
 }
 
 // Makes the arm stop at the safety distance from all objects. The approach speed to each object is calculated
-// from the distances a moment later and at the expected stop position, because the nearest object there may
-// differ from the current one.
+// from the distances after a very short motion (kMoment) and at the expected stop position, because the nearest
+// object at that position may differ from the current one.
 void VelocityLimiter::keepClear(Limiter& limiter, const Motion& motion, const Situation& situation) const {
     using collision::CollisionCheck;
     const CollisionCheck& check = *situation.check;
