@@ -48,7 +48,7 @@ control::ControllerOptions controllerOptions(const Text& host, const RobotOption
 
 }  // namespace
 
-// A named namespace, because a member of Robot::EventThread has the type Observation.
+// An unnamed namespace is not possible, because Observation is the type of a member of Robot::EventThread.
 namespace robot_events {
 
 /// Values whose changes are reported as events.

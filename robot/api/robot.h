@@ -150,7 +150,7 @@ public:
     /// For LockStep::follow() and other functions that need these objects. The pointers are constant until
     /// the destructor.
     const std::shared_ptr<receive::Receiver>& receiver() const { return receiver_; }
-    const std::shared_ptr<control::Controller>& controller() const { return controller_; }  ///< As above.
+    const std::shared_ptr<control::Controller>& controller() const { return controller_; }
 
 private:
     class EventThread;
