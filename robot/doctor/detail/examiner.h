@@ -33,7 +33,7 @@ public:
     bool isGood(Condition condition) const;
     /// Returns one finding per condition. Conditions that were not examined are Skipped.
     Report report() const;
-    /// Returns a deadline in `ms`, or at the end of the examination if that is earlier.
+    /// Returns a deadline in `ms` milliseconds, or at the end of the examination if that is earlier.
     Deadline within(int ms) const;
 
     const Patient& patient;
