@@ -68,7 +68,7 @@ struct LiveProgress {
     Text refusedOrigin = {};         ///< origin of the last refused connection
 };
 
-/// The sockets belong to the thread of a publisher, by default of its own.
+/// The sockets belong to the thread of a publisher. By default, each start creates a publisher.
 /// Threads  start() and stop(): one thread. All others: any
 class LiveOutput {
 public:

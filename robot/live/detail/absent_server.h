@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Takes the place of foxglove_server.h in a build without Qt WebSockets. Private to this module.
+// Replaces foxglove_server.h in a build without Qt WebSockets. Private to this module.
 
 #include <QString>
 #include <cstdint>

@@ -64,7 +64,7 @@ FoxgloveServer::FoxgloveServer(const QString& name, AllowedOrigins origins, cons
     , upgrader_(name, QWebSocketServer::NonSecureMode) {
     upgrader_.setSupportedSubprotocols(
         {QStringLiteral("foxglove.sdk.v1"), QStringLiteral("foxglove.websocket.v1")});
-    // A queued call, so that the event loop serves connected viewers between two batches.
+    // Use a queued connection, so that the event loop serves connected viewers between two batches.
     listener_.setMaxPendingConnections(kAcceptedAtOnce);
     connect(&listener_, &QTcpServer::newConnection, this, &FoxgloveServer::accept, Qt::QueuedConnection);
     connect(&upgrader_, &QWebSocketServer::originAuthenticationRequired, this,
@@ -341,7 +341,8 @@ void FoxgloveServer::closeStalledClients() {
     }
 }
 
-// Deferred, because the caller may be iterating over the clients, or Qt may be reading from the socket.
+// Closes the connection later, because the caller may be iterating over the clients, or Qt may be reading from
+// the socket.
 void FoxgloveServer::disconnectLater(QWebSocket* socket, const QString& reason) {
     const auto client = clients_.find(socket);
     if (client == clients_.end() || std::exchange(client->isClosing, true)) {

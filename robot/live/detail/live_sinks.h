@@ -15,7 +15,7 @@
 
 namespace tiller::live {
 
-/// What the sinks report. Threads: any
+/// Values that the sinks report. Threads: any
 struct LiveCounters {
     std::atomic<std::uint16_t> port{0};
     std::atomic<int> viewers{0};
@@ -28,7 +28,7 @@ struct LiveCounters {
     Text refusedOrigin{};  ///< protected by the mutex
 };
 
-/// What a sink needs.
+/// Options and shared objects of a sink.
 struct LiveSinkContext {
     LiveOptions options;           ///< with the names of all published fields
     std::int64_t steadyToUtc = 0;  ///< [ns]
@@ -41,7 +41,7 @@ struct LiveSinkKind {
     std::shared_ptr<publish::SampleSink> (*make)(const LiveSinkContext& context);
 };
 
-/// All kinds. A new kind is a row.
+/// All kinds, one row each.
 const std::vector<LiveSinkKind>& liveSinkKinds();
 
 std::shared_ptr<publish::SampleSink> foxgloveSink(const LiveSinkContext& context);
