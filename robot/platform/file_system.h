@@ -18,7 +18,8 @@ enum class Flush {
 int flush(int descriptor, Flush what);
 /// Flushes the directory entry of a file. Otherwise, the file may have no directory entry after a power failure.
 int flushFolderOf(const QString& path);
-/// Renames a file, and replaces the file with the new name. It is flushed if flushFolderOf() is called next.
+/// Renames a file, and replaces the file with the new name. Call flushFolderOf() afterwards to flush the new
+/// name.
 int replace(const QString& from, const QString& to);
 /// True for the errors of a full disk and of an exhausted quota.
 bool isDiskFull(int error);

@@ -102,7 +102,7 @@ std::vector<Address> resolve(const std::string& host, int port);
 struct Attempt {
     Descriptor socket = -1;  ///< negative if the system has no free descriptors
     int error = 0;           ///< error number of the system, for qt_error_string()
-    bool isPending = false;  ///< waitWritable() and then connectError() give the result
+    bool isPending = false;  ///< waitWritable() and then connectError() return the result
 };
 
 /// Starts to connect with a non-blocking socket, which the caller must close. Blocks: never
@@ -115,7 +115,7 @@ bool isRefusal(int error);
 /// Listens on a port of all IPv4 interfaces with a non-blocking socket.
 /// Returns  a negative number if the port is in use
 Descriptor listen(int port, int backlog);
-/// Takes a connection of a listening socket.
+/// Accepts a connection of a listening socket.
 /// Returns  a negative number if there is none
 Descriptor accept(Descriptor listener);
 

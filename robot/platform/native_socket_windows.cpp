@@ -68,7 +68,7 @@ SOCKET socketToItself() {
 
 bool startUp() {
     static const bool started = [] {
-        // Without it, waits end up to 16 ms late.
+        // Without this call, waits end up to 16 ms late.
         timeBeginPeriod(1);
         WSADATA data;
         return WSAStartup(MAKEWORD(2, 2), &data) == 0;

@@ -49,7 +49,7 @@ void sleepUntilNs(std::int64_t until) {
     using Clock = std::chrono::steady_clock;
     thread_local const WaitableTimer timer;
     const Clock::time_point end{std::chrono::nanoseconds(until)};
-    // Another clock paces the timer, which may therefore end too early.
+    // The timer uses another clock than `end`, so it may expire too early.
     for (auto left = end - Clock::now(); left.count() > 0; left = end - Clock::now()) {
         if (!timer.wait(left)) {
             std::this_thread::sleep_until(end);
