@@ -22,7 +22,7 @@ using std::chrono::steady_clock;
 
 /// After this time without work, a thread for turns that may block ends.
 constexpr std::chrono::seconds kIdleTime{5};
-/// A turn that has waited this long for such a thread gets a new one: all others are blocked.
+/// If a turn has waited for this time, all threads for blocking turns are busy, and another thread is started.
 constexpr std::chrono::milliseconds kPatience{50};
 
 enum class TurnEnd { Wait, AtOnce, Ended };
@@ -107,7 +107,7 @@ struct Publisher::Worker {
     std::vector<Entry> entries;
     std::deque<Entry> blocking;  ///< turns that wait for one of the other threads
     std::vector<std::thread> others;
-    std::vector<std::thread::id> finished;  ///< others that end
+    std::vector<std::thread::id> finished;  ///< IDs of the others that are ending
     std::size_t idle = 0;                   ///< others that wait for a turn
     bool isEnding = false;
     std::thread thread;
@@ -214,7 +214,7 @@ struct Publisher::Worker {
         }
     }
 
-    /// Runs turns that may block. Ends if another thread is idle too, or after a time without work.
+    /// Runs turns that may block. Ends if another thread is idle too, or after kIdleTime without work.
     void runOther() {
         realtime::nameThread("tiller-files");
         std::unique_lock lock(mutex);

@@ -14,7 +14,7 @@ namespace tiller::publish {
 /// Threads  one at a time. Turns that may block run in other threads than the rest
 class SampleSink {
 public:
-    /// What the publisher does after a sample.
+    /// Action of the publisher after a sample.
     enum class Next {
         Continue,
         NewTurn,  ///< ends the turn; the next turn begins at once, e.g. because it may block
