@@ -16,7 +16,8 @@ Integer toInteger(double value) {
         return 0;
     }
     const double rounded = std::nearbyint(value);
-    // The upper bound is exact as a double for 8 and 32 bits. For 64 bits it is rounded up to 2^64, hence >=.
+    // The upper bound is exact as a double for 8 and 32 bits. For 64 bits it is rounded up to 2^64, so the
+    // comparison is >=.
     if (rounded >= static_cast<double>(std::numeric_limits<Integer>::max())) {
         return std::numeric_limits<Integer>::max();
     }
