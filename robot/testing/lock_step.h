@@ -48,7 +48,7 @@ public:
     void stop();  ///< Stops the robot and closes all connections. No effect if it is not running.
 
     simulator::Simulator& robot() { return robot_; }  ///< For faults, inputs and the actual state.
-    const simulator::Simulator& robot() const { return robot_; }           ///< As above.
+    const simulator::Simulator& robot() const { return robot_; }           ///< See the other robot().
     const std::shared_ptr<VirtualClock>& clock() const { return clock_; }  ///< For the caller's objects.
 
     /// Creates and starts a receiver of this robot that uses its clock.
@@ -60,7 +60,7 @@ public:
     /// Makes tick() and step() wait for an object that the caller created with clock(). Destroyed objects are
     /// removed automatically.
     void follow(std::weak_ptr<const receive::Receiver> receiver);
-    void follow(std::weak_ptr<const control::Controller> controller);  ///< As above.
+    void follow(std::weak_ptr<const control::Controller> controller);  ///< See the other follow().
 
     /// Advances the time by one control period. When the function returns, each receiver and controller that
     /// follows the clock has processed the data that reached it, and each controller in control has answered.
