@@ -57,8 +57,8 @@ private:
     CsvWriter writer_;
     Metadata head_;
     bool isHeaded_ = false;
-    std::size_t headSize_ = 0;   ///< of the lines above the rows in the next part
-    std::size_t takenHead_ = 0;  ///< the same for the last part
+    std::size_t headSize_ = 0;   ///< size of the lines above the rows in the next part [bytes]
+    std::size_t takenHead_ = 0;  ///< same size for the last part [bytes]
     RecordedPart part_;
 };
 

@@ -209,7 +209,7 @@ public:
             if (isComment(line)) {
                 comment = line.substr(std::min(line.find_first_not_of("#%"), line.size()));
             } else if (line.size() == 5 && line.starts_with("sep=") && lines_.empty()) {
-                layout_.separator = line.back();  // a line for spreadsheet programs
+                layout_.separator = line.back();  // spreadsheet programs read the separator from this line
             } else if (!withoutBlanks(line).empty()) {
                 comment_ = lines_.empty() ? comment : comment_;
                 lines_.push_back(line);

@@ -82,7 +82,8 @@ struct RecorderProgress {
     std::int64_t freeBytes = 0;  ///< free space on the disk of the file, updated about once per second
 };
 
-/// Writes a subscription to the file in the thread of a publisher, by default of its own.
+/// Writes a subscription to the file in the thread of a publisher. By default, each recording creates a
+/// publisher.
 /// Threads  start() and stop(): one thread. All others: any
 class Recorder {
 public:
@@ -103,7 +104,7 @@ public:
     /// Blocks   until the file system has created the file
     Result<void> start(const RecorderOptions& options, receive::Subscription subscription,
                        std::shared_ptr<const receive::SampleLayout> layout);
-    /// As above, with a new subscription.
+    /// Like the function above, with a new subscription.
     Result<void> start(const RecorderOptions& options, const receive::Receiver& receiver);
     /// Writes the remaining rows, then syncs and closes the file. The state is Finished only if all steps
     /// have succeeded. It is Failed if a disk or share lost data that it had accepted.
@@ -126,7 +127,7 @@ private:
     std::shared_ptr<Worker> worker() const;
 
     std::function<std::unique_ptr<RecordingFile>()> files_;
-    std::shared_ptr<publish::Publisher> publisher_;  ///< null: each recording has its own
+    std::shared_ptr<publish::Publisher> publisher_;  ///< null: each recording creates one
     mutable std::mutex mutex_;  ///< protects the pointer, because each recording has a new worker
     std::shared_ptr<Worker> d_;
 };

@@ -15,7 +15,7 @@ namespace tiller::recording {
 
 namespace {
 
-// A table in no order of time has a step back in every second row.
+// In a table that is not sorted by time, about every second row is earlier than the previous row.
 constexpr std::size_t kMaxRestarts = 100;
 // Number of intervals used to determine the usual interval.
 constexpr std::size_t kStepsForPeriod = 1000;
@@ -96,7 +96,7 @@ bool isTimeName(std::string_view name) {
     return isOneOf(name, kNames);
 }
 
-/// A name of its own for time that PlotJuggler or ROS writes in each file.
+/// Name of the time column that PlotJuggler ("__time") or ROS ("%time") writes.
 bool isReservedName(std::string_view name) {
     return name == "__time" || name == "%time";
 }
@@ -421,7 +421,7 @@ TimeLine timeLine(const TimeAxis& axis, std::span<const double> stamps, std::spa
     const double originRest = nanoseconds.empty() || first == stamps.end()
                                   ? 0
                                   : nanoseconds[static_cast<std::size_t>(first - stamps.begin())];
-    // The difference of two large numbers is exact, their product with a factor is not.
+    // The difference of two large numbers is exact, but their product with a factor is not.
     const auto at = [&](std::size_t i) {
         const double rest = nanoseconds.empty() ? 0 : (nanoseconds[i] - originRest) * 1e-9;
         return (axis.factor == 1e-3   ? (stamps[i] - origin) / 1e3

@@ -37,7 +37,7 @@ struct TimeLine {
     std::vector<double> seconds{};          ///< since the first row, in ascending order
     double period = 0;                      ///< median interval [s]; 0 if unknown
     std::vector<RecordedEvent> restarts{};  ///< where the time stamps run backwards, at most 100
-    std::vector<RecordedGap> breaks{};      ///< before the segments after them; empty for a robot controller
+    std::vector<RecordedGap> breaks{};  ///< at the segments after a step back; empty for a robot controller
 };
 
 /// stamps, nanoseconds  columns of the axis; empty if it has none

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Takes the place of the other files of this folder in a build without libhdf5.
+// Replaces the other files of this folder in a build without libhdf5.
 
 #include "robot/recording/hdf5/episodes.h"
 #include "robot/recording/hdf5/hdf5_export.h"

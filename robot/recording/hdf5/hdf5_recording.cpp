@@ -320,7 +320,7 @@ private:
         if (rows_ > kMaxPerRequest) {
             return Error{ErrorCode::FileCorrupt, path_, QStringLiteral("it has too many rows")};
         }
-        // The data set `time` is not one of the columns, but it can be the time.
+        // The data set `time` is not one of the columns, but it can be the time axis.
         std::vector<RecordedColumn> candidates = columns_;
         if (time_) {
             candidates.push_back({"time", unitOfSet(*time_), false});
@@ -378,7 +378,7 @@ private:
     bool hasPeriod_ = false;
     bool isOwn_ = false;
     TimeLine line_;                            ///< times of a file of another program
-    std::optional<std::size_t> timeColumn_{};  ///< the same
+    std::optional<std::size_t> timeColumn_{};  ///< time column of such a file
     std::vector<RecordedColumn> columns_;
     std::vector<std::pair<std::size_t, std::size_t>> places_;  ///< data set and component within the data set
     std::uint64_t rows_ = 0;

@@ -42,8 +42,8 @@ struct BlackBoxOptions {
     std::function<void(const Incident&)> written{};
 };
 
-/// Keeps the samples and writes the files in the threads of a publisher, by default of its own. Notes, alarms
-/// and the project arrive through a mutex.
+/// Keeps the samples and writes the files in the threads of a publisher. By default, each start creates a
+/// publisher. Notes, alarms and the project arrive through a mutex.
 /// Threads  start() and stop(): one thread. All others: any
 class BlackBox {
 public:

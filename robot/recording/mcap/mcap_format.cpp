@@ -197,7 +197,7 @@ private:
     const McapFormatOptions options_;
     const std::vector<std::string> fields_;
     std::vector<std::string> components_;  ///< names of the columns
-    std::string columnNames_;              ///< the same in one text
+    std::string columnNames_;              ///< names of the columns in one text
     std::shared_ptr<const receive::SampleLayout> layout_;
     std::vector<std::size_t> columns_;  ///< index of each column in the samples
     std::optional<std::size_t> timestamp_;
