@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// For programs that include this header. RTDEReceiveInterface reads the state of the robot.
+// Empty header for programs that include it by name. RTDEReceiveInterface reads the state of the robot.
 
 #include <ur_rtde/rtde.h>

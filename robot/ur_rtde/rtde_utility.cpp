@@ -81,7 +81,7 @@ bool RTDEUtility::setRealtimePriority(int priority) {
 #endif
     const auto report = tiller::realtime::requestThreadPriority(priority);
 #ifdef __linux__
-    // If lockable memory is limited, later allocations could fail. Then, memory is not locked.
+    // Lock the memory only if its size is not limited. Otherwise, later allocations could fail.
     rlimit limit{};
     if (report.ok() && ::getrlimit(RLIMIT_MEMLOCK, &limit) == 0 && limit.rlim_cur == RLIM_INFINITY) {
         ::mlockall(MCL_CURRENT | MCL_FUTURE);

@@ -115,7 +115,7 @@ void CustomControl::disconnect(control::Supervision supervision) {
         }
         current->close();
     }
-    // Leave waiting calls time to return.
+    // Wait until the calls of other threads have returned, at most 100 ms.
     if (const std::unique_lock turn(turn_, milliseconds(100)); turn.owns_lock()) {
         scripts_.reset();
     }

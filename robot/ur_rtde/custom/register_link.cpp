@@ -83,7 +83,7 @@ Result<std::unique_ptr<RegisterLink>> RegisterLink::open(const RegisterLinkOptio
     wanted.request.outputs = outputNames(options.offset);
     wanted.request.frequency = options.frequency;
     wanted.request.inputs = inputRequests(options.offset);
-    // A controller may keep the registers of a closed connection reserved for some time.
+    // A controller may release the registers of a closed connection late, so retry for up to one second.
     auto opened = rtde::Connection::open(wanted, deadline);
     waitUntil(
         Deadline::after(milliseconds(1000)),

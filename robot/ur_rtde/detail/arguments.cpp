@@ -19,7 +19,8 @@ constexpr double kRounding = 1e-6;
 constexpr double kMaxTurn = 6.3;
 constexpr double kMaxTravel = 5.0;
 constexpr double kMinValue = 1e-6;  // minimum speed and acceleration, because a move with 0 would never end
-constexpr double kReach = 10.0;  // three times the reach of the largest arm; values in mm are usually larger
+constexpr double kReach = 10.0;  // [m]; more than five times the reach of the largest arm. Values in mm are
+                                 // usually larger
 constexpr const char* kDegrees = "; angles are in radians. Was it given in degrees?";
 constexpr const char* kMillimetres = "; lengths are in metres. Was it given in millimetres?";
 

@@ -61,7 +61,8 @@ void Pendant::connect() {
 }
 
 void Pendant::disconnect() {
-    // A pending call to an unresponsive dashboard server keeps its socket open for some time.
+    // A pending call to an unresponsive dashboard server holds the mutex. Do not wait for this call; its socket
+    // remains open until the call returns.
     if (const std::unique_lock lock(mutex_, std::try_to_lock); lock.owns_lock()) {
         client_.reset();
     }
@@ -164,8 +165,8 @@ std::shared_ptr<ControlBackend> ControlSession::open() {
     if (uploads || server_) {
         return openNative(false);
     }
-    // Works for any running program, now or later: a program of Tiller, of an earlier client, or with
-    // ur_rtde's registers.
+    // Use the running program, or the next one that is started: a program of Tiller or of an earlier client,
+    // otherwise one with ur_rtde's registers.
     std::shared_ptr<ControlBackend> ours;
     if (!options_.has(Face::FLAG_CUSTOM_SCRIPT)) {
         ours = openNative(true);
