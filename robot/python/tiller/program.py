@@ -387,7 +387,7 @@ class Program:
     def _started(self, robot: Robot, from_step: Step | None, breakpoints: Sequence[Step],
                  timeout: float | None) -> ProgramRun:
         controller = robot._controller
-        stops = controller.stops()  # a stop while the data arrives or during the simulation prevents the start
+        stops = controller.stops()  # a stop while the data arrive or during the simulation prevents the start
         with robot._waiting():
             receiver = robot._receiver_of(_native.execution_fields(), timeout)
             native = self._native.start(controller, receiver, _id(from_step), [step.id for step in breakpoints], stops)

@@ -221,7 +221,7 @@ class Samples(Iterator[Sample], AsyncIterator[Sample]):
     async def _arrival(self) -> _native.SampleParts:
         end = float("inf") if self._timeout is None else time.monotonic() + self._timeout
         while True:
-            # The last attempt raises Timeout. Attempts in between notice that the robot was closed.
+            # The last attempt raises Timeout. The attempts before it detect that the robot was closed.
             for _ in range(50):
                 await asyncio.sleep(_POLL)
                 parts = self._native.try_next()

@@ -202,7 +202,8 @@ class Robot:
         self._port_offset = port_offset
         self._upper_registers = upper_registers
         self._why_closed = "the robot was closed: create another Robot"
-        # Not a bound method: a reference cycle would keep connection and registers alive.
+        # Do not store a bound method, because a reference cycle would keep the connection and the registers in
+        # use.
         self._waiting: Callable[[], AbstractContextManager[Any]] = contextlib.nullcontext
         if simulator is not None:
             self._waiting = simulator.flowing
