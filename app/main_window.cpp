@@ -829,7 +829,7 @@ void MainWindow::keepLayout() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    // A program that runs without hold-to-run continues until the window is really closed.
+    // A program that runs without hold-to-run continues until the window is closed.
     stopMotion(program_->runsFreely() ? control::StopCause::DialogOpened : control::StopCause::WindowClosed);
     const bool closesAnyway = std::exchange(closesAnyway_, false);
     if (!runningWork().isEmpty() && !closesAnyway && desktopEnds_.hasExpired()) {
@@ -876,7 +876,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     }
 }
 
-/// What closing the window or changing the connection would stop, as sentences.
+/// Sentences about the work that closing the window or changing the connection would stop.
 QStringList MainWindow::runningWork() const {
     const SessionState& state = session_->state();
     QStringList work;

@@ -11,7 +11,7 @@ namespace tiller::app {
 
 namespace {
 
-/// Moves the focus to the list or tree of a page. Without this, Qt would move it to the button that was used last,
+/// Moves the focus to the list or tree of a page. Otherwise, Qt would move it to the button that was used last,
 /// e.g. "Run", which reacts to Return.
 void focusPage(QWidget& page) {
     const QList<QAbstractItemView*> views = page.findChildren<QAbstractItemView*>();
