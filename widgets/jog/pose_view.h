@@ -41,9 +41,9 @@ public:
     QString rotationText(int axis) const;
     /// Text of the caption, e.g. "in Base · TCP 120.0 mm from the flange".
     QString frameText() const;
-    /// E.g. "50 mm/s", or "0.0 mm/s · 15 °/s" while rotating.
+    /// Text of the TCP speed, e.g. "50 mm/s", or "0.0 mm/s · 15 °/s" while rotating.
     QString speedText() const;
-    /// E.g. "× 0.1"; empty if the factor is 1.
+    /// Text of the factor, e.g. "× 0.1"; empty if the factor is 1.
     QString factorText() const;
 
     QSize sizeHint() const override { return {366, 110}; }
