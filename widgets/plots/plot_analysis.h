@@ -38,7 +38,8 @@ public:
     void follow(const PlotView* view);
     void setKind(Kind kind);
     Kind kind() const;
-    /// E.g. "Fz · Hann window of 4 096 samples · 0.122 Hz a line · mean of 5 · 12.000 … 42.000 s".
+    /// Description of the result, e.g. "Fz · Hann window of 4 096 samples · 0.122 Hz a line · mean of 5 ·
+    /// 12.000 … 42.000 s".
     QString title() const;
     const AnalysisCanvas& canvas() const { return *canvas_; }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Arrangement of signals: pages with plots in columns, and state lanes below the plots. It is saved for the
-// user. Signal names are those used in recordings.
+// Arrangement of signals: pages with plots in columns, and state lanes below the plots. The arrangement is
+// saved for each user. Signal names are those used in recordings.
 
 #include <QByteArray>
 #include <QMap>

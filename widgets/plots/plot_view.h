@@ -99,7 +99,7 @@ public:
     double noteTime() const;
     int readoutSignal() const { return readoutSignal_; }
     void setReadoutSignal(int signal);
-    /// E.g. "A–B Δt 1.200 s · ΔFz −9.8 N", "A −12.300 s · Fz −4.1 N"; may be empty.
+    /// Values at the cursors, e.g. "A–B Δt 1.200 s · ΔFz −9.8 N", "A −12.300 s · Fz −4.1 N"; may be empty.
     QString readout() const;
     bool isHidden(int signal) const;
     void setHidden(int signal, bool hidden);
