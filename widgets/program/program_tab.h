@@ -127,7 +127,7 @@ private:
     /// Offers the step at which the stopped program can continue.
     /// Returns  a sentence describing the recoverability of the stop; empty if the check has not been run
     QString offerContinuation();
-    /// Why the stopped program must not continue, as a sentence; empty if it may.
+    /// The reason why the stopped program must not continue, as a sentence; empty if it may continue.
     QString continuationObstacle() const;
     static QString changedText();
     void exportScript();

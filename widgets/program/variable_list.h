@@ -27,7 +27,7 @@ public:
 
     /// Shows the current variables, and whether their values can be changed.
     void follow();
-    /// Why the value of this row cannot be changed now, as a sentence; empty if it can.
+    /// The reason why the value of this row cannot be changed now, as a sentence; empty if it can be changed.
     QString obstacleAt(const QModelIndex& index) const;
 
     int rowCount(const QModelIndex& parent = {}) const override;
