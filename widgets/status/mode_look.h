@@ -40,7 +40,7 @@ QString linkCaption(const SessionState& state);
 enum class NextStep { None, Connect, PowerOn, ReleaseBrakes, Recover, TakeControl };
 
 NextStep nextStep(const SessionState& state);
-/// E.g. "Power on"; empty for None.
+/// Label of the step, e.g. "Power on"; empty for None.
 QString nextStepText(NextStep step);
 QString nextStepAdvice(NextStep step);
 /// The reason why the operator cannot take the step, with a suggested action; empty if the step is possible.

@@ -27,7 +27,7 @@ constexpr double kMinForceRange = 20.0;   // [N]
 constexpr double kMinCurrentRange = 2.0;  // [A]
 constexpr double kMinSpeedRange = 0.020;  // [m/s]
 
-/// E.g. "+200.0 mm".
+/// Formats a length with its sign, e.g. "+200.0 mm".
 QString signedLength(double metres) {
     return format::lengthNumber(metres, 1, true) + QLatin1Char(' ') + format::lengthUnit();
 }
