@@ -43,7 +43,7 @@ Q_SIGNALS:
     void cancelled();
 
 private:
-    /// How the tool orientation is taught.
+    /// Methods for teaching the tool orientation.
     enum Turning { AsItIs, StraightDown, ThreePoses };
 
     std::optional<Eigen::Isometry3d> flange() const;
