@@ -30,7 +30,7 @@ public:
     ///         same name
     Result<JointPositions> inverseKinematics(const Pose& tcpPose, const InverseOptions& options,
                                              const Deadline& deadline);
-    /// Whether a solution exists. Errors: same as inverseKinematics().
+    /// True if a solution exists. Errors: same as inverseKinematics().
     Result<bool> hasInverseKinematics(const Pose& tcpPose, const InverseOptions& options,
                                       const Deadline& deadline);
     /// q, tcp   empty: the current values

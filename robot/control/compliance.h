@@ -51,7 +51,7 @@ public:
     /// Controller::stops() returned `stops`.
     Compliance(Controller& controller, std::uint64_t stops) : controller_(&controller), stops_(stops) {}
 
-    /// Starts force mode or changes its parameters. Motions are possible in force mode. It ends with
+    /// Starts force mode or changes its parameters. Motions are possible in force mode. Force mode ends with
     /// endForceMode(), a stop of the controller, or 100 ms without connection.
     Result<void> setForceMode(const ForceMode& mode, const Deadline& deadline);
     Result<void> endForceMode(const Deadline& deadline);  ///< Ends force mode.

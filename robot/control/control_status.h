@@ -16,7 +16,7 @@ namespace tiller::control {
 using MotionId = std::uint64_t;
 inline constexpr MotionId kNoMotion = 0;
 
-/// Why this controller cannot move the arm.
+/// Reason why this controller cannot move the arm.
 enum class ControlLoss : std::uint8_t {
     None,           ///< in control
     NotTaken,       ///< takeControl() has not been called

@@ -33,7 +33,7 @@ inline constexpr std::chrono::milliseconds kMaxHeartbeatTimeout{4'000};
 /// move with a target: MoveParameters::silence).
 enum class Holding : std::uint8_t { Held, Free };
 
-/// Whether the arm may move without supervision by a client.
+/// Determines whether the arm may move without supervision by a client.
 enum class Supervision : std::uint8_t {
     Heartbeat,  ///< the arm brakes when the client exits, disconnects or sends nothing for 100 ms
     /// The arm continues until the motion or program is complete, even after the client has exited.
@@ -69,7 +69,7 @@ struct JogTarget {
     friend bool operator==(const JogTarget&, const JogTarget&) = default;
 };
 
-/// Why a motion ended. The user interface has a separate text for each cause.
+/// Cause of the end of a motion. The user interface has a separate text for each cause.
 enum class StopCause : std::uint8_t {
     None,
     Released,

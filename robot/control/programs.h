@@ -16,7 +16,7 @@
 
 namespace tiller::control {
 
-/// How a complete program runs: see Programs::runScript().
+/// Options for running a complete program: see Programs::runScript().
 struct ScriptTerms {
     Supervision supervision = Supervision::Heartbeat;
     /// Held: the program also ends if the motion is not refreshed for 100 ms or if the program is paused.

@@ -159,7 +159,7 @@ public:
     /// effects, such as force mode, might continue.
     /// Threads  the control thread
     bool takePaused() { return std::exchange(paused_, false); }
-    /// Whether force mode, freedrive or teach mode was active at the pause. Only the paused program could end
+    /// True if force mode, freedrive or teach mode was active at the pause. Only the paused program could end
     /// these modes.
     /// Threads  the control thread
     bool yieldedWhenPaused() const { return yieldedWhenPaused_; }

@@ -77,7 +77,7 @@ struct Controller::Private {
     Result<MotionId> startSection(const QString& section, const QString& name, Holding holding,
                                   std::chrono::milliseconds silence, std::uint64_t stops,
                                   const Deadline& deadline, const QString& context);
-    /// Why no motion may start; code None if motions may start.
+    /// Reason why no motion may start; code None if motions may start.
     Error obstacle(const QString& context) const;
 
 private:
