@@ -118,9 +118,8 @@ public:
     receive::Subscription subscribe() const { return receiver_->subscribe(); }
 
     control::Motions motions() { return control::Motions(*controller_); }  ///< Moves, jogs and streams.
-    control::Compliance compliance() {
-        return control::Compliance(*controller_);
-    }                                                                            ///< Force mode, freedrive.
+    /// Force mode, freedrive.
+    control::Compliance compliance() { return control::Compliance(*controller_); }
     control::ToolSetup tool() { return control::ToolSetup(*controller_); }       ///< Payload, TCP, sensor.
     control::ArmQueries queries() { return control::ArmQueries(*controller_); }  ///< Kinematics and limits.
     control::Programs programs() { return control::Programs(*controller_); }     ///< User-supplied URScript.
