@@ -48,9 +48,8 @@ public:
     std::int64_t nowNs() const override { return now_.load(std::memory_order_acquire); }  ///< [ns]
     bool runsByItself() const override { return false; }
     void waitUntil(std::int64_t /*ns*/, std::int64_t /*awakeNs*/) const override {}  ///< Returns immediately.
-    void advanceNs(std::int64_t ns) {
-        now_.fetch_add(ns, std::memory_order_acq_rel);
-    }  ///< [ns]. Threads: any
+    /// Advances the time [ns]. Threads: any
+    void advanceNs(std::int64_t ns) { now_.fetch_add(ns, std::memory_order_acq_rel); }
 
 private:
     std::atomic<std::int64_t> now_;

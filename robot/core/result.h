@@ -69,9 +69,8 @@ public:
             throw ResultError(*error_);
         }
     }
-    Error error() const {
-        return error_.value_or(Error{});
-    }  ///< The error; code None for a successful result.
+    /// The error; code None for a successful result.
+    Error error() const { return error_.value_or(Error{}); }
 
 private:
     std::optional<Error> error_;

@@ -17,7 +17,7 @@ struct SoftwareVersion {
 
     friend auto operator<=>(const SoftwareVersion&, const SoftwareVersion&) = default;
 
-    /// e.g. "5.21.1.0"
+    /// Writes the version, e.g. "5.21.1.0".
     friend std::ostream& operator<<(std::ostream& out, const SoftwareVersion& v) {
         return out << v.major << '.' << v.minor << '.' << v.bugfix << '.' << v.build;
     }
