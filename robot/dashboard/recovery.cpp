@@ -38,7 +38,7 @@ bool isTooEarly(const RobotApiClient&, const Error& error) {
     return error.controllerMessage.startsWith(QLatin1String("409"));  // HTTP status for "not available now"
 }
 
-/// Whether the error is a connection failure that can occur while a controller restarts.
+/// True if the error is a connection failure that can occur while a controller restarts.
 bool isOutage(const Error& error) {
     return error.code == ErrorCode::ConnectionClosed || error.code == ErrorCode::ConnectionRefused ||
            error.code == ErrorCode::HostUnreachable || error.code == ErrorCode::NotConnected ||

@@ -27,7 +27,7 @@ enum class RobotCommand {
     StopProgram,
 };
 
-/// Whether a service of this kind supports the command. For example, the Robot API cannot close popups.
+/// True if a service of this kind supports the command. For example, the Robot API cannot close popups.
 inline bool offers(ServiceKind kind, RobotCommand command) {
     return kind != ServiceKind::RobotApi || command != RobotCommand::ClosePopups;
 }
