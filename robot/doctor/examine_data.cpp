@@ -39,8 +39,8 @@ std::vector<std::string> registersFrom(int first) {
     return names;
 }
 
-/// Whether there is any response to the first RTDE request. Any bytes count, because the text of another
-/// protocol can look like the start of a package that never completes.
+/// True if there is any response to the first RTDE request. Any bytes count, because the text of another
+/// protocol can look like the start of a package that is never completed.
 bool respondsWithData(const QString& host, int port, const Deadline& deadline) {
     auto socket = script::openTcpSocket(host, port, deadline);
     if (!socket) {
