@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reads joint positions and TCP pose once, and then every packet for a short time.
+// Reads joint positions and TCP pose once, and then the next 500 packets.
 #include <iostream>
 
 #include "robot/receive/receiver.h"
