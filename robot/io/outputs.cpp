@@ -208,7 +208,7 @@ struct Outputs::Link {
         return error;
     }
 
-    /// Whether the receiver receives the fields that confirm the command.
+    /// Checks that the receiver receives the fields that confirm the command.
     Result<void> confirmable(const QString& what, const ReportFields& fields) const {
         for (const char* field : fields) {
             if (field != nullptr &&

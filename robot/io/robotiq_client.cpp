@@ -39,7 +39,7 @@ bool isByte(int value) {
     return value >= 0 && value <= kRobotiqMost;
 }
 
-/// Whether the variable is a gripper register with a byte value. Other variables, such as the cycle counter,
+/// True if the variable is a gripper register with a byte value. Other variables, such as the cycle counter,
 /// can have larger values.
 bool isRegister(std::string_view name) {
     constexpr std::string_view kRegisters[] = {"ACT", "GTO", "ATR", "ARD", "STA", "OBJ", "FLT",
