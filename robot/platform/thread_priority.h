@@ -11,9 +11,8 @@ struct PriorityReport {
     int requested = 0;
     /// Granted priority: on Linux the SCHED_FIFO priority, 0 for the normal scheduler.
     int granted = 0;
-    bool ok() const {
-        return granted >= requested;
-    }  ///< True if at least the requested priority was granted.
+    /// True if at least the requested priority was granted.
+    bool ok() const { return granted >= requested; }
     /// The reason for a refusal and how to correct it; empty if granted.
     QString advice;
 };
