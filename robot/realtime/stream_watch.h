@@ -14,8 +14,8 @@ public:
     struct Verdict {
         std::uint64_t lost = 0;  ///< number of packages missing before this one
         bool late = false;       ///< more than half a period late
-        /// Delay relative to the expected arrival [ns]; 0 for the earliest package. For packages of a
-        /// backlog, this is their age.
+        /// Delay relative to the expected arrival [ns]; 0 for the earliest package. For packages of a backlog,
+        /// the delay is their age.
         std::int64_t jitterNs = 0;
     };
 
