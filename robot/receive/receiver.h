@@ -123,7 +123,8 @@ public:
     ReceiverState state() const;  ///< Threads: any
     /// Local port of the connection; 0 if not connected. Threads: any
     std::uint16_t localPort() const;
-    /// Why start() or the last attempt failed, or the last connection was lost. Code None while connected.
+    /// Reason why start() or the last attempt failed, or why the last connection was lost. Code None while
+    /// connected.
     Error lastError() const;
     ReceiverCounters counters() const;  ///< Counters since start(). Threads: any
     /// Resets all counters, including reconnects, at the next package.

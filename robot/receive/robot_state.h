@@ -71,17 +71,14 @@ public:
     Pose tcpPose() const { return pose("actual_TCP_pose"); }        ///< T_base_tcp
     Pose targetTcpPose() const { return pose("target_TCP_pose"); }  ///< T_base_tcp
     Pose tcpOffset() const { return pose("tcp_offset"); }           ///< T_flange_tcp
-    Twist tcpSpeed() const {
-        return Twist::fromVector(vector6("actual_TCP_speed"));
-    }  ///< base frame [m/s, rad/s]
-    /// base frame [m/s, rad/s]
+    /// In the base frame [m/s, rad/s].
+    Twist tcpSpeed() const { return Twist::fromVector(vector6("actual_TCP_speed")); }
+    /// In the base frame [m/s, rad/s].
     Twist targetTcpSpeed() const { return Twist::fromVector(vector6("target_TCP_speed")); }
-    Wrench tcpForce() const {
-        return Wrench::fromVector(vector6("actual_TCP_force"));
-    }  ///< base frame [N, Nm]
-    Wrench rawWrench() const {
-        return Wrench::fromVector(vector6("ft_raw_wrench"));
-    }  ///< flange frame [N, Nm]
+    /// In the base frame [N, Nm].
+    Wrench tcpForce() const { return Wrench::fromVector(vector6("actual_TCP_force")); }
+    /// In the flange frame [N, Nm].
+    Wrench rawWrench() const { return Wrench::fromVector(vector6("ft_raw_wrench")); }
 
     RobotMode robotMode() const;        ///< DISCONNECTED if missing.
     SafetyMode safetyMode() const;      ///< UNDEFINED if missing.
