@@ -113,8 +113,8 @@ public:
     /// Adds a note to the recording or to its notes file. Threads: any
     void note(const RecordedNote& note);
 
-    /// Why notes could not be written to the notes file, while the recording continues; otherwise code None.
-    /// Threads: any
+    /// Reason why notes could not be written to the notes file, while the recording continues; otherwise code
+    /// None. Threads: any
     Error notesError() const;
 
     RecorderProgress progress() const;  ///< Rows, seconds and lost are totals of all files. Threads: any

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// How to read a table of numbers that another program may have written.
+// Describes how to read a table of numbers that another program may have written.
 
 #include <cstddef>
 #include <cstdint>

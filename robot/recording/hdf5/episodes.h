@@ -31,7 +31,7 @@ struct EpisodeChoice {
     Cut cut = Cut::Program;
     double rate = 20;       ///< rows per second in the episodes (nearest earlier row); 0: all rows
     double shortest = 0.5;  ///< minimum duration [s]; shorter episodes are skipped
-    /// Fields used as observations. If no recording contains a field, this is an error.
+    /// Fields used as observations. A field that is missing in all recordings is an error.
     std::vector<std::string> observations = {"actual_q", "actual_qd", "actual_TCP_pose", "actual_TCP_force"};
     /// Value used as the action: a commanded value, or the value of a measured field in the next row.
     std::string action = "target_q";
