@@ -38,9 +38,8 @@ struct Field {
     Direction direction = Direction::Output;
     Since since;
 
-    std::size_t components() const {
-        return componentCount(type);
-    }  ///< Number of values in the field: 1, 3 or 6.
+    /// Number of values in the field: 1, 3 or 6.
+    std::size_t components() const { return componentCount(type); }
     /// Compares `version` with the first and last software version of the field.
     bool isAvailableOn(const SoftwareVersion& version) const;
     /// Like isAvailableOn(), but if the first version is not documented, uses the version of the clients that

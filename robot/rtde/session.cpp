@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kTextsKept = 32;
 
-/// At most three names, because all registers of a range would be too long for a message.
+/// Lists at most three names, because the names of all registers of a range are too long for a message.
 QString listed(const std::vector<std::string>& names) {
     constexpr std::size_t kShown = 3;
     const auto shown =
