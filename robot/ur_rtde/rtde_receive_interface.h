@@ -19,7 +19,7 @@
 
 namespace ur_rtde {
 
-/// Whether the program is paused, running, or ramping up after a pause; see getSpeedScalingCombined().
+/// State of the program: paused, running, or ramping up after a pause; see getSpeedScalingCombined().
 enum class PausingState { PAUSED, RUNNING, RAMPUP };
 
 /// Threads  any
