@@ -107,7 +107,7 @@ const Command& simulateCommand();
 const Command& faultCommand();
 /// Prints the conditions for moving a robot from this PC, one line each, or as JSON. Blocks: up to 30 s
 const Command& doctorCommand();
-/// Records the packages of a robot to a file, for a given time or until the process is terminated.
+/// Records the packets of a robot to a file, for a given time or until the process is terminated.
 const Command& recordCommand();
 /// Shows the content of a project, checks it, or converts it.
 const Command& projectCommand();
@@ -121,7 +121,7 @@ const Command& importCommand();
 /// Prints the content of a recording as text or JSON.
 const Command& infoCommand();
 const Command& exportCommand();
-/// Publishes the packages of a robot to viewers until the process is terminated.
+/// Publishes the packets of a robot to viewers until the process is terminated.
 const Command& serveCommand();
 /// Exports recordings as demonstrations for machine learning.
 const Command& episodesCommand();
