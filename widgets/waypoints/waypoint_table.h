@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The list of waypoints. Rows are 36 px high, edited in place (F2 or double click), and reordered by
-// dragging.
+// The list of waypoints. Rows are edited in place (F2 or double click) and reordered by dragging.
 
 #include "widgets/common/row_table.h"
 
