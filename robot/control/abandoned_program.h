@@ -21,13 +21,13 @@ public:
     /// RTDE output names of the state registers of both ranges.
     static std::array<std::string, 2> fields();
 
-    /// Adds a package from the robot. Call in the order of arrival; packages may be missing.
+    /// Adds a packet from the robot. Call in the order of arrival; packets may be missing.
     /// timestamp  robot time [s]
     /// states     the values of fields(); NaN if missing
     void add(double timestamp, RuntimeState runtime, const std::array<double, 2>& states);
     void reset() { counts_ = {}; }
 
-    /// True if, according to the newest package, the running program is a control program at standstill that
+    /// True if, according to the newest packet, the running program is a control program at standstill that
     /// has had no client for at least 0.5 s.
     bool isRunning() const;
 
@@ -35,11 +35,11 @@ private:
     /// A register value that increases with robot time.
     struct Count {
         bool active = false;
-        double since = 0;     ///< timestamp of the first package [s]
-        double compared = 0;  ///< timestamp of the reference package [s]
-        double newest = 0;    ///< timestamp of the newest package [s]
-        double value = 0;     ///< register value in the reference package [s]
-        double first = 0;     ///< register value in the first package [s]
+        double since = 0;     ///< timestamp of the first packet [s]
+        double compared = 0;  ///< timestamp of the reference packet [s]
+        double newest = 0;    ///< timestamp of the newest packet [s]
+        double value = 0;     ///< register value in the reference packet [s]
+        double first = 0;     ///< register value in the first packet [s]
     };
     std::array<Count, 2> counts_;
 };

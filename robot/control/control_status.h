@@ -88,7 +88,7 @@ struct ControllerStatus {
     double speedFraction = 1;        ///< speed slider value
     double speedScaling = 1;         ///< speed reduction by the controller's own limits
     RuntimeState runtimeState = RuntimeState::Stopped;
-    std::uint64_t playing = 0;           ///< number of data packages that reported a running program
+    std::uint64_t playing = 0;           ///< number of packets that reported a running program
     std::uint32_t robotStatusBits = 0;   ///< as RTDE robot_status_bits
     std::uint32_t safetyStatusBits = 0;  ///< as RTDE safety_status_bits
     int waypoint = 0;                    ///< paths: current target, counted from 1
@@ -97,8 +97,8 @@ struct ControllerStatus {
     std::array<double, 6> tcpOffset{};   ///< flange to TCP [m, rad]
     bool forceMode = false;              ///< force mode is permitted, and active if a client has started it
     bool forceKnown = false;             ///< the robot reports the force at the TCP
-    std::uint64_t ticks = 0;             ///< number of data packages answered
-    std::uint64_t late = 0;        ///< number of packages more than half a period late on the host's clock
+    std::uint64_t ticks = 0;             ///< number of packets answered
+    std::uint64_t late = 0;        ///< number of packets more than half a period late on the host's clock
     std::int64_t dataTimeNs = 0;   ///< arrival time of the newest data on the controller's Clock
     double answeredTime = 0;       ///< timestamp of the newest answered data [s]
     bool priorityGranted = false;  ///< the control thread has the requested priority

@@ -155,8 +155,8 @@ Result<void> watchScript(Controller::Private& d, RunningScript& run, const QStri
         if (bad.code != ErrorCode::None) {
             return true;
         }
-        // The data may not contain any package in which a short program is playing. A paused program has not
-        // ended. The count and the state must be from the same package, because the state before the start is
+        // The data may not contain any packet in which a short program is playing. A paused program has not
+        // ended. The count and the state must be from the same packet, because the state before the start is
         // also "stopped".
         const ControlProgram::ScriptFeedback heard = d.program.scriptFeedback();
         if (now.playing != run.played || heard.stopped) {

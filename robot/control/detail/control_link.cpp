@@ -216,7 +216,7 @@ bool ControlLink::send(const Command& command) {
     return sent;
 }
 
-// The package that was read into `values`, or the newest package of a backlog.
+// The packet that was read into `values`, or the newest packet of a backlog.
 Feedback ControlLink::newest(std::vector<double>& values, std::int64_t lookedNs, std::int64_t doneNs) {
     Feedback data = decode(values);
     data.awaited = data.hostNs - doneNs > kBusyNs;
@@ -254,7 +254,7 @@ void ControlLink::run(script::PrimaryClient& primary) {
     const std::int64_t timeoutNs = std::chrono::nanoseconds(options_.connectionTimeout).count();
     const std::int64_t begunNs = doneNs;
     std::int64_t lookedNs = doneNs;
-    int looks = 0;  // unsuccessful checks since the newest package
+    int looks = 0;  // unsuccessful checks since the newest packet
     // A controller may send no data while it compiles a program. No motion through this connection is active
     // then.
     constexpr std::int64_t kTakingTimeoutNs = 2 * kNsPerSecond;

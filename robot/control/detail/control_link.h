@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The control thread and its RTDE connection: claims the registers, passes each package from the robot to the
+// The control thread and its RTDE connection: claims the registers, passes each packet from the robot to the
 // ControlLoop and sends the resulting command.
 
 #include <array>
@@ -80,8 +80,8 @@ private:
     ControlLoop& loop_;
     std::unique_ptr<rtde::Connection> connection_;  ///< used by the control thread while it runs
     FeedbackLayout layout_;
-    receive::Sample sample_;           ///< the newest package
-    std::vector<std::size_t> places_;  ///< sample index of each value of a package
+    receive::Sample sample_;           ///< the newest packet
+    std::vector<std::size_t> places_;  ///< sample index of each value of a packet
     std::thread thread_;
     std::atomic<bool> quit_{false};
     std::atomic<bool> running_{false};

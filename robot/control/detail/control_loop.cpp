@@ -150,7 +150,7 @@ void ControlLoop::takeIn(const Feedback& data) {
     data_ = data;
     sentEarly_ = false;
     ageNs_ = std::max<std::int64_t>(stream_.add(data.timestamp, data.hostNs).jitterNs, 0);
-    // The package may have waited in the queue since the last check.
+    // The packet may have waited in the queue since the last check.
     arrivedNs_ = data.awaited ? data.hostNs : std::max(data.hostNs - ageNs_, data.lookedNs);
     if (!hasData_) {
         hasData_ = true;
@@ -194,7 +194,7 @@ void ControlLoop::measureStop(const Feedback& data) {
 }
 
 ControllerStatus ControlLoop::status() const {
-    // Read first, so that the other values include the answered package.
+    // Read first, so that the other values include the answered packet.
     const double answeredTime = answeredTime_.load(std::memory_order_acquire);
     ControllerStatus status = published_.load();
     status.answeredTime = answeredTime;
@@ -214,7 +214,7 @@ bool ControlLoop::fallback(std::int64_t nowNs, Command& out) {
     mailbox_.active(nowNs);
     noteEnded(nowNs);
     publish();
-    // A slightly late package needs no reaction. The next tick sends the stop.
+    // A slightly late packet needs no reaction. The next tick sends the stop.
     constexpr std::int64_t kAnswerTimeoutNs = 10 * kNsPerMs;
     if (age < kAnswerTimeoutNs || !isStopPending()) {
         return false;
@@ -244,7 +244,7 @@ bool ControlLoop::wantsNewest() {
 bool ControlLoop::cycleWithoutPackage(std::int64_t nowNs, Command& out) {
     const MotionCommand* motion = mailbox_.active(nowNs);
     if (motion == nullptr || motion->id != followed_) {
-        return false;  // the next package determines the reaction
+        return false;  // the next packet determines the reaction
     }
     out = {};
     composedNs_ = nowNs;
@@ -272,7 +272,7 @@ bool ControlLoop::early(std::int64_t nowNs, Command& out) {
     if (motion != nullptr && (motion->id != followed_ || motion->kind != MotionCommand::Kind::Program)) {
         return false;  // the start depends on the current arm position
     }
-    // Set points are limited to one per package. Stops are not limited.
+    // Set points are limited to one per packet. Stops are not limited.
     if (motion != nullptr ? sentEarly_ : !isStopPending()) {
         return false;
     }
@@ -375,7 +375,7 @@ void ControlLoop::watch(const Feedback& data) {
     if (data.runtimeState != RuntimeState::Playing) {
         const bool asked = endRequested_.load(std::memory_order_acquire);
         paused_ = data.runtimeState == RuntimeState::Pausing || data.runtimeState == RuntimeState::Paused;
-        // A safeguard stop ends the motion some packages before it pauses the program.
+        // A safeguard stop ends the motion some packets before it pauses the program.
         constexpr std::int64_t kUntilPausedNs = 500 * kNsPerMs;
         yieldedWhenPaused_ = yieldedNs_ && data.hostNs - *yieldedNs_ < kUntilPausedNs;
         leave(asked ? endLoss_.load(std::memory_order_relaxed) : ControlLoss::ScriptStopped,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Processes a package from the robot and computes the answer, without sockets or threads. The answer depends
+// Processes a packet from the robot and computes the answer, without sockets or threads. The answer depends
 // only on the data, the mailbox and the time. Every automatic stop of a motion is decided here.
 
 #include <array>
@@ -35,7 +35,7 @@ inline constexpr std::int64_t kNoCycleDue = std::numeric_limits<std::int64_t>::m
 /// Trigger of a cycle.
 struct Occasion {
     double period = 0.002;  ///< [s]
-    bool fresh = true;      ///< the data are new; false: from the previous package
+    bool fresh = true;      ///< the data are new; false: from the previous packet
     /// If fresh: evenly spaced start time of the cycle, on the clock of Feedback::hostNs.
     std::int64_t evenNs = 0;
     /// Age of the data at Feedback::hostNs [ns], from the robot's timestamps and the fastest observed
@@ -43,7 +43,7 @@ struct Occasion {
     std::int64_t ageNs = 0;
 };
 
-/// Computes the target of a motion once per package: see packet_loop.h.
+/// Computes the target of a motion once per packet: see packet_loop.h.
 class CycleHook {
 public:
     virtual MotionId motion() const = 0;
@@ -52,7 +52,7 @@ public:
     virtual bool cycle(const Feedback& data, const Occasion& occasion, MotionCommand& target) = 0;
     /// End of the last cycle on the clock of Feedback::hostNs; its target is sent at this time.
     virtual std::int64_t endedNs() const = 0;
-    /// Time of the next cycle if no package arrives. kNoCycleDue: the next cycle waits for a package.
+    /// Time of the next cycle if no packet arrives. kNoCycleDue: the next cycle waits for a packet.
     virtual std::int64_t dueNs(const realtime::ArrivalPace& pace) const = 0;
 
 protected:
@@ -75,7 +75,7 @@ public:
         status_.cpusGranted = cpus;
     }
 
-    /// Processes one package from the robot and returns the answer.
+    /// Processes one packet from the robot and returns the answer.
     Command tick(const Feedback& data);
     /// Processes a packet that needs no answer because a newer packet has arrived.
     void pass(const Feedback& data);
@@ -83,13 +83,13 @@ public:
     bool wantsNewest();
     /// Call after sending the result of tick().
     void answered() { answeredTime_.store(data_.timestamp, std::memory_order_release); }
-    /// Time at which fallback() must be called if no package arrives. kNoCycleDue: never.
+    /// Time at which fallback() must be called if no packet arrives. kNoCycleDue: never.
     std::int64_t dueNs();
-    /// Call if no package arrives. Ends the motion when the data are too old, and runs a scheduled cycle.
+    /// Call if no packet arrives. Ends the motion when the data are too old, and runs a scheduled cycle.
     /// Returns  true if `out` must be sent at once
     bool fallback(std::int64_t nowNs, Command& out);
-    /// Call after a change by another thread while no package is due. Commands are sent at once, but only one
-    /// set point between two packages.
+    /// Call after a change by another thread while no packet is due. Commands are sent at once, but only one
+    /// set point between two packets.
     /// Returns  true if `out` must be sent
     bool early(std::int64_t nowNs, Command& out);
     /// Call after loss of the connection.
@@ -163,7 +163,7 @@ public:
     /// these modes.
     /// Threads  the control thread
     bool yieldedWhenPaused() const { return yieldedWhenPaused_; }
-    /// State of the control program according to the newest package.
+    /// State of the control program according to the newest packet.
     ScriptState scriptState() const { return scriptState_.load(std::memory_order_acquire); }
     /// Publishes a loss of control while no control thread exists.
     void publishLoss(ControlLoss loss);
@@ -212,7 +212,7 @@ private:
     std::atomic<bool> finishReceived_{false};
     std::int32_t finishSequence_ = 0;  ///< sequence number of the first package with the permission; 0: none
     std::int64_t dataTimeoutNs_ = kMaxDataAgeNs;
-    bool sentEarly_ = false;  ///< a set point was sent since the newest package
+    bool sentEarly_ = false;  ///< a set point was sent since the newest packet
     std::atomic<ScriptState> scriptState_{ScriptState::Ready};
     std::atomic<CycleHook*> hook_{nullptr};
     std::atomic<bool> hookInUse_{false};
@@ -229,10 +229,10 @@ private:
     realtime::StreamWatch stream_;
     std::int64_t ageNs_ = 0;       ///< age of the newest data when read: see Occasion
     std::int64_t arrivedNs_ = 0;   ///< estimated arrival time
-    std::int64_t evenNs_ = 0;      ///< start of the newest package's cycle for even spacing
+    std::int64_t evenNs_ = 0;      ///< start of the newest packet's cycle for even spacing
     std::int64_t composedNs_ = 0;  ///< creation time of the command to be sent
     std::int64_t lookedNs_ = 0;    ///< last time the control thread ran
-    std::int64_t stalledNs_ = 0;   ///< MotionDelay::stalledNs since the newest package
+    std::int64_t stalledNs_ = 0;   ///< MotionDelay::stalledNs since the newest packet
     std::int32_t sequence_ = kBeforeFirstSequence;
     static constexpr std::size_t kSentMemory = 512;
     std::array<std::int64_t, kSentMemory> sentNs_{};
@@ -247,7 +247,7 @@ private:
     std::int64_t followedTimeoutNs_ = 0;  ///< heartbeat timeout of the last motion
     Pose followedTcp_;                    ///< TCP offset at the start of the jog
     Eigen::Vector3d followedForce_ = Eigen::Vector3d::Zero();  ///< force at the TCP at the start of the jog
-    int pressed_ = 0;  ///< number of consecutive packages with a force above the jog's limit
+    int pressed_ = 0;  ///< number of consecutive packets with a force above the jog's limit
 
     ControllerStatus status_;
     realtime::Seqlock<ControllerStatus> published_;

@@ -13,8 +13,8 @@ namespace tiller::control {
 struct MotionDelay {
     enum class Kind : std::uint8_t {
         None,
-        Data,       ///< no package from the robot
-        Answer,     ///< packages arrived, but the control program did not respond
+        Data,       ///< no packet from the robot
+        Answer,     ///< packets arrived, but the control program did not respond
         RoundTrip,  ///< the control program responded too late
         Heartbeat,  ///< the robot received no package of this PC in time
     };

@@ -153,10 +153,10 @@ struct Echo {
     Answer answer;
 };
 
-/// The values from a robot package that the control thread needs.
+/// The values from a robot packet that the control thread needs.
 struct Feedback {
     std::int64_t hostNs = 0;
-    bool awaited = true;  ///< true: hostNs is the arrival time; false: the package may have arrived earlier
+    bool awaited = true;  ///< true: hostNs is the arrival time; false: the packet may have arrived earlier
     std::int64_t lookedNs = 0;  ///< if not awaited: time of the previous check of the connection
     double timestamp = 0;       ///< controller time [s]
     RuntimeState runtimeState = RuntimeState::Stopped;
@@ -173,7 +173,7 @@ struct Feedback {
     Pose tcpOffset;
     std::optional<Eigen::Vector3d> tcpForce;  ///< force at the TCP in the base frame [N]
     Echo echo;
-    /// All values of the package; null before control is taken. Valid until the next package is read.
+    /// All values of the packet; null before control is taken. Valid until the next packet is read.
     const receive::Sample* sample = nullptr;
 };
 
