@@ -17,15 +17,15 @@ constexpr double kUsualStep = 0.0005;
 constexpr double kMarginStep = 0.01;
 constexpr double kLessStep = 0.0025;
 constexpr double kHighestNs = 500'000;  // upper limit of the margin, unless a quarter of a period is less
-constexpr double kGrace = 0.1;          // fraction of the maximum margin, added for slightly late packages
-constexpr double kFirstPackages = 50;   // packages needed for an accurate median
+constexpr double kGrace = 0.1;          // fraction of the maximum margin, added for slightly late packets
+constexpr double kFirstPackages = 50;   // packets needed for an accurate median
 constexpr double kMedian = 0.5;
 constexpr double kNearlyAll = 0.999;
 constexpr double kFurthest = 1;    // maximum difference between consecutive time stamps [s]
-constexpr int kLongerForGood = 5;  // consecutive late packages that indicate a permanently longer delay
+constexpr int kLongerForGood = 5;  // consecutive late packets that indicate a permanently longer delay
 
-// With each package, the processing time moves towards median plus margin by at most kSmallestStep of a
-// period, so that a late package does not extend a cycle. For large deviations, the limit is kCorrectionShare
+// With each packet, the processing time moves towards median plus margin by at most kSmallestStep of a
+// period, so that a late packet does not extend a cycle. For large deviations, the limit is kCorrectionShare
 // of the deviation.
 constexpr double kSmallestStep = 0.001;
 constexpr double kCorrectionShare = 0.125;
@@ -74,7 +74,7 @@ void ArrivalPace::begin(double delay) {
 }
 
 void ArrivalPace::learn(double late) {
-    // Packages cannot arrive before they are sent. A package this early shows that the previous ones were
+    // Packets cannot arrive before they are sent. A packet this early shows that the previous ones were
     // late.
     if (late < usualNs_ - mostNs_) {
         usualNs_ = late;
@@ -82,8 +82,8 @@ void ArrivalPace::learn(double late) {
     track(usualNs_, late, kMedian, periodNs_ * std::max(kFirstStep / packages_, kUsualStep));
     const double more = late - usualNs_;
     if (more > mostNs_) {
-        // No margin can cover this delay, so it does not affect the margin. After a stall, each package is
-        // one period less late than the previous one. If the network delay has increased, all packages are
+        // No margin can cover this delay, so it does not affect the margin. After a stall, each packet is
+        // one period less late than the previous one. If the network delay has increased, all packets are
         // equally late.
         const bool first = lateInARow_ == 0 || more < leastLateNs_ - mostNs_;
         lateInARow_ = first ? 1 : lateInARow_ + 1;
@@ -102,15 +102,15 @@ void ArrivalPace::learnMargin(double more) {
     if (isSettled()) {
         track(marginNs_, more, kNearlyAll, periodNs_ * kMarginStep);
     } else if (packages_ > kFirstPackages) {
-        // Use the second largest value, because a single outlier would delay all other packages for a minute.
+        // Use the second largest value, because a single outlier would delay all other packets for a minute.
         marginNs_ = std::max(marginNs_, std::min(more, latestNs_));
         latestNs_ = std::max(latestNs_, more);
     }
     marginNs_ = std::clamp(marginNs_, 0.0, mostNs_);
 }
 
-// Called for a package that may have arrived before the thread waited for it, because processing the previous
-// one took too long. The consumer causes this delay, so packages are held back for a shorter time.
+// Called for a packet that may have arrived before the thread waited for it, because processing the previous
+// one took too long. The consumer causes this delay, so packets are held back for a shorter time.
 void ArrivalPace::holdLess(double late) {
     const double less = periodNs_ * kLessStep;
     if (late - usualNs_ < 2 * mostNs_) {

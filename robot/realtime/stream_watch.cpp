@@ -14,7 +14,7 @@ namespace {
 constexpr double kDrift = 500e-6;
 // A larger jump of the time stamps means that the controller was restarted.
 constexpr double kMaxGap = 3600;
-// If all packages arrive late for this long without a pause, the cause is not a backlog. Either the network
+// If all packets arrive late for this long without a pause, the cause is not a backlog. Either the network
 // delay has increased, or the robot's clock was stopped. The delay then becomes the new reference.
 constexpr std::int64_t kSettlingNs = 1 * kNsPerSecond;
 constexpr std::int64_t kPauseNs = 50 * kNsPerMs;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Monitors a stream of packages with two clocks. The controller's time stamps reveal missing packages; the
+// Monitors a stream of packets with two clocks. The controller's time stamps reveal missing packets; the
 // host's clock reveals late ones.
 
 #include <cstdint>
@@ -12,16 +12,16 @@ namespace tiller::realtime {
 class StreamWatch {
 public:
     struct Verdict {
-        std::uint64_t lost = 0;  ///< number of packages missing before this one
+        std::uint64_t lost = 0;  ///< number of packets missing before this one
         bool late = false;       ///< more than half a period late
-        /// Delay relative to the expected arrival [ns]; 0 for the earliest package. For packages of a backlog,
+        /// Delay relative to the expected arrival [ns]; 0 for the earliest packet. For packets of a backlog,
         /// the delay is their age.
         std::int64_t jitterNs = 0;
     };
 
-    /// Starts a new connection. The first package is compared only with the last time stamp of the previous
-    /// connection, to determine the number of packages lost during the interruption.
-    /// period  time between packages [s]
+    /// Starts a new connection. The first packet is compared only with the last time stamp of the previous
+    /// connection, to determine the number of packets lost during the interruption.
+    /// period  time between packets [s]
     void begin(double period);
     /// timestamp  time stamp of the controller [s]; NaN if the controller does not send one
     Verdict add(double timestamp, std::int64_t hostNs);
@@ -31,7 +31,7 @@ private:
     double lastTimestamp_ = 0;
     bool hasTimestamp_ = false;
     bool hasBase_ = false;
-    double baseNs_ = 0;  ///< host time minus robot time of the earliest packages
+    double baseNs_ = 0;  ///< host time minus robot time of the earliest packets
     // Like baseNs_, but since `settlingSinceNs_`, the start of the current stream without pauses.
     std::int64_t settlingSinceNs_ = 0;
     std::int64_t lastHostNs_ = 0;
