@@ -163,7 +163,7 @@ struct Receiver::Worker {
     std::condition_variable waitEnds;
     std::atomic<ReceiverState> state{ReceiverState::Stopped};
     std::atomic<std::uint16_t> localPort{0};
-    native_socket::EventFd waker;  ///< ends the wait for a package
+    native_socket::EventFd waker;  ///< ends the wait for a packet
     std::atomic<std::uint64_t> packets{0};
     std::atomic<std::uint64_t> late{0};
     std::atomic<std::uint64_t> lost{0};
@@ -182,15 +182,15 @@ struct Receiver::Worker {
     realtime::PriorityReport priority;
 
     // Used by the receive thread only.
-    std::vector<std::size_t> places;        ///< word index in the record for each number of a package
-    std::vector<std::size_t> absentPlaces;  ///< record words for which the package has no number
+    std::vector<std::size_t> places;        ///< word index in the record for each number of a packet
+    std::vector<std::size_t> absentPlaces;  ///< record words for which the packet has no number
     std::size_t timestampPlace = 0;
     std::uint64_t sequence = 0;
     std::uint64_t connections = 0;
     realtime::StreamWatch watch;
     realtime::Histogram intervals;
     std::int64_t previousHostNs = 0;
-    bool hasPrevious = false;  ///< the current connection has delivered a package before
+    bool hasPrevious = false;  ///< the current connection has delivered a packet before
     std::int64_t windowStartNs = 0;
     std::uint64_t windowPackets = 0;
 
@@ -256,7 +256,7 @@ struct Receiver::Worker {
         }
     }
 
-    /// Computes the record index of each number in the package. The types reported by the robot are
+    /// Computes the record index of each number in the packet. The types reported by the robot are
     /// authoritative. If a type differs from the catalogue, only the numbers that fit are used.
     void plan(const rtde::Recipe& recipe) {
         places.assign(recipe.size(), kNowhere);
@@ -328,7 +328,7 @@ struct Receiver::Worker {
         return {};
     }
 
-    /// Decodes the package directly into the published record.
+    /// Decodes the packet directly into the published record.
     realtime::StreamWatch::Verdict record(const rtde::ValueLayout& package, rtde::ByteView wire,
                                           std::int64_t hostNs) {
         realtime::StreamWatch::Verdict verdict;
@@ -355,7 +355,7 @@ struct Receiver::Worker {
             resetWanted = false;
             reset();
         }
-        // Publish the sample before updating the counters, so that a counted package is always readable.
+        // Publish the sample before updating the counters, so that a counted packet is always readable.
         const realtime::StreamWatch::Verdict verdict = record(package, wire, hostNs);
         if (hasPrevious) {
             lost.fetch_add(verdict.lost, std::memory_order_relaxed);

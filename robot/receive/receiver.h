@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Receives the data of a robot with one RTDE connection and one thread. Publishes every package as the latest
+// Receives the data of a robot with one RTDE connection and one thread. Publishes every packet as the latest
 // sample and in a ring buffer for any number of subscribers. Reconnects automatically.
 
 #include <QString>
@@ -35,7 +35,7 @@ enum class OnRefusal : std::uint8_t { Fail, Wait };
 struct ReceiverOptions {
     Text host = {};
     std::uint16_t port = rtde::kPort;
-    /// Packages per second; 0: the maximum of the controller (500, or 125 on CB3).
+    /// Packets per second; 0: the maximum of the controller (500, or 125 on CB3).
     double frequency = 0;
     /// "timestamp" is added if missing.
     std::vector<std::string> fields = defaultFields();
@@ -70,7 +70,7 @@ struct ReceiverCounters {
     std::uint64_t lost = 0;         ///< skipped by the controller, according to its time stamps
     std::uint64_t reconnects = 0;   ///< connections after the first one
     double rateHz = 0;              ///< average over the last half second
-    std::int64_t lastJitterNs = 0;  ///< deviation of the newest package from its expected arrival time
+    std::int64_t lastJitterNs = 0;  ///< deviation of the newest packet from its expected arrival time
 };
 
 /// The read position of one consumer in the stream. Valid even after the receiver is destroyed.
@@ -82,7 +82,7 @@ public:
     /// Reads the next sample. Reusing the same Sample avoids allocation.
     /// Returns  false if there is no new sample
     bool next(Sample& sample);
-    /// Waits for the next sample. While a subscriber waits, each package costs the receive thread one system
+    /// Waits for the next sample. While a subscriber waits, each packet costs the receive thread one system
     /// call to wake it.
     /// Errors   Timeout, Cancelled; NotConnected if the receiver is stopped or destroyed. Without a
     ///          connection, the message contains the reason: "ConnectionRefused: connect to ..."
@@ -127,14 +127,14 @@ public:
     /// connected.
     Error lastError() const;
     ReceiverCounters counters() const;  ///< Counters since start(). Threads: any
-    /// Resets all counters, including reconnects, at the next package.
+    /// Resets all counters, including reconnects, at the next packet.
     void resetCounters();
-    /// Intervals between consecutive packages on the host [ns], since the last reset.
+    /// Intervals between consecutive packets on the host [ns], since the last reset.
     realtime::Histogram intervals() const;
 
     /// Software version of the last connected controller; zeros before the first connection.
     SoftwareVersion version() const;
-    /// Time between two packages [s]; 0 before the first connection.
+    /// Time between two packets [s]; 0 before the first connection.
     double period() const;
     /// Requested fields that the robot does not have.
     std::vector<std::string> absentFields() const;

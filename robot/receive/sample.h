@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// One data package of the robot as a sample: sequence number, time of arrival and all values as doubles. The
+// One packet of the robot as a sample: sequence number, time of arrival and all values as doubles. The
 // layout is fixed during the lifetime of a receiver and independent of the robot. Values that a robot does
 // not send are NaN.
 
@@ -68,11 +68,11 @@ public:
 QStringList unknownOutputs(const std::vector<std::string>& names);
 
 struct Sample {
-    std::uint64_t sequence = 0;    ///< 1 for the first package of the receiver; 0: no data yet
+    std::uint64_t sequence = 0;    ///< 1 for the first packet of the receiver; 0: no data yet
     std::int64_t hostTimeNs = 0;   ///< time of arrival on the clock of the receiver
     std::uint64_t connection = 0;  ///< 1 for the first connection; a change: the stream was interrupted
     std::uint64_t lostBefore =
-        0;  ///< packages skipped by the controller before this one, from its time stamps
+        0;  ///< packets skipped by the controller before this one, from its time stamps
     std::vector<double> values;
     std::shared_ptr<const SampleLayout> layout;
 
