@@ -11,7 +11,7 @@ namespace tiller::live {
 
 namespace {
 
-// Two or three packages at 500 Hz. A shorter interval would not be visible.
+// Two or three packets at 500 Hz. A shorter interval would not be visible.
 constexpr std::chrono::milliseconds kSendEvery{5};
 
 }  // namespace

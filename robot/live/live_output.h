@@ -58,8 +58,8 @@ struct LiveOptions {
 
 struct LiveProgress {
     int viewers = 0;                 ///< number of connected viewers
-    std::uint64_t packets = 0;       ///< processed packages from the robot
-    std::uint64_t missed = 0;        ///< packages that were not sent because this machine is too slow
+    std::uint64_t packets = 0;       ///< processed packets from the robot
+    std::uint64_t missed = 0;        ///< packets that were not sent because this machine is too slow
     std::uint64_t messages = 0;      ///< messages sent to viewers
     std::uint64_t dropped = 0;       ///< messages dropped because a viewer was too slow
     std::uint64_t datagrams = 0;     ///< datagrams sent successfully
