@@ -29,7 +29,7 @@ public:
     /// Errors  those of the sink; no other function is then called
     virtual Result<void> open() { return {}; }
     virtual void beginTurn() {}
-    /// missing  packages lost before this sample, for any reason; 0 for the first sample
+    /// missing  packets lost before this sample, for any reason; 0 for the first sample
     virtual Next take(const receive::Sample& sample, std::uint64_t missing) = 0;
     /// last  the publisher ends the sink; all samples received before were taken
     /// Returns  false to end the sink
