@@ -110,7 +110,7 @@ struct Recorder::Worker : publish::SampleSink {
     std::unique_ptr<RecordingEncoder> encoder;
     std::optional<TriggerWatch> trigger;
     std::deque<std::pair<receive::Sample, std::uint64_t>>
-        kept;                   ///< samples before a trigger, and the number of packages lost before each
+        kept;                   ///< samples before a trigger, and the number of packets lost before each
     std::size_t unwritten = 0;  ///< samples since the last part
     std::uint64_t every = 1;
     double lastTime = -std::numeric_limits<double>::infinity();  ///< time stamp of the controller [s]
@@ -227,7 +227,7 @@ struct Recorder::Worker : publish::SampleSink {
         return {};
     }
 
-    /// The number of packages missed during a restart is unknown, so a restart is an event instead of a gap.
+    /// The number of packets missed during a restart is unknown, so a restart is an event instead of a gap.
     void noteRestart(const receive::Sample& sample) {
         const double time = receive::RobotState(sample).timestamp();
         if (time < lastTime) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Records robot data to a file in a selectable format, with one row per package or per n packages.
+// Records robot data to a file in a selectable format, with one row per packet or per n packets.
 //
 // The default format is CSV. Its first column is `timestamp`, followed by one column per number with the
 // names of ur_rtde recordings (actual_q_0 ... actual_q_5). The last column, `packages_lost`, is the number of
-// packages missing before this row (0 in a recording without gaps). Numbers are written as the shortest text
+// packets missing before this row (0 in a recording without gaps). Numbers are written as the shortest text
 // that converts back exactly, with a decimal point in all locales. Fields that the robot does not have are
 // empty; pandas reads them as NaN. Notes, steps of programs, and warnings and errors of the log are in a second file,
 // "a.notes.csv" for "a.csv", with the columns row (number of rows before the note), utc, level, source and text.
@@ -50,7 +50,7 @@ struct RecorderOptions {
     /// `timestamp` is always the first column.
     std::vector<std::string> fields{};
     bool asGiven = false;  ///< record exactly these fields in this order, without timestamp and packages_lost
-    /// Record every n-th package, 1 or more. Skipped packages are not lost packages.
+    /// Record every n-th packet, 1 or more. Skipped packets are not lost packets.
     int every = 1;
     /// Null: CSV. A path that ends in .mcap, .h5 or .hdf5 is then refused. formatForPath() in
     /// recording/formats/open_recording.h selects the format by the file name extension.
@@ -75,7 +75,7 @@ struct RecorderProgress {
     RecorderState state = RecorderState::Idle;
     std::uint64_t rows = 0;      ///< rows written to the file
     double seconds = 0;          ///< time from the first row to the last, on the receiver's clock
-    std::uint64_t lost = 0;      ///< packages missing in the file, for any reason
+    std::uint64_t lost = 0;      ///< packets missing in the file, for any reason
     std::int64_t bytes = 0;      ///< size of the file
     int files = 0;               ///< number of files started
     int restarts = 0;            ///< controller restarts during the recording: its time jumped back
@@ -96,7 +96,7 @@ public:
     Recorder(const Recorder&) = delete;
     Recorder& operator=(const Recorder&) = delete;
 
-    /// Creates the file (an existing file is replaced), writes the header and starts with the next package.
+    /// Creates the file (an existing file is replaced), writes the header and starts with the next packet.
     /// Errors   FileNotWritable (also while another recording writes to the file), DiskFull; FieldUnknown
     ///          with each field that the receiver does not receive (no file is created, and an existing file
     ///          is unchanged); InvalidArgument (a recording is in progress, or the path has the extension of

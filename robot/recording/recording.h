@@ -32,10 +32,10 @@ struct RowRange {
     std::uint64_t count = 0;
 };
 
-/// Packages missing before a row.
+/// Packets missing before a row.
 struct RecordedGap {
     std::uint64_t row = 0;      ///< first row after the gap
-    std::uint64_t packets = 0;  ///< number of packages; 0 if unknown
+    std::uint64_t packets = 0;  ///< number of packets; 0 if unknown
     double seconds = 0;         ///< duration from the previous row to this one
 };
 
@@ -101,7 +101,7 @@ public:
     /// summaries() reads the rows.
     virtual std::vector<std::uint64_t> summaryRows() const { return {}; }
     /// Times of some rows, including the first and the last, without reading the rows. Accurate to a few
-    /// milliseconds. Rows between two marks are evenly spaced unless packages are missing.
+    /// milliseconds. Rows between two marks are evenly spaced unless packets are missing.
     virtual Result<std::vector<TimeMark>> timeMarks() const;
     /// The last row at or before this time; 0 before the first row.
     virtual Result<std::uint64_t> rowAt(double seconds) const;

@@ -32,7 +32,7 @@ struct RecordedNote {
 struct RecordedPart {
     std::string bytes{};
     std::uint64_t rows = 0;
-    std::uint64_t lost = 0;  ///< packages missing before these rows
+    std::uint64_t lost = 0;  ///< packets missing before these rows
 };
 
 /// Threads  one

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Starts and ends a recording automatically. The trigger is a condition on one value of the package, in text
+// Starts and ends a recording automatically. The trigger is a condition on one value of the packet, in text
 // form, e.g. "actual_TCP_force_2 > 20", "robot_mode = 7", "actual_digital_input_bits:3 = 1", "runtime_state
 // changes".
 

@@ -15,8 +15,8 @@ namespace tiller::recording {
 class CsvWriter {
 public:
     /// fields   fields that are not in the layout are omitted; timestamp is added as the first column, and
-    ///          the number of lost packages as the last
-    /// asGiven  neither timestamp nor the number of lost packages is added
+    ///          the number of lost packets as the last
+    /// asGiven  neither timestamp nor the number of lost packets is added
     CsvWriter(const receive::SampleLayout& layout, const std::vector<std::string>& fields,
               bool asGiven = false);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Recordings as MCAP files with the profile ros2. Each package is stored as one flat message with all fields.
+// Recordings as MCAP files with the profile ros2. Each packet is stored as one flat message with all fields.
 // The file also contains joint state, wrench and transform messages for ROS tools, the log, and summaries of
 // many rows, so that hours of data open at once. Each chunk is compressed and completed within half a second,
 // which limits the loss of data in a crash.

@@ -392,7 +392,7 @@ private:
         findGaps(wanted, {0, rows_}, kSummaryLevels);
     }
 
-    /// Searches for lost packages down to the rows, but only where a summary reports any.
+    /// Searches for lost packets down to the rows, but only where a summary reports any.
     /// level  levels from here on have already been searched
     void findGaps(std::span<const std::size_t> lost, RowRange range, std::size_t level) {
         while (level > 0) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A flat ROS 2 message with all fields of a package in the types sent by the robot, followed by
+// A flat ROS 2 message with all fields of a packet in the types sent by the robot, followed by
 // `packages_lost`. The definition is generated from the recorded fields and stored in the file, so that
 // readers find fields by name. Encoding: CDR as in ROS 2 (XCDR1, little-endian).
 

@@ -20,7 +20,7 @@ public:
     /// connection  number of the connection; a change may mean a different controller
     /// Returns     the send time [ns since 1970], never earlier than the previous result
     std::int64_t toUtc(double timestamp, std::int64_t arrivalNs, std::uint64_t connection) {
-        // 25 ppm at 500 packages per second, which exceeds the drift between two quartz clocks.
+        // 25 ppm at 500 packets per second, which exceeds the drift between two quartz clocks.
         constexpr std::int64_t kDriftNs = 50;
         constexpr std::int64_t kRestartedNs = 1'000'000'000;
         std::int64_t sent = arrivalNs;
