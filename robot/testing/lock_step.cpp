@@ -131,7 +131,7 @@ void LockStep::tick() {
     clock_->advanceNs(static_cast<std::int64_t>(robot_.stepTime() * 1e9));
     robot_.step();
     const auto after = robot_.rtdeDeliveries();
-    // Time stamp of the package that reached the client in this period.
+    // Time stamp of the packet that reached the client in this period.
     const auto reached = [&](std::uint16_t port) -> std::optional<double> {
         const auto isOfPort = [port](const simulator::RtdeDelivery& one) { return one.port == port; };
         const auto now = std::find_if(after.begin(), after.end(), isOfPort);
@@ -149,7 +149,7 @@ void LockStep::tick() {
         }
     }
     // While control is being taken, the control program expects a response from the client within a limited
-    // time. Packages that arrive before the control thread runs are not answered.
+    // time. Packets that arrive before the control thread runs are not answered.
     for (const auto& controller : all) {
         const auto stamp = reached(controller->localPort());
         control::ControllerStatus status = controller->status();
