@@ -22,7 +22,7 @@ constexpr int kProbeMs = 1000;
 constexpr int kListenMs = 6000;
 /// Duration of the data rate measurement, in controller time [s].
 constexpr double kLookSeconds = 0.5;
-/// Below this fraction of the expected packages, the data rate is not sufficient for control.
+/// Below this fraction of the expected packets, the data rate is not sufficient for control.
 constexpr double kMinShare = 0.9;
 /// The registers used by control.script, counted from the start of a range.
 constexpr int kIntRegisters = 11;
