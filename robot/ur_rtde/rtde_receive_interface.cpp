@@ -69,13 +69,13 @@ struct RTDEReceiveInterface::Private {
     PausingState state = PausingState::RUNNING;
     double resumedAt = 0;  ///< `timestamp` at the end of the last pause [s]
 
-    /// Copies the newest package to the buffer of the calling thread and returns it.
+    /// Copies the newest packet to the buffer of the calling thread and returns it.
     const Sample& newest() const;
     List list(std::string_view field) const;
     double number(std::string_view field) const;
     double registerValue(const std::string& field) const;
     double speed();
-    /// Starts the receiver and waits for the first package. Without data, the receiver keeps retrying.
+    /// Starts the receiver and waits for the first packet. Without data, the receiver keeps retrying.
     void start();
     bool waitForPackage(milliseconds atMost);
 };

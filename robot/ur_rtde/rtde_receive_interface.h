@@ -2,7 +2,7 @@
 #pragma once
 
 // Reads the RTDE data of the robot and records them to CSV files. A separate thread receives the stream and
-// reconnects automatically until disconnect(). The getters return values of the newest package, regardless of
+// reconnects automatically until disconnect(). The getters return values of the newest packet, regardless of
 // its age. Use isConnected() to check whether data arrive.
 //
 // Errors of the getters: std::runtime_error with the field name if the field was not requested (see
@@ -141,7 +141,7 @@ public:
         OUTPUT_DOUBLE_REGISTER_47 = 47,
     };
 
-    /// frequency                  packages per second; -1: maximum of the controller (500, or 125 on CB3)
+    /// frequency                  packets per second; -1: maximum of the controller (500, or 125 on CB3)
     /// variables                  names of RTDE output fields to receive; empty: all fields of this interface
     /// use_upper_range_registers  receive output registers 26, 36-43 instead of 2, 12-19
     /// rt_priority                of the receive thread
@@ -166,16 +166,16 @@ public:
     /// Sleeps until one period of `frequency` after the start of the cycle.
     void waitPeriod(const std::chrono::steady_clock::time_point& t_cycle_start);
 
-    /// Starts recording, with one row per package and one column per number (actual_q_0 ...).
+    /// Starts recording, with one row per packet and one column per number (actual_q_0 ...).
     /// variables  field names in column order; empty: all received fields, `timestamp` first
     /// Throws std::invalid_argument for a field that is not received.
     /// Returns    false if the file cannot be written or a recording is active
     bool startFileRecording(const std::string& filename, const std::vector<std::string>& variables = {});
     /// Returns  false if there was no recording or the recording failed
     bool stopFileRecording();
-    /// Returns after the next package, or after 2.5 s without a package.
+    /// Returns after the next packet, or after 2.5 s without a packet.
     void receiveCallback();
-    /// Returns after the next package has been passed to the recording, or at once without a recording.
+    /// Returns after the next packet has been passed to the recording, or at once without a recording.
     void recordCallback();
 
     double getTimestamp();                        ///< [s] since the start of the controller

@@ -292,7 +292,7 @@ bool CustomControl::reupload() {
         return false;
     }
     // No program runs during a protective or emergency stop, so transferring the program is sufficient. The
-    // next packages may still report a stop that has just been unlocked.
+    // next packets may still report a stop that has just been unlocked.
     const std::uint64_t settled = current->state().sequence + 50;
     bool stopped = false;
     const auto isStopped = [&](const RegisterState& state) {
@@ -333,8 +333,8 @@ bool CustomControl::runCustom(const std::string& program, control::Supervision s
         text = script::supervised(QString::fromStdString(program), heartbeatOf(*current), current->version())
                    .text.toStdString();
     }
-    // Count packages with a running program, because the program may end before this thread checks. It may
-    // even end before any package reports it. Then use the final state of programs written for ur_rtde.
+    // Count packets with a running program, because the program may end before this thread checks. It may
+    // even end before any packet reports it. Then use the final state of programs written for ur_rtde.
     const RegisterState before = current->state();
     const auto hasBegun = [&before](const RegisterState& state) {
         return state.played != before.played || (before.answer != 2 && state.answer == 2);
@@ -464,7 +464,7 @@ std::optional<RegisterState> CustomControl::performInTurn(const RecipeCommand& c
         const bool done = robot.wait(
             [&](const RegisterState& state) {
                 answer = state;
-                // Other programs reply to some queries only with "ready", a few packages later.
+                // Other programs reply to some queries only with "ready", a few packets later.
                 const bool quick =
                     command.id >= CommandId::ToolContact && command.id <= CommandId::JointPositionsHistory;
                 readySince = readySince == 0 ? state.sequence : readySince;

@@ -62,7 +62,7 @@ private:
     Pendant& pendant_;
     ProgramServer* server_;
     const std::string scriptFile_;
-    std::optional<std::uint64_t> playedBefore_;  ///< package count before the last upload; empty: not sent
+    std::optional<std::uint64_t> playedBefore_;  ///< packet count before the last upload; empty: not sent
     Turn turn_;                                  ///< serializes commands
     std::atomic<int> stopsWaiting_{0};           ///< number of threads requesting a stop
     std::atomic<bool> disconnecting_{false};

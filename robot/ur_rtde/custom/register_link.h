@@ -28,10 +28,10 @@ struct RegisterLinkOptions {
     int priority = 0;
 };
 
-/// Values of one package from the robot.
+/// Values of one packet from the robot.
 struct RegisterState {
-    std::uint64_t sequence = 0;  ///< 0: no package yet
-    std::uint64_t played = 0;    ///< number of packages that reported a running program
+    std::uint64_t sequence = 0;  ///< 0: no packet yet
+    std::uint64_t played = 0;    ///< number of packets that reported a running program
     std::uint32_t robotStatus = 0;
     std::uint32_t safetyStatus = 0;
     RuntimeState runtime = RuntimeState::Stopped;
@@ -49,7 +49,7 @@ struct RegisterState {
 };
 
 /// Owns one thread, "ur_rtde-control", with the priority in the options. open() starts it; close() and the
-/// destructor end it within 50 ms. The thread reads the packages and notifies waiting threads.
+/// destructor end it within 50 ms. The thread reads the packets and notifies waiting threads.
 class RegisterLink {
 public:
     /// Errors   as rtde::Connection::open(); FieldUnknown if the robot does not have these registers
@@ -65,7 +65,7 @@ public:
     bool isAlive() const { return alive_; }
     SoftwareVersion version() const { return version_; }
     RegisterState state() const;
-    /// Waits until `done` returns true for a package, or until `giveUp` returns true. Several packages may be
+    /// Waits until `done` returns true for a packet, or until `giveUp` returns true. Several packets may be
     /// evaluated together, so the state must contain a counter for short events.
     /// Returns  the last result of `done`
     bool wait(const std::function<bool(const RegisterState&)>& done,
