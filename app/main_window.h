@@ -99,7 +99,6 @@ public:
     /// Shows the connection check for the robot. Connects if the user confirms.
     void showPreflight(const RobotAddress& robot);
     const ActionTable& actions() const { return *actions_; }
-    /// Exports and imports the settings.
     SettingsTransfer& transfer() { return *transfer_; }
     /// theme  "light" or "dark"; not saved
     void setTheme(const QString& theme);
