@@ -110,7 +110,7 @@ public:
     void release() { controller_->release(); }  ///< Stops the arm and releases control.
     /// Ends the active motion and force mode. Threads: any. Blocks: never
     std::uint64_t stop() { return controller_->stop(control::StopCause::ApiCall); }
-    control::ControllerStatus status() const { return controller_->status(); }  ///< State of control.
+    control::ControllerStatus status() const { return controller_->status(); }
 
     /// Newest packet; empty before the first one. For typed access: receive::RobotState(sample).
     receive::Sample latest() const { return receiver_->latest(); }
