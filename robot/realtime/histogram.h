@@ -18,7 +18,7 @@ public:
     void clear();
     void merge(const Histogram& other);  ///< Adds the counts of `other`.
 
-    std::uint64_t count() const { return count_; }                 ///< Number of values.
+    std::uint64_t count() const { return count_; }
     std::int64_t minNs() const { return count_ == 0 ? 0 : min_; }  ///< 0 when empty.
     std::int64_t maxNs() const { return max_; }                    ///< 0 when empty.
     /// 0 when empty.
