@@ -141,7 +141,7 @@ public:
     /// Result of the priority request. Its advice also covers rejected CPU settings.
     realtime::PriorityReport priority() const;
 
-    const std::shared_ptr<const SampleLayout>& layout() const;  ///< Layout of all samples.
+    const std::shared_ptr<const SampleLayout>& layout() const;
     /// The newest sample; sequence 0 without data. Real-time: latest(Sample&) yes, latest() no
     Sample latest() const;
     void latest(Sample& into) const;  ///< Like latest(), without an allocation.
