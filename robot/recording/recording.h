@@ -68,7 +68,7 @@ class Recording {
 public:
     virtual ~Recording() = default;
 
-    virtual const QString& path() const = 0;                            ///< Path of the file.
+    virtual const QString& path() const = 0;
     virtual QString format() const = 0;                                 ///< "CSV", "MCAP", "HDF5"
     virtual const std::vector<RecordedColumn>& columns() const = 0;     ///< In file order.
     std::optional<std::size_t> indexOf(std::string_view column) const;  ///< Index of a column by its name.
@@ -83,7 +83,7 @@ public:
     virtual std::optional<std::int64_t> startUtcNs() const;
     /// Metadata: "model", "serial_number", "software" ...
     virtual const std::map<std::string, std::string>& facts() const;
-    virtual QStringList attachments() const;                           ///< Names of attached files.
+    virtual QStringList attachments() const;
     virtual Result<QByteArray> attachment(const QString& name) const;  ///< Content of an attached file.
     /// One sentence for each part that could not be read, with the reason; empty: no problems.
     virtual const QStringList& problems() const = 0;

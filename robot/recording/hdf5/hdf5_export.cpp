@@ -40,7 +40,8 @@ Storage storageOf(rtde::DataType type) {
         case rtde::DataType::Vector6Int32:
             return {H5T_STD_I32LE, 2147483647.0};
         case rtde::DataType::UInt64:
-            return {H5T_STD_U64LE, 9007199254740991.0};  // largest integer that a double represents exactly
+            return {H5T_STD_U64LE, 9007199254740991.0};  // 2^53 - 1; up to this value, all integers are exact
+                                                         // as doubles
         default:
             return {H5T_IEEE_F64LE, std::nan("")};
     }

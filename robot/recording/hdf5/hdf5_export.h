@@ -11,8 +11,8 @@
 
 namespace tiller::recording {
 
-/// Missing integers have the maximum value of their type, which is stored in the attribute `missing` of the
-/// data set.
+/// Missing integers have the maximum value of their type (UINT64: 2^53 - 1), which is stored in the attribute
+/// `missing` of the data set.
 /// Errors   FileNotWritable, DiskFull, FieldUnknown, Cancelled, and read errors
 /// Threads  one for the whole program, because libhdf5 is not thread-safe. Blocks: until the file is written
 Result<ExportReport> exportHdf5(const Recording& recording, const ExportChoice& choice);

@@ -13,7 +13,7 @@ namespace tiller::recording::mcap {
 
 namespace {
 
-// Plausibility limit for lengths, which damaged lengths usually exceed.
+// Plausibility limits for lengths. Damaged lengths usually exceed them.
 constexpr std::uint64_t kLargestSmallRecord = 16u << 20;
 constexpr std::uint64_t kLargestChunk = 256u << 20;
 constexpr std::uint64_t kLargestAttachment = 256u << 20;

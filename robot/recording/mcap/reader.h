@@ -24,14 +24,14 @@ public:
     /// Blocks   reads the summary, or all record headers
     static Result<std::unique_ptr<Reader>> open(const Text& path);
 
-    const QString& path() const { return path_; }  ///< Path of the file.
+    const QString& path() const { return path_; }
     /// True if both the summary and the end of the file are valid.
     bool isComplete() const { return complete_; }
     const QStringList& problems() const { return problems_; }  ///< One sentence per damaged part.
     const std::string& profile() const { return profile_; }    ///< e.g. "ros2"
     const std::string& library() const { return library_; }    ///< Name of the writer.
-    const std::map<std::uint16_t, Schema>& schemas() const { return schemas_; }       ///< Schemas by id.
-    const std::map<std::uint16_t, Channel>& channels() const { return channels_; }    ///< Channels by id.
+    const std::map<std::uint16_t, Schema>& schemas() const { return schemas_; }
+    const std::map<std::uint16_t, Channel>& channels() const { return channels_; }
     const std::vector<ChunkIndex>& chunks() const { return chunks_; }                 ///< In file order.
     const std::vector<AttachmentIndex>& attachments() const { return attachments_; }  ///< In file order.
     const std::vector<MetadataIndex>& metadata() const { return metadata_; }          ///< In file order.

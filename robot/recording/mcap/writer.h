@@ -24,7 +24,7 @@ public:
 
     bool isEmpty() const { return count_ == 0; }
     std::size_t size() const { return records_.size(); }  ///< uncompressed size [bytes]
-    std::uint64_t count() const { return count_; }        ///< Number of messages.
+    std::uint64_t count() const { return count_; }
 
 private:
     friend class Writer;
