@@ -32,11 +32,10 @@ public:
     std::uint8_t id() const { return id_; }  ///< Recipe id assigned by the controller.
     /// True if packages of this recipe can be sent or received.
     bool isValid() const { return id_ != 0; }
-    /// Fields in the order of the package.
     const std::vector<RecipeField>& fields() const { return fields_; }
     /// Requested fields that the robot does not have.
     const std::vector<std::string>& absent() const { return absent_; }
-    const ValueLayout& layout() const { return layout_; }  ///< Layout of the package payload.
+    const ValueLayout& layout() const { return layout_; }
     /// Number of values in one package.
     std::size_t size() const { return layout_.components(); }
 
