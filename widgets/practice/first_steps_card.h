@@ -21,7 +21,6 @@ public:
 
 Q_SIGNALS:
     void practiceRequested();
-    /// The user closed the card.
     void dismissed();
 
 private:
