@@ -63,7 +63,6 @@ Q_SIGNALS:
     /// A command of this tab was triggered, so the tab should be shown.
     void frontWanted();
     void previewPathChanged();
-    /// A program run has ended.
     void runEnded();
     /// Label of the running step, e.g. "Step 3 (MoveL)"; empty if no program runs.
     void runningStepChanged(const QString& label);

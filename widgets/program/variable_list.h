@@ -38,7 +38,6 @@ public:
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
 
 Q_SIGNALS:
-    /// A value was entered.
     void edited(const QString& name, const QString& text);
 
 private:
