@@ -52,7 +52,6 @@ public:
 
 Q_SIGNALS:
     void finished();
-    /// The user wants to connect.
     void connectRequested();
 
 protected:
