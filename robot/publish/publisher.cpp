@@ -101,14 +101,14 @@ struct Publisher::Worker {
 
     const Sinks sinks;
     std::mutex mutex;
-    std::condition_variable changed;     ///< for the thread of the publisher: turns, ends
-    std::condition_variable handedOver;  ///< for the other threads
-    std::condition_variable ended;       ///< for callers
+    std::condition_variable changed;     ///< wakes the thread of the publisher: turns, ends
+    std::condition_variable handedOver;  ///< wakes the threads in `others`
+    std::condition_variable ended;       ///< wakes callers that wait for an end
     std::vector<Entry> entries;
-    std::deque<Entry> blocking;  ///< turns that wait for one of the other threads
+    std::deque<Entry> blocking;  ///< turns that wait for a thread in `others`
     std::vector<std::thread> others;
-    std::vector<std::thread::id> finished;  ///< IDs of the others that are ending
-    std::size_t idle = 0;                   ///< others that wait for a turn
+    std::vector<std::thread::id> finished;  ///< threads in `others` that are ending
+    std::size_t idle = 0;                   ///< number of threads in `others` that wait for a turn
     bool isEnding = false;
     std::thread thread;
 
@@ -149,7 +149,8 @@ struct Publisher::Worker {
             try {
                 others.emplace_back([this] { runOther(); });
             } catch (const std::system_error&) {
-                // The system has no more threads. The turn waits for one of the others, or for the next attempt.
+                // The system has no more threads. The turn waits for a thread in `others`, or for the next
+                // attempt.
             }
         }
         return blocking.front()->handedOver + kPatience;

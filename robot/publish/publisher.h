@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Reads the samples of receivers and passes them to any number of sinks in one thread. Each sink has its own
-// position in the ring buffer of its receiver. Therefore a slow sink loses only its own samples, which are
-// counted, and a failing sink ends without effect on the others.
+// Reads the samples of receivers and passes them to any number of sinks in one thread. Each sink has a separate
+// position in the ring buffer of its receiver. Therefore, a slow sink loses only samples of its subscription,
+// which are counted. A failing sink ends without effect on other sinks.
 
 #include <chrono>
 #include <cstdint>

@@ -11,7 +11,7 @@
 namespace tiller::publish {
 
 /// The publisher calls a sink in turns: beginTurn(), take() for each new sample, endTurn().
-/// Threads  one at a time. Turns that may block run in other threads than the rest
+/// Threads  one at a time. Turns that may block run in separate threads
 class SampleSink {
 public:
     /// Action of the publisher after a sample.
