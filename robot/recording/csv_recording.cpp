@@ -234,7 +234,7 @@ public:
     }
 
 private:
-    /// The separator that gives the most lines the number of cells of the first one, and the most numbers.
+    /// The separator for which most lines have as many cells as the first line, and most cells are numbers.
     char separatorOfLines() const {
         if (lines_.size() == 1 &&
             !isNumber(lines_.front().substr(0, lines_.front().find_first_of(",;\t| ")))) {

@@ -47,7 +47,7 @@ public:
     /// sample  in the layout of the setup. For MCAP, also in another layout: fields that it lacks have no value
     /// utcNs   time of arrival [ns since 1970]
     virtual void add(const receive::Sample& sample, std::uint64_t lost, std::int64_t utcNs) = 0;
-    /// A format that does not keep notes gets only those of the recorder and ignores them.
+    /// A format that does not keep notes receives only the notes of the recorder, and ignores them.
     virtual void add(const RecordedNote& note) = 0;
     /// Returns complete rows only, so that a file that ends after them is readable. The first part includes
     /// the header.

@@ -30,7 +30,7 @@ constexpr double secondsPer(TimeUnit unit) {
 /// file is an error that names the members to set. MCAP files need none of them.
 struct TableFormat {
     /// Name of the time column; an empty name: the table has no time column, and `rate` is required. The column
-    /// of seconds of a pair such as secs and nsecs selects both.
+    /// of seconds of a pair such as secs and nsecs selects both columns.
     std::optional<std::string> timeColumn{};
     std::optional<TimeUnit> timeUnit{};
     /// Comma, semicolon, tab, vertical bar, or blank for any number of blanks. Only for text files.
@@ -45,7 +45,7 @@ struct TableFormat {
 /// The time of the rows of a table that was read.
 struct TimeAxis {
     std::optional<std::size_t> column{};       ///< empty: rows are 1/rate apart
-    std::optional<std::size_t> nanoseconds{};  ///< column with the rest of a time in whole seconds
+    std::optional<std::size_t> nanoseconds{};  ///< column with the nanoseconds of a time in whole seconds
     double factor = 1;                         ///< seconds per unit of the column
     double rate = 0;                           ///< [Hz]; only without a column
     bool isController = false;                 ///< time stamps of a robot controller, which restart at zero

@@ -39,7 +39,7 @@ class TriggerWatch {
 public:
     enum class Verdict {
         Keep,   ///< keep the sample for the time before a trigger
-        Begin,  ///< start with the stored samples and this one
+        Begin,  ///< start with the stored samples and this sample
         Write,
         End,  ///< end before this sample
     };
