@@ -53,7 +53,7 @@ using RecoveryProgress = std::function<void(RecoveryStep)>;
 /// Errors   as DashboardClient; Rejected, with the missing condition, if a step requires a consent that was
 ///          not given, or an action at the robot (emergency stop pressed, safeguard open). In this
 ///          case, only the reported steps have been performed.
-/// Threads  the one that connected the client. Blocks: until the deadline
+/// Threads  the thread that connected the client. Blocks: until the deadline
 Result<void> recover(DashboardClient& client, const RecoveryConsent& consent, const Deadline& deadline,
                      const RecoveryProgress& progress = {});
 /// Same as recover() above, for PolyScope X.
