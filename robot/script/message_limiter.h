@@ -24,8 +24,8 @@ class MessageLimiter {
 public:
     explicit MessageLimiter(const MessageLimits& limits = {}) : limits_(limits) {}
 
-    /// Removes the messages beyond the budget of their kind and keeps the order of the others.
-    /// nowNs  monotonic time
+    /// Removes the messages beyond the budget of their kind and keeps the order of the remaining messages.
+    /// nowNs  monotonic time [ns]
     void limit(std::vector<ControllerMessage>& messages, std::int64_t nowNs);
     /// Returns the number of messages removed since the last nonzero result, including those passed to
     /// setDropped(). The result is nonzero at most once per second.
