@@ -3,8 +3,8 @@
 
 #include "robot/core/text.h"
 
-// Commands for the controller other than motion, and the service that executes them. This file contains names only;
-// robot_service.h executes the commands.
+// Names of the controller commands other than motion, and of the services that execute them. robot_service.h
+// executes the commands.
 
 namespace tiller::dashboard {
 
