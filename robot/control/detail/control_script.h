@@ -17,10 +17,10 @@ namespace tiller::control {
 /// control.script, control_requests.script and control_cycle.script, concatenated.
 const char* controlScriptTemplate();
 
-/// Value for a client with the default timeouts.
+/// Minimum of `abandonedAfter`, used by a client with the default timeouts.
 inline constexpr std::chrono::milliseconds kMinAbandonedAfter{500};
-/// For programs that other clients must not replace without confirmation. Exceeds the time for which the
-/// program runs without a client.
+/// Value of `abandonedAfter` for programs that other clients must not replace without confirmation. Exceeds the
+/// time for which the program runs without a client.
 inline constexpr std::chrono::milliseconds kNeverAbandoned{60'000};
 
 struct ControlScript {
