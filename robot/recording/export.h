@@ -65,8 +65,8 @@ struct RowNote {
     std::uint64_t row = 0;  ///< number of rows before the note
     RecordedNote note;
 };
-/// Writes the notes, warnings and errors of the CSV file `path` to a second file, "a.notes.csv" for "a.csv". Without
-/// any, removes an older second file.
+/// Writes the notes, warnings and errors of the CSV file `path` to a second file, "a.notes.csv" for "a.csv". If
+/// there are none, removes an older second file.
 /// Errors  FileNotWritable, DiskFull
 Result<void> writeCsvNotes(const Text& path, const std::vector<RowNote>& notes);
 
