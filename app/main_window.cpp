@@ -1085,11 +1085,14 @@ void MainWindow::addProjectActions() {
          tr("Converts a project for another robot model, keeping either the poses or the joint positions."),
          {},
          [this] { fit_->ask(); }});
-    actions_->add({"project.changedFile",
-                   tr("Project file changed…"),
-                   tr("Asks again what to do if another window or program has changed the project file."),
-                   {},
-                   [this] { files_->askAboutFile(); }});
+    actions_->add(
+        {"project.save", tr("Save project"),
+         tr("Saves the project now. Tiller also saves all changes automatically. If another window or "
+            "program has changed the file, asks whether to reload it or to keep both."),
+         QKeySequence(Qt::CTRL | Qt::Key_S), [this] {
+             stopMotion(control::StopCause::DialogOpened);
+             files_->save(this);
+         }});
     actions_->add({"project.saveAs", tr("Save project as…"),
                    tr("Saves the project to a different file, and saves all further changes to that file "
                       "automatically."),

@@ -4895,6 +4895,10 @@
         <source>not measured: no data during the stop</source>
         <translation>nicht gemessen: keine Daten während des Stopps</translation>
     </message>
+    <message>
+        <source>the robot did not receive the stop</source>
+        <translation>der Roboter hat den Stopp nicht erhalten</translation>
+    </message>
 </context>
 <context>
     <name>WaypointClipboard</name>
@@ -6495,6 +6499,10 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     <message>
         <source>Cause: %1 (%2)</source>
         <translation>Ursache: %1 (%2)</translation>
+    </message>
+    <message>
+        <source>not stopped</source>
+        <translation>nicht gestoppt</translation>
     </message>
 </context>
 <context>
@@ -9596,8 +9604,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>%1 existiert bereits. Wählen Sie einen anderen Namen für das neue Projekt.</translation>
     </message>
     <message>
-        <source>The project file was not changed by another program.</source>
-        <translation>Die Projektdatei wurde von keinem anderen Programm geändert.</translation>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
     </message>
 </context>
 <context>
@@ -10068,6 +10076,10 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     <message>
         <source>Not stopped: the arm moves (%1). Press STOP again.</source>
         <translation>Nicht angehalten: Der Arm bewegt sich (%1). Drücken Sie erneut STOP.</translation>
+    </message>
+    <message>
+        <source>Not stopped: a program is still running (%1). Press STOP again.</source>
+        <translation>Nicht gestoppt: Ein Programm läuft noch (%1). Drücken Sie erneut STOP.</translation>
     </message>
 </context>
 <context>
@@ -12806,12 +12818,12 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Ein Programm läuft. Halten Sie das Programm an, bevor Sie ein anderes Projekt öffnen.</translation>
     </message>
     <message>
-        <source>Project file changed…</source>
-        <translation>Projektdatei geändert…</translation>
+        <source>Save project</source>
+        <translation>Projekt speichern</translation>
     </message>
     <message>
-        <source>Asks again what to do if another window or program has changed the project file.</source>
-        <translation>Fragt erneut, was geschehen soll, wenn ein anderes Fenster oder Programm die Projektdatei geändert hat.</translation>
+        <source>Saves the project now. Tiller also saves all changes automatically. If another window or program has changed the file, asks whether to reload it or to keep both.</source>
+        <translation>Speichert das Projekt sofort. Tiller speichert alle Änderungen auch automatisch. Wenn ein anderes Fenster oder Programm die Datei geändert hat, wird gefragt, ob sie neu geladen wird oder beide Fassungen behalten werden.</translation>
     </message>
 </context>
 <context>

@@ -4895,6 +4895,10 @@
         <source>not measured: no data during the stop</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>the robot did not receive the stop</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>WaypointClipboard</name>
@@ -6490,6 +6494,10 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
     </message>
     <message>
         <source>Cause: %1 (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not stopped</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9583,7 +9591,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The project file was not changed by another program.</source>
+        <source>Saved %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10054,6 +10062,10 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>Not stopped: the arm moves (%1). Press STOP again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not stopped: a program is still running (%1). Press STOP again.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -12790,11 +12802,11 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Project file changed…</source>
+        <source>Save project</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Asks again what to do if another window or program has changed the project file.</source>
+        <source>Saves the project now. Tiller also saves all changes automatically. If another window or program has changed the file, asks whether to reload it or to keep both.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

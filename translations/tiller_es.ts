@@ -4895,6 +4895,10 @@
         <source>not measured: no data during the stop</source>
         <translation>no medido: sin datos durante la parada</translation>
     </message>
+    <message>
+        <source>the robot did not receive the stop</source>
+        <translation>el robot no ha recibido la parada</translation>
+    </message>
 </context>
 <context>
     <name>WaypointClipboard</name>
@@ -6495,6 +6499,10 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
     <message>
         <source>Cause: %1 (%2)</source>
         <translation>Causa: %1 (%2)</translation>
+    </message>
+    <message>
+        <source>not stopped</source>
+        <translation>no detenido</translation>
     </message>
 </context>
 <context>
@@ -9596,8 +9604,8 @@ Suelte el botón para detener el brazo.</translation>
         <translation>%1 ya existe. Elija otro nombre para el proyecto nuevo.</translation>
     </message>
     <message>
-        <source>The project file was not changed by another program.</source>
-        <translation>Ningún otro programa ha cambiado el archivo del proyecto.</translation>
+        <source>Saved %1</source>
+        <translation>%1 guardado</translation>
     </message>
 </context>
 <context>
@@ -10068,6 +10076,10 @@ Suelte el botón para detener el brazo.</translation>
     <message>
         <source>Not stopped: the arm moves (%1). Press STOP again.</source>
         <translation>No se ha parado: el brazo se mueve (%1). Pulse STOP de nuevo.</translation>
+    </message>
+    <message>
+        <source>Not stopped: a program is still running (%1). Press STOP again.</source>
+        <translation>No se ha detenido: un programa sigue en ejecución (%1). Pulse STOP de nuevo.</translation>
     </message>
 </context>
 <context>
@@ -12806,12 +12818,12 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Se está ejecutando un programa. Pare el programa antes de abrir otro proyecto.</translation>
     </message>
     <message>
-        <source>Project file changed…</source>
-        <translation>Archivo de proyecto cambiado…</translation>
+        <source>Save project</source>
+        <translation>Guardar proyecto</translation>
     </message>
     <message>
-        <source>Asks again what to do if another window or program has changed the project file.</source>
-        <translation>Pregunta de nuevo qué hacer si otra ventana u otro programa ha cambiado el archivo del proyecto.</translation>
+        <source>Saves the project now. Tiller also saves all changes automatically. If another window or program has changed the file, asks whether to reload it or to keep both.</source>
+        <translation>Guarda el proyecto ahora. Tiller también guarda todos los cambios automáticamente. Si otra ventana u otro programa ha modificado el archivo, pregunta si se recarga o se conservan ambas versiones.</translation>
     </message>
 </context>
 <context>

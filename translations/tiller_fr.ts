@@ -4895,6 +4895,10 @@
         <source>not measured: no data during the stop</source>
         <translation>non mesuré : aucune donnée pendant l’arrêt</translation>
     </message>
+    <message>
+        <source>the robot did not receive the stop</source>
+        <translation>le robot n’a pas reçu l’arrêt</translation>
+    </message>
 </context>
 <context>
     <name>WaypointClipboard</name>
@@ -6495,6 +6499,10 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
     <message>
         <source>Cause: %1 (%2)</source>
         <translation>Cause : %1 (%2)</translation>
+    </message>
+    <message>
+        <source>not stopped</source>
+        <translation>non arrêté</translation>
     </message>
 </context>
 <context>
@@ -9596,8 +9604,8 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>%1 existe déjà. Choisissez un autre nom pour le nouveau projet.</translation>
     </message>
     <message>
-        <source>The project file was not changed by another program.</source>
-        <translation>Aucun autre programme n’a modifié le fichier du projet.</translation>
+        <source>Saved %1</source>
+        <translation>%1 enregistré</translation>
     </message>
 </context>
 <context>
@@ -10068,6 +10076,10 @@ Relâchez le bouton pour arrêter le bras.</translation>
     <message>
         <source>Not stopped: the arm moves (%1). Press STOP again.</source>
         <translation>Non arrêté : le bras bouge (%1). Appuyez de nouveau sur STOP.</translation>
+    </message>
+    <message>
+        <source>Not stopped: a program is still running (%1). Press STOP again.</source>
+        <translation>Pas d’arrêt : un programme est toujours en cours (%1). Appuyez de nouveau sur STOP.</translation>
     </message>
 </context>
 <context>
@@ -12806,12 +12818,12 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Un programme est en cours d’exécution. Arrêtez-le avant d’ouvrir un autre projet.</translation>
     </message>
     <message>
-        <source>Project file changed…</source>
-        <translation>Fichier de projet modifié…</translation>
+        <source>Save project</source>
+        <translation>Enregistrer le projet</translation>
     </message>
     <message>
-        <source>Asks again what to do if another window or program has changed the project file.</source>
-        <translation>Demande de nouveau que faire si une autre fenêtre ou un autre programme a modifié le fichier du projet.</translation>
+        <source>Saves the project now. Tiller also saves all changes automatically. If another window or program has changed the file, asks whether to reload it or to keep both.</source>
+        <translation>Enregistre le projet maintenant. Tiller enregistre aussi automatiquement toutes les modifications. Si une autre fenêtre ou un autre programme a modifié le fichier, demande s’il faut le recharger ou conserver les deux versions.</translation>
     </message>
 </context>
 <context>

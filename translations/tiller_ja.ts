@@ -4893,6 +4893,10 @@
         <source>not measured: no data during the stop</source>
         <translation>測定なし: 停止中のデータがありません</translation>
     </message>
+    <message>
+        <source>the robot did not receive the stop</source>
+        <translation>ロボットが停止指令を受信していません</translation>
+    </message>
 </context>
 <context>
     <name>WaypointClipboard</name>
@@ -6486,6 +6490,10 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
     <message>
         <source>Cause: %1 (%2)</source>
         <translation>原因: %1 (%2)</translation>
+    </message>
+    <message>
+        <source>not stopped</source>
+        <translation>停止していません</translation>
     </message>
 </context>
 <context>
@@ -9573,8 +9581,8 @@ Release the button to stop the arm.</source>
         <translation>%1 は既に存在します。新しいプロジェクトに別の名前を選択してください。</translation>
     </message>
     <message>
-        <source>The project file was not changed by another program.</source>
-        <translation>プロジェクトファイルは他のプログラムによって変更されていません。</translation>
+        <source>Saved %1</source>
+        <translation>%1 を保存しました</translation>
     </message>
 </context>
 <context>
@@ -10042,6 +10050,10 @@ Release the button to stop the arm.</source>
     <message>
         <source>Not stopped: the arm moves (%1). Press STOP again.</source>
         <translation>停止していません：アームが動いています (%1)。もう一度 STOP を押してください。</translation>
+    </message>
+    <message>
+        <source>Not stopped: a program is still running (%1). Press STOP again.</source>
+        <translation>停止していません: プログラムがまだ実行中です (%1)。もう一度 STOP を押してください。</translation>
     </message>
 </context>
 <context>
@@ -12764,12 +12776,12 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>プログラムが実行中です。別のプロジェクトを開く前にプログラムを停止してください。</translation>
     </message>
     <message>
-        <source>Project file changed…</source>
-        <translation>プロジェクトファイルの変更…</translation>
+        <source>Save project</source>
+        <translation>プロジェクトを保存</translation>
     </message>
     <message>
-        <source>Asks again what to do if another window or program has changed the project file.</source>
-        <translation>別のウィンドウやプログラムがプロジェクトファイルを変更した場合の処理を、もう一度確認します。</translation>
+        <source>Saves the project now. Tiller also saves all changes automatically. If another window or program has changed the file, asks whether to reload it or to keep both.</source>
+        <translation>プロジェクトを今すぐ保存します。変更は自動的にも保存されます。別のウィンドウまたはプログラムがファイルを変更した場合は、再読み込みするか両方を残すかを確認します。</translation>
     </message>
 </context>
 <context>

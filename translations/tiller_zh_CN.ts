@@ -4893,6 +4893,10 @@
         <source>not measured: no data during the stop</source>
         <translation>未测量：停止期间无数据</translation>
     </message>
+    <message>
+        <source>the robot did not receive the stop</source>
+        <translation>机器人未收到停止指令</translation>
+    </message>
 </context>
 <context>
     <name>WaypointClipboard</name>
@@ -6486,6 +6490,10 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
     <message>
         <source>Cause: %1 (%2)</source>
         <translation>原因：%1（%2）</translation>
+    </message>
+    <message>
+        <source>not stopped</source>
+        <translation>未停止</translation>
     </message>
 </context>
 <context>
@@ -9573,8 +9581,8 @@ Release the button to stop the arm.</source>
         <translation>%1 已存在。请为新项目选择其他名称。</translation>
     </message>
     <message>
-        <source>The project file was not changed by another program.</source>
-        <translation>项目文件未被其他程序更改。</translation>
+        <source>Saved %1</source>
+        <translation>已保存 %1</translation>
     </message>
 </context>
 <context>
@@ -10042,6 +10050,10 @@ Release the button to stop the arm.</source>
     <message>
         <source>Not stopped: the arm moves (%1). Press STOP again.</source>
         <translation>未停止：机械臂在运动（%1）。请再次按 STOP。</translation>
+    </message>
+    <message>
+        <source>Not stopped: a program is still running (%1). Press STOP again.</source>
+        <translation>未停止：程序仍在运行（%1）。请再次按下 STOP。</translation>
     </message>
 </context>
 <context>
@@ -12764,12 +12776,12 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>程序正在运行。打开其他项目前请先停止程序。</translation>
     </message>
     <message>
-        <source>Project file changed…</source>
-        <translation>项目文件已更改…</translation>
+        <source>Save project</source>
+        <translation>保存项目</translation>
     </message>
     <message>
-        <source>Asks again what to do if another window or program has changed the project file.</source>
-        <translation>如果其他窗口或程序更改了项目文件，再次询问如何处理。</translation>
+        <source>Saves the project now. Tiller also saves all changes automatically. If another window or program has changed the file, asks whether to reload it or to keep both.</source>
+        <translation>立即保存项目。Tiller 也会自动保存所有更改。如果其他窗口或程序更改了文件，将询问是重新加载还是保留两者。</translation>
     </message>
 </context>
 <context>

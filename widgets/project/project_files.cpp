@@ -114,17 +114,23 @@ bool ProjectFiles::postponesAnswer() {
     return isAnswerPostponed_;
 }
 
+void ProjectFiles::save(QWidget* over) {
+    if (store_.obstacle() != ProjectStore::Obstacle::None) {
+        askAboutFile();
+    } else if (store_.path().isEmpty()) {
+        askToSave(over);
+    } else if (const Result<void> saved = store_.saveNow(); !saved) {
+        warn(tr("The project could not be saved"), saved.error(), QLatin1String(kSaving));
+    } else {
+        journal_.add(Severity::Info, tr("Saved %1").arg(store_.name()), Origin::Operator);
+    }
+}
+
 void ProjectFiles::askAboutFile() {
-    switch (store_.obstacle()) {
-        case ProjectStore::Obstacle::None:
-            journal_.add(Severity::Info, tr("The project file was not changed by another program."));
-            break;
-        case ProjectStore::Obstacle::OpenElsewhere:
-            onOpenElsewhere();
-            break;
-        case ProjectStore::Obstacle::ChangedByOther:
-            onChangedByOther();
-            break;
+    if (store_.obstacle() == ProjectStore::Obstacle::OpenElsewhere) {
+        onOpenElsewhere();
+    } else {
+        onChangedByOther();
     }
 }
 

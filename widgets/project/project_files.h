@@ -44,8 +44,9 @@ public:
     bool mayReplace(QWidget* over);
     /// The project may be replaced again, so the message of mayReplace() no longer applies.
     void endRefusal();
-    /// Asks again what to do with a project file that another window has open or another program has changed.
-    void askAboutFile();
+    /// Saves the project now. Asks for a name if the project has no file, and asks again what to do if another
+    /// window has the file open or another program has changed it.
+    void save(QWidget* over);
     /// Saves unsaved changes. If saving is not possible, asks whether to discard the changes.
     /// over  parent window of the question
     /// Returns  false if the user cancelled
@@ -59,6 +60,7 @@ Q_SIGNALS:
     void noticeResolved(const QString& cause);
 
 private:
+    void askAboutFile();
     bool refusesToReplace();
     void offerRecovery(const QString& path, const Error& error);
     void warn(const QString& title, const Error& error, const QString& cause);

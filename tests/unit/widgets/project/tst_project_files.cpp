@@ -444,6 +444,25 @@ private Q_SLOTS:
         QVERIFY(document_->waypoints().isEmpty());
     }
 
+    void savingAsksAgainAfterDecideLater() {
+        files_->open(path_);
+        document_->insertWaypoints(0, {named("mine")}, "Teach");
+        QVERIFY(files_->store().saveNow().ok());
+        QVERIFY(project::saveProject(path_, project::Project()).ok());
+        QTRY_VERIFY_WITH_TIMEOUT(notice_ && notice_->otherAccepted, 60'000);
+        notice_.reset();  // "Decide later"
+        files_->save(nullptr);
+        QVERIFY(notice_ && notice_->otherAccepted);
+        const auto reload = notice_->otherAccepted;
+        reload();
+        QVERIFY(document_->waypoints().isEmpty());
+        // Without a question, the project is saved.
+        document_->insertWaypoints(0, {named("new")}, "Teach");
+        files_->save(nullptr);
+        QVERIFY(!files_->store().isModified());
+        QVERIFY(content().contains("new"));
+    }
+
     void newProjectsAreSavedInTheDocumentsFolder() {
         QVERIFY2(projectFolder().endsWith("/Tiller"), qPrintable(projectFolder()));
         QVERIFY2(!projectFolder().contains("/."), qPrintable(projectFolder()));
