@@ -41,8 +41,8 @@ public:
         const double at =
             length > 0 ? std::clamp((place.values - from.values).dot(way) / length, 0.0, 1.0) : 0.0;
         Offset best = between(place, JointPositions(Vector6(from.values + at * way)));
-        // The position nearest in joint space may not be the nearest for the TCP. Near an end, the end itself
-        // may be nearer.
+        // The position nearest in joint space need not be the nearest for the TCP. Near an end, the end
+        // itself may be nearer.
         for (const JointPositions* end : {&from, &to}) {
             if (const Offset off = between(place, *end); off.share(tolerance) < best.share(tolerance)) {
                 best = off;

@@ -42,9 +42,9 @@ struct KeptPlace {
 /// Removes standstill at the beginning and the end.
 Demonstration withoutPauses(const Demonstration& shown);
 
-/// The reduced path: smoothed over a few hundredths of a second, with as few positions as possible while all
-/// taught positions are within the tolerance. The first and the last position are those of the demonstration.
-/// tcpOffset  during teaching
+/// The reduced path: smoothed over up to 0.1 s, with as few positions as possible while all taught positions
+/// are within the tolerance. The first and the last position are those of the demonstration.
+/// tcpOffset  flange to TCP during teaching [m, rad]
 /// Threads    any. Real-time: no (one or two milliseconds per thousand samples)
 std::vector<KeptPlace> keptPath(const Demonstration& shown, const DhParameters& dh, const Pose& tcpOffset,
                                 const PathTolerance& tolerance);
@@ -54,8 +54,8 @@ struct PathDeviation {
     double joints = 0;
     double tcp = 0;
 };
-/// Compares each sample with the path at about the same time. The ratio of the tolerances weights joint and
-/// TCP distances when searching for the nearest position.
+/// Compares each sample with the path segment at its time. The ratio of the tolerances weights joint and TCP
+/// distances when searching for the nearest position on the segment.
 PathDeviation deviation(const Demonstration& shown, const std::vector<KeptPlace>& kept,
                         const DhParameters& dh, const Pose& tcpOffset, const PathTolerance& tolerance = {});
 
@@ -64,10 +64,11 @@ Demonstration alongPath(const std::vector<KeptPlace>& places, double period);
 
 /// Returns the header "timestamp,actual_q_0,...,actual_q_5" and one line per sample, with full precision.
 QByteArray demonstrationCsv(const Demonstration& shown);
-/// Reads the columns of a table in this format, from any source. Other columns are ignored.
+/// Converts the columns of a table with the quantities of demonstrationCsv(), e.g. of a recording, to a
+/// demonstration.
 /// times, joints  columns of equal length
-/// Errors         FileCorrupt with the row (counted from 1, without the header) and the reason: not a
-///                number, time not increasing, a joint beyond the limits of all arms; fewer than two rows
+/// Errors         FileCorrupt with the row (counted from 1, without the header) and the reason: not a number,
+///                time not increasing, a joint beyond the limits of all arms; fewer than two rows
 Result<Demonstration> demonstrationFrom(const std::vector<double>& times,
                                         const std::array<const std::vector<double>*, 6>& joints);
 

@@ -17,7 +17,7 @@ namespace tiller::project {
 /// "pick 3".
 QString freeName(const QString& wanted, const std::function<bool(const QString&)>& isTaken);
 
-/// Entity  has `QUuid id` and `QString name`
+/// Entity  a type with the members `QUuid id` and `QString name`
 template <class Entity>
 class EntityList {
 public:
@@ -35,7 +35,7 @@ public:
         const std::size_t at = std::min(index, entities_.size());
         entities_.insert(entities_.begin() + static_cast<std::ptrdiff_t>(at), std::move(entity));
     }
-    /// Replaces the entry at this index.
+    /// Replaces the entry at this index. Throws std::out_of_range.
     void replace(std::size_t index, Entity entity) { entities_.at(index) = std::move(entity); }
     void remove(std::size_t index) {  ///< Removes an entry; later entries move up.
         if (index < entities_.size()) {

@@ -11,15 +11,15 @@
 
 namespace tiller::project {
 
-/// In the base frame [m]; empty: not recorded yet.
+/// The points taught so far, in the base frame [m]. Empty: not taught yet.
 struct FramePoints {
     std::optional<Eigen::Vector3d> origin;
     std::optional<Eigen::Vector3d> onX;
     std::optional<Eigen::Vector3d> towardsY;
 };
 
-/// Minimum distance of both points from the origin, and of the third point from the X axis [m]. At these
-/// distances, an error of 1 mm rotates an axis by less than 3 deg and 6 deg, respectively.
+/// Minimum distance of the second and third point from the origin, and of the third point from the X axis
+/// [m]. At these distances, an error of 1 mm rotates an axis by less than 3 deg and 6 deg, respectively.
 inline constexpr double kMinFrameArm = 0.020;
 inline constexpr double kMinFrameOffset = 0.010;
 

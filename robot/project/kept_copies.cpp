@@ -70,7 +70,7 @@ QList<KeptCopy> keptCopies(const QString& folder) {
     for (const QFileInfo& file : files) {
         ProjectLock lock(file.filePath());
         if (lock.acquire()) {
-            continue;  // its window is still open
+            continue;  // the window of this copy is still open
         }
         const Result<Project> project = loadProject(file.filePath());
         const QJsonObject about =

@@ -31,8 +31,8 @@ public:
     /// folder  created when needed; empty: no copies are kept
     explicit CopyKeeper(const QString& folder);
 
-    /// Continues a kept copy. The next keep() replaces the copy. It is removed when the work is saved. If
-    /// another window continues the same copy, this object uses a separate copy.
+    /// Continues a kept copy. The next keep() replaces the copy, and saving the work removes it. If another
+    /// window continues the same copy, this object uses a separate copy.
     void adopt(const KeptCopy& copy);
     /// revision  increases with every change of the document; older revisions are ignored
     /// Errors    FileNotWritable, DiskFull

@@ -41,7 +41,7 @@ public:
         setPlace(point, kinematics::forwardTcp(to_.dh, point.joints, point.tcpOffset), frames_);
     }
 
-    /// Computes a waypoint of a pattern again.
+    /// Recomputes the pose of a pattern's waypoint, and its joint positions for the new arm.
     bool layAgain(Waypoint& point, const Pattern& pattern) const {
         point.pose = poseAt(pattern, point.place);
         point.tcpOffset = pattern.first.tcpOffset;
@@ -57,7 +57,8 @@ public:
         return solved.has_value();
     }
 
-    /// Like keepFlange(), for a path. The joint steps of the path must not increase.
+    /// Like keepFlange(), for a path. Fails if a joint step is much larger than in the taught path, which
+    /// indicates another configuration.
     bool keepPath(RecordedPath& path) const {
         constexpr double kJump =
             0.5;  // [rad] between two points; more indicates another configuration or a singularity

@@ -42,8 +42,8 @@ struct Pattern {
     int columns = 1;              ///< positions per row
     int rows = 1;
     int layers = 1;
-    /// Distance between layers, against the tool direction (-Z of the TCP at `first`) [m]; negative: in the
-    /// tool direction.
+    /// Distance between layers along -Z of the TCP at `first`, i.e. against the tool direction [m]; negative:
+    /// in the tool direction.
     double layerStep = 0;
     PatternOrder order = PatternOrder::Rows;
     std::vector<PatternCell> excluded;  ///< skipped in every layer
@@ -72,7 +72,8 @@ QString nameAt(const Pattern& pattern, const PatternPlace& place);
 Waypoint waypointAt(const Pattern& pattern, const PatternPlace& place, const RobotModel& model,
                     const FrameList& frames, const JointPositions& near);
 
-/// All waypoints in order, each with the joint positions nearest to the previous one.
+/// All waypoints in order. The joint positions of each waypoint are the solution nearest to those of the
+/// previous waypoint.
 std::vector<Waypoint> waypointsOf(const Pattern& pattern, const RobotModel& model, const FrameList& frames);
 
 /// True if the waypoint has the pose defined by the pattern; false if it was changed manually.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Access of one window to a project file that other windows, computers and programs can open and change.
-// Holds the lock, records which content this window has read or written, and never replaces any other
+// Access of one window to a project file that other windows, computers and programs can open and change. It
+// holds the lock, records which content this window has read or written, and never replaces any other
 // content.
 
 #include <QByteArray>

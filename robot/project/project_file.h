@@ -53,7 +53,7 @@
 namespace tiller::project {
 
 inline constexpr int kProjectFileVersion = 2;
-/// Maximum file size. A project with a thousand waypoints has half a megabyte.
+/// Maximum file size. A project with a thousand waypoints takes about half a megabyte.
 inline constexpr qint64 kMaxProjectFileBytes = 64LL * 1024 * 1024;
 
 struct Project {

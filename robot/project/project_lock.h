@@ -40,10 +40,9 @@ public:
     /// Takes the lock even if a running process holds it.
     /// Errors   FileNotWritable, DiskFull
     Result<void> takeOver();
-    /// False after another window has taken over the lock.
+    /// False after another window has taken over the lock, and on a file system without locks.
     bool isHeld() const;
     void release();  ///< No effect if the lock is not held.
-    /// On a file system without locks, acquire() returns no owner, but isHeld() is false.
     QString path() const { return lockPath_; }
 
 private:

@@ -38,7 +38,8 @@ struct RelativeMove {
 std::optional<Pose> placeOf(const Waypoint& waypoint, const RobotModel& model, const FrameList& frames);
 
 /// T_base_tcp after the move. For a mirror image, Y and Z of the tool are mirrored, and X is derived from
-/// them, so that the tool approaches from the mirrored side. T_base_frame  frame of the move
+/// them, so that the tool approaches from the mirrored side.
+/// T_base_frame  frame of the move
 Pose movedPose(const Pose& T_base_tcp, const RelativeMove& move, const Pose& T_base_frame);
 
 /// The waypoints after the move, each with the joint positions nearest to the previous ones. An unreachable

@@ -12,7 +12,7 @@ using Pin = WaypointActionKind::Pin;
 using Time = WaypointActionKind::Time;
 using Grip = WaypointActionKind::Grip;
 
-// A sensor that takes longer than 10 s usually has a fault.
+// The default limit of a wait is 10 s, because a sensor that takes longer usually has a fault.
 constexpr WaypointActionKind kKinds[] = {
     {Kind::SetOutput, "setOutput", Pin::Output, Time::None, Grip::None, 0,
      QT_TRANSLATE_NOOP("ActionWords", "Set an output"), QT_TRANSLATE_NOOP("ActionWords", "%1 on"),

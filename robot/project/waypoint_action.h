@@ -49,8 +49,8 @@ struct WaypointAction {
 };
 inline constexpr double kMaxActionTime = 3600;  ///< [s]
 
-/// Properties of a kind of action. The file format, the texts, the editor, the execution in the window and
-/// the script of a program are based on them.
+/// Properties of a kind of action, used by the file format, the texts, the editor, the execution in the
+/// window and the script of a program.
 struct WaypointActionKind {
     enum class Pin {
         None,

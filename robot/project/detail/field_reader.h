@@ -29,19 +29,19 @@ QJsonObject without(QJsonObject object, std::initializer_list<const char*> known
 class FieldReader {
 public:
     void addProblem(const QString& where, const QString& what) { problems_.append({where, what}); }
-    /// Number of problems so far. A difference between two results means that problems have occurred in
+    /// Number of problems so far. If the number has increased between two calls, problems were found in
     /// between.
     qsizetype problemCount() const { return problems_.size(); }
     QVector<FileProblem> takeProblems() { return std::move(problems_); }
 
-    /// Required and not empty.
+    /// Reads a required text, which must not be empty.
     QString text(const QString& where, const QJsonObject& object, const char* key);
-    /// Empty if missing.
+    /// Reads a text. Empty if missing.
     QString optionalText(const QString& where, const QJsonObject& object, const char* key);
     QUuid id(const QString& where, const QJsonObject& object, const char* key);
-    /// Null if missing or null.
+    /// Reads an ID. Null if missing or null.
     QUuid optionalId(const QString& where, const QJsonObject& object, const char* key);
-    /// Required; null is the base frame. The frame need not exist.
+    /// Reads the required ID of a frame; null is the base frame. The frame need not exist.
     QUuid frameId(const QString& where, const QJsonObject& object);
     /// Like frameId(), but the frame must be in the list.
     QUuid frame(const QString& where, const QJsonObject& object, const FrameList& frames);
@@ -50,6 +50,7 @@ public:
                   const char* unit);
     int whole(const QString& where, const QJsonObject& object, const char* key, int least, int most);
     bool flag(const QString& where, const QJsonObject& object, const char* key);
+    /// Reads one of several permitted texts.
     /// words    permitted values
     /// Returns  the index of the value; 0 if it is not permitted
     int word(const QString& where, const QJsonObject& object, const char* key,
@@ -60,9 +61,9 @@ public:
     Pose pose(const QString& where, const QJsonObject& object, const char* key);
     JointPositions joints(const QString& where, const QJsonValue& value);
     QJsonArray list(const QString& where, const QJsonObject& object,
-                    const char* key);  ///< The list in a field.
+                    const char* key);  ///< Reads a required list.
     QJsonArray optionalList(const QString& where, const QJsonObject& object,
-                            const char* key);  ///< Empty if missing.
+                            const char* key);  ///< Reads a list. Empty if missing.
 
     /// Larger coordinates [m] are probably in millimetres.
     static constexpr double kMaxCoordinate = 50;

@@ -17,7 +17,7 @@ public:
     void addLost(const QString& list);
 
     /// Reads all fields except format and version.
-    /// waypoints  whether "waypoints" is required
+    /// waypointsRequired  true: a missing list "waypoints" is a problem
     void read(const QJsonObject& root, bool waypointsRequired);
 
     RecoveredProject take();
