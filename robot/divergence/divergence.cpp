@@ -140,8 +140,8 @@ std::optional<Payload> payloadAt(const Rows& rows, std::size_t row) {
     return sane ? std::optional(payload) : std::nullopt;
 }
 
-/// No field contains the mounting of the arm. It is derived from the target torques at standstill, which are
-/// a linear function of gravity in the base frame.
+/// The mounting of the arm is not recorded. It is derived from the target torques at standstill, which are a
+/// linear function of gravity in the base frame.
 Result<Eigen::Vector3d> gravityOf(Rows& rows, const RobotModel& model, recording::RowRange range) {
     constexpr std::uint64_t kSpots = 40;
     constexpr double kStanding = 1e-4;  // [rad/s]
@@ -201,7 +201,7 @@ Result<Eigen::Vector3d> gravityOf(Rows& rows, const RobotModel& model, recording
 /// Detects the first period during which a value exceeds its limit.
 class Stretch {
 public:
-    /// Returns  the period once it is long enough: its start and the maximum so far
+    /// Returns  the period once it has lasted long enough: its start, and the maximum so far
     std::optional<Difference> see(const Difference& now, double limit, double lasting) {
         if (!(now.amount > limit)) {
             begun_.reset();
@@ -211,7 +211,7 @@ public:
             begun_ = now;
         }
         begun_->amount = std::max(begun_->amount, now.amount);
-        // With a tolerance, because times are sums of periods.
+        // The tolerance compensates for rounding, because times are sums of periods.
         return now.seconds - begun_->seconds >= lasting * (1 - 1e-6) ? begun_ : std::nullopt;
     }
     void end() { begun_.reset(); }
