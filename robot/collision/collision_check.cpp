@@ -209,8 +209,8 @@ void CollisionCheck::dropPairsThatNeverMeet(NeverMeeting* known) {
     });
 }
 
-/// If the arm is mounted upright, no joint changes the distance of the shoulder from a horizontal border.
-/// Such pairs are not checked, even if this distance is below the safety distance.
+/// If the arm is mounted upright, the distance of the shoulder from a horizontal border is the same for all
+/// joint positions. Such pairs are not checked, even if their distance is below the safety distance.
 void CollisionCheck::dropWhatNeverNearsABorder() {
     constexpr int kSteps = 4;              // per turn; the height is a sine function of each joint position
     constexpr double kSameHeight = 0.002;  // tolerance: a calibrated axis is not horizontal [m]

@@ -3,7 +3,7 @@
 
 // Distances of the arm, modelled as capsules, from itself and from its surroundings, for a single position or
 // a whole path. All joints move uniformly between two positions of a path. No collision is missed, because
-// the current clearance limits each step. The same distances slow down a jog before a contact.
+// the current clearance limits each step. Jogs use the same distances to slow down before a contact.
 
 #include <array>
 #include <optional>

@@ -59,10 +59,10 @@ std::optional<MoveLimit> collisionOn(const RobotModel& model, const CollisionChe
 
 /// check          for the arm, its tool and the surroundings, with the safety distance. A move that starts
 ///                within the safety distance and leaves it is not a collision, see
-/// CollisionCheck::obstruction().
+///                CollisionCheck::obstruction().
 /// tcpOffset      flange to TCP [m, rad]
 /// speedFraction  speed slider, 0 < fraction <= 1
-/// Threads  any. Blocks: never. Real-time: no (a millisecond; ten for a line)
+/// Threads        any. Blocks: never. Real-time: no (a millisecond; ten for a line)
 MoveReport examineMove(const RobotModel& model, const CollisionCheck& check, const Pose& tcpOffset,
                        const Move& move, double speedFraction);
 

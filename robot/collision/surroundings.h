@@ -40,7 +40,7 @@ struct ToolBody {
 /// An object whose position is unknown, because the project does not contain its reference frame.
 struct UnplacedObject {
     QString name;
-    QString frame;  ///< id of the missing frame
+    QString frame;  ///< ID of the missing frame
     friend bool operator==(const UnplacedObject&, const UnplacedObject&) = default;
 };
 
