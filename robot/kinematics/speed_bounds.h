@@ -21,7 +21,7 @@ struct SpeedBound {
 };
 
 /// Speed bound of a joint move.
-/// cap      of TCP and elbow [m/s]
+/// cap      speed limit of TCP and elbow [m/s]
 /// Returns  the speed of the joint with the largest rotation [rad/s]; infinity if there is no motion
 /// Threads  any. Real-time: no (about ten microseconds)
 SpeedBound jointSpeedBound(const DhParameters& dh, const JointPositions& from, const JointPositions& to,
@@ -32,7 +32,8 @@ SpeedBound jointSpeedBound(const DhParameters& dh, const JointPositions& from, c
 inline constexpr double kTurnRadius = 0.25;
 
 /// Speed bound of a straight line of the TCP with synchronous rotation.
-/// rotationCap  of the TCP [rad/s]
+/// cap          speed limit of TCP and elbow [m/s]
+/// rotationCap  speed limit of the TCP rotation [rad/s]
 /// Returns      the speed of the TCP along the line [m/s]; infinity if there is no motion. The part of the
 ///              line outside the workspace is ignored, because the controller stops at the boundary.
 /// Threads      any. Real-time: no (a few hundred microseconds)
