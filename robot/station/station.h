@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// One robot as a person uses it: the connection, the journal, the history of its signals, the project and its
-// file, and the records of stops and incidents. Connects these parts to each other, so that a window only adds
-// views and input.
+// One robot and its data: the connection, the journal, the history of its signals, the project and its file,
+// and the records of stops and incidents. The class connects these parts to each other, so that a window only
+// adds views and input.
 
 #include <QObject>
 #include <QString>
@@ -25,7 +25,7 @@ class Station : public QObject {
 
 public:
     /// name      identifies the station in a StationList
-    /// document  the project; a window passes one with undo
+    /// document  the project; a window passes a document with an undo history
     /// clock     clock of the session; replaced by tests
     Station(const QString& name, std::unique_ptr<ProjectDocument> document,
             const Clock& clock = SteadyClock::shared(), QObject* parent = nullptr);

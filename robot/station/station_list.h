@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The robots of one program, in the order of adding. The name of a station is its key. A signal of a station
-// has the key "name/field", e.g. "Lab UR5e/actual_q_0".
+// The robots of one program, in the order in which they were added. The name of a station is its key. A
+// signal of a station has the key "name/field", e.g. "Lab UR5e/actual_q_0".
 
 #include <QObject>
 #include <QString>

@@ -79,7 +79,8 @@ void IncidentWatch::followExtraFields() {
     if (session_.receiver() == nullptr) {
         return;
     }
-    // After restart(), which starts the black box in the worker. Subscribe now, because the worker may be busy.
+    // Post this job after the job of restart(), which starts the black box. Subscribe now, because the worker
+    // may be busy.
     const auto receiver = session_.extraReceiver();
     worker_.post(
         this, [this, extra = receiver ? receiver->subscribe() : receive::Subscription()](const CancelToken&) {

@@ -82,8 +82,8 @@ public:
     void changeCell(const project::CellGeometry& after, const QString& text);
     void changePaths(const project::PathList& after, const QString& text);
     void changePrograms(const project::ProgramList& after, const QString& text);
-    /// guard  returns the program that is running, or null. An edit, undo or redo that would remove this program
-    ///        has no effect except removalRefused().
+    /// guard  returns the running program, or null. An edit, undo or redo that would remove this program has
+    ///        no effect, and removalRefused() is emitted
     void setProgramGuard(std::function<QUuid()> guard) { programGuard_ = std::move(guard); }
 
     /// Adds the pattern and inserts its waypoints before `row`.
@@ -100,12 +100,12 @@ public:
     virtual void beginGroup(const QString& /*text*/) {}
     virtual void endGroup() {}
 
-    // For the edits.
+    // Called by the edits in project_edits.h. These functions do not create undo steps.
     void insertRaw(int row, const std::vector<project::Waypoint>& waypoints);
     /// rows     ascending
     /// Returns  the removed waypoints, in the same order
     std::vector<project::Waypoint> takeRaw(const QVector<int>& rows);
-    /// Replaces the waypoints with the same ids.
+    /// Replaces the waypoints with the same IDs.
     void replaceRaw(const std::vector<project::Waypoint>& waypoints);
     void reorderRaw(const QVector<QUuid>& order);
     /// After this call, every frame used by waypoints must exist in the project.
@@ -182,7 +182,7 @@ private:
     project::Project project_;
     std::vector<project::Reach> reach_;  ///< one per waypoint, in list order
     RobotModel robot_;
-    bool isConnected_ = false;  ///< robot_ is the connected arm
+    bool isConnected_ = false;  ///< true: robot_ is the connected arm
     /// Robot model that the project adopted while the undo history contained edits.
     struct Adoption {
         int index = 0;  ///< index in the undo history; below it, the model is `before`

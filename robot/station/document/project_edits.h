@@ -67,8 +67,7 @@ private:
 
 class ReorderWaypoints : public ProjectEdit {
 public:
-    /// before,
-    /// after  the IDs of all waypoints in list order
+    /// before, after  the IDs of all waypoints in list order
     ReorderWaypoints(QVector<QUuid> before, QVector<QUuid> after, const QString& text);
     void apply(ProjectDocument& document) override;
     void revert(ProjectDocument& document) override;

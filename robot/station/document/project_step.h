@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What an edit that was undone or redone has changed.
+// Describes the change made by an undo or redo.
 
 #include <QString>
 #include <QUuid>

@@ -185,7 +185,7 @@ Result<void> ProjectStore::openKept(const project::KeptCopy& copy) {
     show(*loaded, {}, nullptr, copy.name.isEmpty() ? tr("Unsaved project") : copy.name);
     keeper_->adopt(copy);
     modified_ = true;
-    autosave_.start(kAutosaveMs);  // another window may continue the copy on disk
+    autosave_.start(kAutosaveMs);  // save soon, because another window may have replaced the copy on disk
     Q_EMIT statusChanged(statusText());
     return {};
 }
@@ -291,7 +291,8 @@ project::Project ProjectStore::snapshot() const {
 }
 
 void ProjectStore::autosave() {
-    // Disk access may be slow. The GUI thread must always be able to stop the arm, so this runs in the worker.
+    // Disk access may be slow, and the GUI thread must always be able to stop the arm, so the save runs in
+    // the worker.
     const Access access = obstacle_ == Obstacle::None ? access_ : nullptr;
     worker_.post(this, [this, access, keeper = keeper_, name = name(), revision = revision_,
                         project = snapshot()](const CancelToken&) {
@@ -384,8 +385,9 @@ void ProjectStore::settleCheck(const project::ProjectAccess::Check& check) {
     }
 }
 
-/// In a view-only window, loads each save of the lock owner without asking, but not before the project may be
-/// replaced. The next check then loads it.
+/// In a view-only window, loads each save of the lock owner without asking. If the project must not be
+/// replaced now, a later check loads the save.
+/// Returns  false if the file could not be read
 bool ProjectStore::showOwnersSave() {
     if (!mayReplace()) {
         return true;
@@ -419,7 +421,7 @@ Result<void> ProjectStore::reload() {
         }
         return readAgain();
     }
-    // readAgain() replaces keeper_.
+    // Keep a reference, because readAgain() replaces keeper_.
     const auto keeper = keeper_;
     const std::uint64_t replaced = revision_;
     const Result<void> read = readAgain();

@@ -52,8 +52,8 @@ public:
     /// Text for the status bar, e.g. "cell-7.tiller — saved", "cell-7.tiller — not saved: disk full".
     QString statusText() const;
 
-    /// guard  returns why no other content may replace the project now, as a sentence; empty if it may. Every
-    ///        function that would replace the content then fails with Cancelled and this sentence.
+    /// guard  returns why the project must not be replaced now, as a sentence; empty if it may be replaced.
+    ///        Every function that would replace the content then fails with Cancelled and this sentence.
     void setReplaceGuard(std::function<QString()> guard) { replaceGuard_ = std::move(guard); }
     Result<void> mayReplace() const;
 
@@ -93,7 +93,7 @@ public:
 
 Q_SIGNALS:
     void statusChanged(const QString& text);
-    /// The path of the project file has changed; empty for a copy.
+    /// The path of the project file has changed. `path` is empty for a copy.
     void pathChanged(const QString& path);
     /// A damaged file was renamed to `copy`.
     void copyKept(const QString& copy);
@@ -104,7 +104,7 @@ Q_SIGNALS:
     /// The other window has closed the project, so changes in this window are saved again.
     void freeAgain();
     void changedByOther();
-    /// The content of the file is again as this window has read or written it.
+    /// The content of the file matches again the content that this window has last read or written.
     void externalChangeResolved();
 
 private:
@@ -143,7 +143,7 @@ private:
     bool loading_ = false;
     Obstacle obstacle_ = Obstacle::None;
     std::optional<project::LockOwner> owner_;
-    std::optional<QByteArray> announced_;  ///< reported content of another program
+    std::optional<QByteArray> announced_;  ///< fingerprint of the last reported content of another program
     std::uint64_t revision_ = 0;           ///< document revision; detects saves that complete too late
     Access access_;                        ///< null without a file
     std::shared_ptr<project::CopyKeeper> keeper_;

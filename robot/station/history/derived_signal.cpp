@@ -153,8 +153,8 @@ protected:
             sorted_.insert(std::upper_bound(sorted_.begin(), sorted_.end(), value), value);
         }
         const double since = time - seconds_ * (1 + 1e-9);
-        // The rate of change also needs the last point before the window. The others need only points within
-        // it.
+        // The rate of change also needs the last point before the window. The other functions need only
+        // points within the window.
         const std::size_t decisive = kind_ == Kind::Derivative ? 1 : 0;
         while (points_.size() > decisive + 1 && points_[decisive].time < since) {
             removeFirst();
@@ -214,8 +214,8 @@ private:
 };
 
 /// A Butterworth filter, as a cascade of sections of first and second order. Each step applies the bilinear
-/// transform to the time since the last sample, with the cut-off frequency corrected for it. For a constant
-/// sample rate, this is the usual digital filter.
+/// transform with the time since the last sample and a cut-off frequency that is pre-warped for this time.
+/// For a constant sample rate, this is the usual digital filter.
 class Butterworth : public Running {
 public:
     enum class Band { Low, High };
@@ -230,7 +230,7 @@ public:
         }
     }
 
-    /// Time after which the values before have no effect, up to rounding errors [s].
+    /// Time after which earlier values no longer affect the output, except for rounding errors [s].
     static double settlingTime(double hertz, int order) {
         constexpr double kTimeConstants = 30;
         return kTimeConstants / (2 * kPi * hertz * std::sin(kPi / (2 * order)));
@@ -241,7 +241,7 @@ protected:
 
     double add(double time, double value) override {
         if (!hasLast_) {
-            // As if the first value had been constant before.
+            // Start as if the input had always had its first value.
             hasLast_ = true;
             lastTime_ = time;
             double input = value;
@@ -259,7 +259,7 @@ protected:
             hasLast_ = false;
             return kNoResult;
         }
-        // Per half step.
+        // Pre-warped cut-off frequency, per half step.
         const double rate = std::tan(kPi * hertz_ * step);
         double input = value;
         for (Section& section : sections_) {
@@ -473,7 +473,8 @@ private:
             parser.DefineFun("norm", normOf);
             parser.DefineConst("pi", 3.14159265358979323846);
             parser.DefineConst("e", 2.71828182845904523536);
-            // The parser would report the parenthesis instead of the name.
+            // Check function names first, because the parser would report the parenthesis instead of the
+            // name.
             static const QRegularExpression kFunction(QStringLiteral("(?<![\\w.])([A-Za-z_][\\w.]*)\\s*\\("));
             for (auto found = kFunction.globalMatch(text); found.hasNext();) {
                 const QString name = found.next().captured(1);

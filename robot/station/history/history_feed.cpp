@@ -13,7 +13,7 @@ namespace {
 
 /// Minimum time between the last sample and the first sample after an interruption [s].
 constexpr double kRestartDistance = 0.1;
-/// A step that exceeds the previous sample interval by more than this factor is a gap, independent of
+/// A step that exceeds the previous sample interval by more than this factor is a gap, independently of
 /// lost-packet counts.
 constexpr double kHole = 3.5;
 

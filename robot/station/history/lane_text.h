@@ -19,7 +19,7 @@ struct LaneEntry {
 /// jogLabel   label of the pressed jog button, e.g. "X+"; empty if unknown
 /// stepLabel  running step of a program; empty if no program runs
 LaneEntry laneEntry(const SessionState& state, const QString& jogLabel, const QString& stepLabel = {});
-/// Entry for a mode in which the arm cannot move; empty if it can.
+/// Entry for a mode in which the arm cannot move; empty if the arm can move.
 std::optional<LaneEntry> hinderedEntry(RobotMode robotMode, SafetyMode safetyMode);
 /// Entry for an arm that can move, whether Tiller or another client controls it.
 LaneEntry motionEntry(bool moving);

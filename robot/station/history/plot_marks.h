@@ -48,8 +48,8 @@ public:
     void setThresholds(const QVector<Threshold>& thresholds);
     void add(const Threshold& threshold);
     void remove(const Threshold& threshold);
-    /// Checks the samples added since the last call. A signal triggers an alarm when it exceeds the limit.
-    /// The next alarm requires that it has returned within the limit.
+    /// Checks the samples added since the last call. A signal triggers an alarm when it exceeds the limit. To
+    /// trigger another alarm, it must first return within the limit.
     void check();
     /// Description of the threshold, e.g. "Fz above 50.0 N".
     QString words(const Threshold& threshold) const;

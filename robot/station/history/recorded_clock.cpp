@@ -54,7 +54,7 @@ std::optional<double> RecordedClock::controllerTime(double time) const {
     const auto next = std::upper_bound(clocks_.begin(), clocks_.end(), time,
                                        [](double wanted, const auto& clock) { return wanted < clock.first; });
     const auto& clock = next == clocks_.begin() ? *next : *(next - 1);
-    // The difference was rounded. Time stamps have at most nine decimal places.
+    // Remove the rounding error of the difference. Time stamps have at most nine decimal places.
     constexpr double kPerSecond = 1e9;
     return std::round((time - clock.second) * kPerSecond) / kPerSecond;
 }

@@ -28,8 +28,9 @@ public:
 private:
     double begin_;
     std::optional<std::int64_t> startUtcNs_;
-    /// From a time of the plots' time axis on, the difference between this axis and the time stamps. One entry, and
-    /// another for each restart of the controller.
+    /// Each entry is a time on the plots' time axis and the difference between this axis and the time stamps
+    /// from that time on [s]. The first entry is for the start, the others are for restarts of the
+    /// controller.
     std::vector<std::pair<double, double>> clocks_;
 };
 

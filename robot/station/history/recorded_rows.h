@@ -63,7 +63,7 @@ private:
     double lookBack_ = -1;                                     ///< [s]; negative without computed signals
 };
 
-/// A read of some signals of a recording, for a worker.
+/// Describes a read of some signals of a recording, for a worker.
 struct RecordedStretch {
     QString path;
     double begin = 0;  ///< time of the first row on the plots' time axis [s]

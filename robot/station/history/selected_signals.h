@@ -35,7 +35,7 @@ public:
     const std::map<std::string, std::string>& facts() const override { return file_.facts(); }
     const QStringList& problems() const override { return file_.problems(); }
     Result<std::vector<double>> times(recording::RowRange rows) const override { return file_.times(rows); }
-    // As in Recording.
+    // Overrides of Recording.
     Result<std::vector<std::vector<double>>> read(std::span<const std::size_t> columns,
                                                   recording::RowRange rows) const override;
     Result<std::uint64_t> rowAt(double seconds) const override { return file_.rowAt(seconds); }

@@ -367,7 +367,7 @@ double SignalStore::controllerTime(double time) const {
     if (next == clocks_.begin()) {
         return time;
     }
-    // The sum with the offset was rounded. Time stamps have at most nine decimal places.
+    // Remove the rounding error of the sum with the offset. Time stamps have at most nine decimal places.
     constexpr double kPerSecond = 1e9;
     return std::round((time - (next - 1)->second) * kPerSecond) / kPerSecond;
 }

@@ -74,8 +74,8 @@ public:
     /// The samples of begin ... end - 1 at which the value differs from the previous sample.
     std::vector<std::int64_t> changes(int signal, std::int64_t begin, std::int64_t end) const;
 
-    /// Adds a recording to the live signals. Its signals form a separate group, and their keys start with the
-    /// name of the recording. Values are read from the file on demand.
+    /// Adds the signals of a recording as a separate group. Their keys start with the name of the recording,
+    /// and their values are read from the file on demand.
     /// begin    time of its first row on the plots' time axis [s]
     /// Returns  the name of the recording, derived from the file name
     /// Errors   as for Recording; InvalidArgument if it contains no rows
@@ -100,9 +100,9 @@ public:
     /// Closes all recordings. They must not be displayed.
     void closeRecordings();
     bool hasRecordings() const { return tables_.size() > kFirstRecording; }
-    /// Describes a read of these signals from the file of a long recording, for a worker. begin,
-    /// end  the samples begin ... end - 1
-    /// Returns  nothing unless all signals belong to the same long recording
+    /// Describes a read of these signals from the file of a long recording, for a worker.
+    /// begin, end  the samples begin ... end - 1
+    /// Returns     nothing unless all signals belong to the same long recording
     std::optional<RecordedStretch> stretchOf(std::span<const int> wanted, std::int64_t begin,
                                              std::int64_t end) const;
     /// Makes these signals available as a recording with the rows and times of their file. They must all
@@ -113,9 +113,9 @@ public:
     /// Why the last want() failed: too many signals for the robot or for the memory limit.
     const QString& problem() const { return problem_; }
 
-    /// History of the standard fields, and history of the additionally requested fields.
+    /// History of the standard fields. For the additionally requested fields, see further().
     const SeriesBuffer& live() const { return *tables_[kLive].buffer; }
-    /// Sets the robot of the samples that are added from now on.
+    /// Sets the robot of all samples added from now on.
     /// robot  its address
     void setRobot(const QString& robot);
     /// True if the live samples begin ... end - 1 are of different robots.
@@ -159,7 +159,7 @@ Q_SIGNALS:
     void signalAdded(int signal);
     /// Another part of a signal computed from a long recording is available.
     void computedFurther(int signal);
-    /// A signal could not be computed, or only partly.
+    /// A signal could not be computed, or only part of it.
     void computationFailed(const QString& why);
 
 private:

@@ -125,7 +125,7 @@ bool isHeld(MotionChoice motion);
 bool stepRunsToEnd(const JogSelection& selection, bool turns);
 
 /// Rotates the tool about the TCP until its Z axis is parallel to the nearest axis of the selected frame, or
-/// of the base if the tool frame is selected. Hold-to-run.
+/// of the base if the tool frame is selected. The move is hold-to-run.
 MoveRequest alignMove(const JogSelection& selection, const Pose& from, const control::MotionLimits& limits);
 
 /// "Base", "Tool", "View" or the name of the taught frame.

@@ -73,8 +73,8 @@ bool isCollision(control::LimiterKind kind) {
     return kind == LimiterKind::SelfCollision || kind == LimiterKind::Obstacle || kind == LimiterKind::Border;
 }
 
-/// Bodies at or near the safety distance. While they slow down a jog, the text contains the remaining speed
-/// in percent.
+/// Advice for the bodies that are at or near the safety distance. While they slow down a jog, the text
+/// contains the remaining speed in percent.
 LimiterAdvice nearestCollision(const SessionState& state, const Eigen::Matrix3d& R_base_frame) {
     constexpr double kWarnBeyond = 0.010;  // added to the safety distance [m]
     const std::optional<NearestBodies> nearest = nearestBodies(state, kWarnBeyond);

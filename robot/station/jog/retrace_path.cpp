@@ -84,8 +84,9 @@ std::optional<JointPositions> RetracePath::nextPlace() const {
     return place == trail_.rend() ? trail_.front() : *place;
 }
 
-/// The cell may have changed since the arm moved along the trail, or a jog went closer to a limit than a move
-/// may. Returns an error if not even the newest part is permitted.
+/// Discards the part of the trail that is no longer permitted. The cell may have changed since the arm moved
+/// along the trail, or a jog may have gone closer to a limit than a move may. Returns an error if not even
+/// the newest part is permitted.
 Result<void> RetracePath::keepPermitted() {
     const std::vector<JointPositions> way(trail_.rbegin(), trail_.rend());
     const auto permitted = [&](std::size_t count) { return port_.permitsPath(std::span(way).first(count)); };

@@ -31,8 +31,8 @@ struct NearestBodies {
 std::optional<NearestBodies> nearestBodies(const SessionState& state, double beyond);
 
 // These functions return one of the twelve buttons (X-, X+, Y-, Y+, ... Rz-, Rz+), or -1. It is the button
-// that moves the arm away from a limit fastest and has sufficient remaining travel. R_base_frame  axes of the
-// buttons
+// that moves the arm away from a limit fastest and has sufficient remaining travel.
+// R_base_frame  axes of the buttons
 
 /// Moves this joint away from its limit.
 int escapeKey(const SessionState& state, const Eigen::Matrix3d& R_base_frame, int joint);

@@ -65,7 +65,7 @@ void Journal::append(JournalEvent event) {
             events_.pop_front();
         }
     }
-    // Without the lock, so that a connected function can add events.
+    // Emit without holding the lock, so that a connected function can add events.
     Q_EMIT added(event);
 }
 

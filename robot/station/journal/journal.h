@@ -2,7 +2,8 @@
 #pragma once
 
 // The events of one robot, in order: messages, notes, program steps and recordings of incidents. The log, the
-// status line, recordings and incident files read them here. Beyond kCapacity events, the oldest are removed.
+// status line, recordings and incident files read the events from the journal. When there are more than
+// kCapacity events, the oldest are removed.
 
 #include <QObject>
 #include <cstddef>

@@ -16,8 +16,8 @@ struct GripperChoice {
 
     Kind kind = Kind::None;
     Model model = Model::TwoF85;
-    /// Bit numbers of the outputs. `closeOutput` on closes the gripper. With two outputs, `openOutput` is
-    /// then switched off, and vice versa.
+    /// Bit numbers of the outputs. Output `closeOutput` closes the gripper when it is on. With two outputs,
+    /// `openOutput` is then switched off, and vice versa.
     int closeOutput = io::kFirstTool;
     int openOutput = io::kFirstTool + 1;
 

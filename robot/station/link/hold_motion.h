@@ -29,13 +29,14 @@ struct HoldBounds {
     /// Maximum duration of a motion with a known duration: that duration plus 5 s.
     static std::int64_t longestOf(double seconds);
     /// Time in which the arm moves by kUnconfirmedLength or kUnconfirmedAngle at most, limited to
-    /// kMinHoldTimeoutNs ... kMaxHoldTimeoutNs [ns]. linear,
-    /// angular  speeds [m/s, rad/s]; a speed of 0 is ignored
+    /// kMinHoldTimeoutNs ... kMaxHoldTimeoutNs [ns].
+    /// linear, angular  speeds [m/s, rad/s]; a speed of 0 is ignored
     static std::int64_t holdTimeoutAt(double linear, double angular);
 };
 
 /// The motion of one held button: start, refresh, end and limits. Created from MotionPort, which provides
-/// jogs, moves and freedrive independent of buttons. HoldGuard monitors the button independent of the robot.
+/// jogs, moves and freedrive independently of buttons. HoldGuard monitors the button independently of the
+/// robot.
 struct HoldMotion {
     using Id = std::uint64_t;
     /// Starts the motion, or returns an error if it is refused.

@@ -27,7 +27,7 @@ struct MotionPort {
     std::function<Result<Id>(const control::Freedrive&)> beginFreedrive = {};
     /// Keeps a jog active with another target. Returns false if the jog has been stopped.
     std::function<bool(Id, const control::JogTarget&)> holdWith = {};
-    /// See RobotSession. For several motions of one button press.
+    /// Like RobotSession::beginPath().
     std::function<Result<Id>(std::vector<control::PathEntry>, std::uint64_t stops)> beginPath = {};
     std::function<std::uint64_t()> stops = {};
     std::function<Result<control::MotionProgress>(Id)> progress = {};

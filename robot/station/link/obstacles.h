@@ -16,8 +16,8 @@ QString cannotMoveReason(const SessionState& state);
 
 /// Why the current position of the arm is unknown; empty if it is known.
 QString dataObstacle(const SessionState& state);
-/// Why the current position cannot be stored now. Includes a moving arm, whose position at the time of the
-/// press the operator does not know.
+/// Why the current position cannot be stored now; empty if it can. It cannot be stored while the arm moves,
+/// because the operator does not know the position at the time of the press.
 QString storeObstacle(const SessionState& state);
 
 /// The cause to report when the arm can no longer be moved.

@@ -52,8 +52,9 @@ QString nameOf(const QString& pattern, const QString& robot, const QDateTime& no
     return name.left(kMaxNameLength);
 }
 
-/// All entries of the folder in lower case, because some file systems ignore case, including hidden and
-/// broken ones. On a network drive, listing the folder once is faster than testing each file name.
+/// All entries of the folder, including hidden files and broken links. Names are in lower case, because some
+/// file systems ignore case. On a network drive, listing the folder once is faster than testing each file
+/// name.
 QSet<QString> namesIn(const QDir& folder) {
     QSet<QString> names;
     const QStringList entries =

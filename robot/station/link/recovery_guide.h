@@ -20,14 +20,14 @@ struct RecoveryGuide {
     QStringList checks;
     RecoveryStep step = RecoveryStep::Look;  ///< next step; keyText() is the label of its button
     bool takesControl = false;               ///< the recovery is complete; the next action is to take control
-    QString waiting;    ///< why the step is not possible yet with all checks confirmed, or empty
+    QString waiting;    ///< why the step is not possible yet with all checks confirmed; else empty
     int countdown = 0;  ///< remaining lock time of the controller, rounded up [s]
 
     /// Label of the button, e.g. "Unlock"; empty if the step must be performed at the robot.
     QString keyText() const;
 };
 
-/// sinceStop  on the controller's clock [s]
+/// sinceStop  time since the stop on the controller's clock [s]
 RecoveryGuide recoveryGuide(const SessionState& state, double sinceStop);
 
 }  // namespace tiller

@@ -120,8 +120,8 @@ const OutputHolders& RobotOutputs::holders() const {
 }
 
 void RobotOutputs::followControl() {
-    // Long enough for the intervals while the slider is dragged, short enough for a client that retries its
-    // start.
+    // Longer than the interval between commands while the slider is dragged, and shorter than the retries of
+    // a client that could not claim the inputs.
     constexpr std::int64_t kUnusedNs = 2 * kNsPerSecond;
     const std::int64_t nowNs = d_.clock->nowNs();
     if (d_.state.control == ControlState::InControl && !d_.monitorOnly) {
@@ -252,7 +252,7 @@ void RobotOutputs::setDigitalOutputs(std::uint32_t mask, std::uint32_t values, c
                             link = PulseLink{d_.link->controller, d_.link->receiver, d_.link->outputs}](
                                const CancelToken& token) {
         Result<void> result = Error{ErrorCode::Cancelled, done, {}};
-        // Not sent if the command is cancelled while connecting.
+        // Do not send the command if it was cancelled while connecting.
         const CancelToken either(
             [token, own = order.token] { return token.isCancelled() || own.isCancelled(); });
         if (!either.isCancelled()) {

@@ -21,9 +21,9 @@ namespace tiller {
 class RobotSession;
 struct SessionBackend;
 
-/// For a command whose result the caller needs, or which the caller may cancel while it is queued.
+/// Options for a command whose result the caller needs, or which the caller may cancel while it is queued.
 struct OutputOrder {
-    /// A temporary change. The robot measures the time and then restores the outputs, independent of this
+    /// A temporary change. The robot measures the time and then restores the outputs, independently of this
     /// program. Requires control.
     struct Pulse {
         double seconds = 0;
@@ -67,7 +67,7 @@ public:
     /// Sets the operator's names by terminal ("DO 0", "AO 1"), for messages.
     void setNames(const QMap<QString, QString>& names);
 
-    // For the session.
+    // Called by the session.
     /// Claims the inputs of the robot while in control, and releases them when they have not been used for
     /// some time.
     void followControl();

@@ -152,7 +152,7 @@ void RobotServices::stopPrograms(control::StopCause cause, std::uint64_t epoch) 
     } else if (now.control == ControlState::InControl) {
         unconfirmed_ = {cause, control::StopConfirmation(epoch, d_.stopEvidence())};
     }
-    // The last step, because connected slots may take time.
+    // Report last, because connected slots may take time.
     const bool isControlAlive = now.control == ControlState::InControl && d_.stopEvidence().inControl;
     if (!now.isFresh() && !isControlAlive && !std::exchange(hasReportedSilence_, true)) {
         session_.journal().add(Severity::Error,

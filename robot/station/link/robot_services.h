@@ -38,11 +38,12 @@ public:
     void unlockProtectiveStop(const UnlockConsent& consent);
     /// name  relative to the controller's programs folder
     void loadProgram(const QString& name);
-    /// Calls `done` with the names for loadProgram(). Never calls it if the robot does not report them, as e-Series.
-    /// context  `done` is not called after its end
+    /// Calls `done` with the names for loadProgram(). Never calls it if the robot does not report the names,
+    /// e.g. e-Series.
+    /// context  after its destruction, `done` is not called
     void listPrograms(QObject* context, const std::function<void(const QStringList&)>& done);
 
-    // For the session.
+    // Called by the session.
     /// Handles a stop by STOP, Esc or Space. Stops external programs. Also stops Tiller's own program on all
     /// routes, unless it is confirmed that the control program has stopped.
     /// epoch  of the stop, see Controller::stop()

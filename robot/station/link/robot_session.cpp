@@ -145,7 +145,7 @@ void RobotSession::connectTo(const RobotAddress& address) {
     }
     link->receiver = std::make_shared<receive::Receiver>(receiverOptions);
     link->stream = link->receiver->subscribe();
-    static_cast<void>(link->receiver->start());  // lastError() keeps a failure, which readLink() shows
+    static_cast<void>(link->receiver->start());  // lastError() keeps a failure, and readLink() shows it
 
     control::ControllerOptions controllerOptions;
     controllerOptions.host = address.host;
@@ -294,7 +294,7 @@ void RobotSession::takeControl(ForeignProgram program) {
         return;
     }
     if (program == ForeignProgram::Ask && !d_->state.hasData()) {
-        // Whether an external program is running is unknown.
+        // It is unknown whether an external program is running.
         journal_.add(Severity::Warning, d_->state.controlReason);
         return;
     }
@@ -586,7 +586,7 @@ void RobotSession::startPath(MotionId ticket, const Result<control::PreparedPath
 
 namespace {
 
-/// If the button is still held, starts the path when it has been sent. Then keeps the path active.
+/// Starts the path once it has been sent, if the button is still held. Then keeps the path active.
 bool holdPath(RobotLink& link) {
     PathStart& path = link.path;
     if (path.phase == PathStart::Phase::Ready) {

@@ -61,8 +61,7 @@ struct MoveRequest {
     Pose pose;                  ///< MoveL: target TCP pose in the base frame
     double speed = 0.25;        ///< MoveJ [rad/s], MoveL [m/s]
     double acceleration = 1.2;  ///< MoveJ [rad/s2], MoveL [m/s2]
-    /// For several motions of one button press. The motion starts only if the number of stops is still this
-    /// value.
+    /// For several motions of one button press: starts only if RobotSession::stops() still has this value.
     std::optional<std::uint64_t> stops = {};
     /// True if the target is a position of the project. The project guard of the session can refuse such a
     /// motion.
@@ -129,7 +128,8 @@ public:
     bool asksBeforeChange(const QString& what, const std::function<void()>& change);
     /// True if asksBeforeChange() would ask now.
     bool mustAskBeforeChange() const;
-    /// The operator has agreed. asksBeforeChange() returns false until this program ends or confirmed is false.
+    /// The operator has agreed. asksBeforeChange() returns false until the running program ends or
+    /// `confirmed` is false.
     void confirmChanges(bool confirmed = true);
 
     // Control. The result is reported by stateChanged and in the journal.

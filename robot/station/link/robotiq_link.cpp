@@ -252,7 +252,7 @@ void RobotiqLink::post(const Command& command) {
     busy_ = true;
     carriedOut_ = false;
     held_ = false;
-    // Not set for a queued command, because another command may replace it.
+    // Do not start the timer for a queued command, because another command may replace it.
     if (command.activates) {
         activating_.emplace().start();
     }

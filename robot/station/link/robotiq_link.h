@@ -54,10 +54,10 @@ public:
     /// Activates the gripper: the fingers open and close once, and a held object is released.
     void activate();
     /// While a command is being executed, one more command is queued. A later command replaces the queued
-    /// one. position, speed,
-    /// force  0 ... 255
-    /// what   for the log, e.g. "Gripper: close"
-    /// token  if cancelled, the command is not sent
+    /// command.
+    /// position, speed, force  0 ... 255
+    /// what                    for the log, e.g. "Gripper: close"
+    /// token                   if cancelled, the command is not sent
     void move(int position, int speed, int force, const QString& what, const CancelToken& token = {});
     /// Stops the fingers and discards queued commands. Reconnects after a lost connection.
     void stop(const QString& what);

@@ -51,7 +51,7 @@ public:
     /// fields  RTDE names
     void reportDisplayed(const QStringList& fields);
 
-    // For the session.
+    // Called by the session.
     void reportFailure();
 
 private:
@@ -66,7 +66,7 @@ private:
     SessionBackend& d_;
     bool wasRecording_ = false;
     bool reportedNotes_ = false;  ///< a failure to write notes was reported
-    QStringList contained_;       ///< RTDE names in the current recording, and the reported ones
+    QStringList contained_;       ///< RTDE names recorded or already reported as missing
     QString projectName_;
     QByteArray project_;
 };

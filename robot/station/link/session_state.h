@@ -58,7 +58,7 @@ struct RecordingState {
     std::uint64_t rows = 0;
     double seconds = 0;
     std::int64_t bytes = 0;      ///< size of the file
-    std::uint64_t lost = 0;      ///< packets missing in the file for any reason
+    std::uint64_t lost = 0;      ///< packets missing from the file for any reason
     std::int64_t freeBytes = 0;  ///< free space on the disk of the file
     /// Why the last recording ended, or could not start (without rows); empty if it was stopped on request.
     QString error;

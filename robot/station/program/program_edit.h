@@ -70,8 +70,9 @@ QString summaryOf(const project::Project& project, const project::ProgramStep& s
 QString kindName(const project::ProgramStep& step);
 /// Name of the kind of a step with this number in the script. Empty if the step does not exist.
 QString stepName(const project::Project& project, const ProgramScript& script, int number);
-/// Number of the row of a step whose number in the script is `number`, because the program may have been edited
-/// since. The same number for a step that was removed or belongs to a called program.
+/// Number of the row of the step that has this number in the script. The two numbers can differ, because the
+/// program may have been edited since. Returns `number` for a step that was removed or belongs to a called
+/// program.
 int rowNumber(const project::Project& project, const ProgramScript& script, int number);
 
 /// The possible values of a choice, channel or reference field, with their names.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Generates the URScript of a program and reports its problems. Generating the script is also the check of
-// the program. The script is one self-contained `def` that can be sent, saved as .script, or run in the
-// simulated controller.
+// Generates the URScript of a program and reports its problems. Generating the script also checks the
+// program. The script is one self-contained `def` that can be sent, saved as .script, or run in the simulated
+// controller.
 
 #include <QSet>
 #include <QUuid>

@@ -53,7 +53,7 @@ struct StepField {
     const char* key = "";
     QString label;
     FieldType type = FieldType::Text;
-    QJsonValue initial = {};  ///< value in a new step, or if missing in the file
+    QJsonValue initial = {};  ///< value in a new step, and default if missing in the file
     bool optional = false;    ///< the field may have no value
     Unit unit = Unit::None;
     double minimum = 0;

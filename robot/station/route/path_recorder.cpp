@@ -173,7 +173,7 @@ void PathRecorder::importFrom(const QString& path, int afterRow) {
 void PathRecorder::thin(project::Demonstration shown, int afterRow) {
     busy_ = true;
     Q_EMIT changed();
-    // Runs on the worker, because the reduction evaluates thousands of positions repeatedly.
+    // Run on the worker, because the reduction evaluates thousands of positions repeatedly.
     worker_.post(this, [this, afterRow, shown = std::move(shown), dh = document_.robot().dh,
                         tcpOffset = tcpOffset_, tolerance = tolerance_](const CancelToken&) {
         const project::Demonstration moving = project::withoutPauses(shown);

@@ -18,7 +18,8 @@
 
 namespace tiller {
 
-/// A receiver for a connection in addition to the link, without priority. Not started.
+/// Creates a receiver for a connection in addition to the link, without thread priority. The receiver is not
+/// started.
 std::shared_ptr<receive::Receiver> extraReceiver(const QString& host, std::uint16_t port, const Clock& clock,
                                                  const std::vector<std::string>& fields);
 

@@ -26,7 +26,7 @@ private:
         std::int64_t ns = 0;
         PacketCounts counts;
     };
-    std::deque<Point> points_;  ///< some points per second
+    std::deque<Point> points_;  ///< several points per second
 };
 
 }  // namespace tiller

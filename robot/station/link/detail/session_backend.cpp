@@ -220,9 +220,9 @@ void SessionBackend::readControl() {
     state.controlInDoubt = isControlInDoubt();
 }
 
-/// True after a loss of control until the receiver has delivered fresh data for some time. After that, the
-/// window only monitors, and a running program is external. A control program that has ended while its
-/// connection still works has most likely been replaced.
+/// True after a loss of control until the receiver has delivered fresh data for 3 s, or for 15 s if the
+/// connection was lost. After that, the window only monitors, and a running program is external. A control
+/// program that has ended while its connection still works has most likely been replaced.
 bool SessionBackend::isControlInDoubt() {
     using control::ControlLoss;
     constexpr std::int64_t kAfterDeadConnection = 15 * kNsPerSecond;
@@ -317,7 +317,8 @@ void SessionBackend::noteUnmeasured(const control::UnmeasuredStop& stop, std::ui
     }
     seen = stop.count;
     using control::StopCause;
-    // If the whole process hung, its control thread only sees late data.
+    // If the whole process hung, its control thread only detects late data, so the cause is reported as a
+    // hang.
     constexpr std::int64_t kStallSeenNs = kNsPerSecond;
     const bool late = stop.cause == StopCause::DataStale || stop.cause == StopCause::LinkLost ||
                       stop.cause == StopCause::ControlLost;

@@ -157,9 +157,9 @@ struct SessionBackend {
     bool doubtEnded = false;  ///< data have been fresh long enough
     control::ControlLoss lossSeen = control::ControlLoss::NotTaken;  ///< last reported loss
     bool externalRunSeen = false;               ///< the program of another client was reported
-    bool takeoverReported = false;              ///< since control was lost
-    bool externalExists = false;                ///< that program runs or is paused
-    std::optional<std::int64_t> externalEndNs;  ///< end of that program, until it is reported
+    bool takeoverReported = false;              ///< a takeover was reported since control was lost
+    bool externalExists = false;                ///< a program of another client runs or is paused
+    std::optional<std::int64_t> externalEndNs;  ///< end of that program; empty after the report
     bool readySeen = false;                     ///< the last reported robot mode was Running
     QString startedProgram;                     ///< name in the controller's newest message about a start
     QString programNode;                        ///< newest node label of the running program

@@ -19,9 +19,9 @@ struct MoveTarget {
     QString pose;               ///< TCP pose in the base frame
     QString near;               ///< joint positions near the solution to use; may be empty
     std::optional<Pose> known;  ///< value of `pose`, if known before the run
-    /// For movel and similar commands, which accept both.
+    /// Target for movel and similar commands, which accept joint positions and poses.
     QString either() const { return joints.isEmpty() ? pose : joints; }
-    /// For movej.
+    /// Target for movej: joint positions, or a call that computes them from the pose.
     QString asJoints() const;
 };
 

@@ -157,7 +157,7 @@ void StepWriter::Private::report(const QString& fieldKey, const QString& text) {
     problem.number = place.step ? numberOf(*place.step) : 0;
     problem.field = fieldKey;
     problem.text = text;
-    // A called program is written once per scope, so problems can occur twice.
+    // A called program is written once per scope, so the same problem can be found twice.
     if (std::find(result.problems.begin(), result.problems.end(), problem) == result.problems.end()) {
         result.problems.push_back(std::move(problem));
     }

@@ -22,7 +22,7 @@ public:
     struct Line {
         QString text;
         int step = 0;
-        QString gated = {};  ///< text in a run with a step gate; empty: the same
+        QString gated = {};  ///< text in a run with a step gate; empty: same as the text in other runs
     };
     using Lines = std::vector<Line>;
     struct LastMove {

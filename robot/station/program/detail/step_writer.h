@@ -91,8 +91,8 @@ public:
     /// Writes the steps of another program as a function, once per scope.
     /// Returns  its name; empty after a problem
     QString programFunction(const QUuid& program);
-    /// The step contains text in a parallel section or a thread of its own, so it may move the arm while the program
-    /// waits.
+    /// Call if the step contains text in a parallel section or in its own thread. Such text may move the arm
+    /// while the program waits.
     void noteOwnThread();
     /// Waits until the condition is true, at most for `limit` [s].
     void waitUntil(const QString& condition, std::optional<double> limit);

@@ -8,7 +8,7 @@
 
 namespace tiller::program {
 
-/// log  of the running program
+/// The state of the step gate of one run. The argument `log` is always the log of this run.
 class RunGate {
 public:
     /// permitted  number of steps before the program pauses
@@ -25,10 +25,10 @@ public:
     void step(const StepLog& log);    ///< A waiting program runs one step.
     /// True: the program ends before the next iteration of its outermost endless loop.
     void setEndsWithCycle(bool ends) { gate_.endsWithCycle = ends; }
-    /// A waiting program takes this change of a variable.
+    /// Sets a change of a variable, which the waiting program applies.
     void change(const script::VariableChange& change) { gate_.change = change; }
-    /// A change that the program has not taken has no effect any more. resume() and step() do the same, because the
-    /// program could otherwise take it when it waits again.
+    /// Withdraws a change that the program has not applied. resume() and step() also withdraw it, because the
+    /// program could otherwise apply it when it waits again.
     void withdrawChange() { gate_.change.number = 0; }
 
     friend bool operator==(const RunGate&, const RunGate&) = default;

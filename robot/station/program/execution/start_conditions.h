@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Whether a checked program fits the TCP and the position of the robot, and why not.
+// Determines whether a checked program fits the TCP and the position of the robot, with texts for the reasons
+// if it does not.
 
 #include <QString>
 

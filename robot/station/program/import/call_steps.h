@@ -14,9 +14,9 @@ namespace tiller::program {
 
 /// A new step of this kind; `fields` override its initial values.
 project::ProgramStep makeStep(const char* kind, const QJsonObject& fields = {});
-QString idOf(const QUuid& id);  ///< Id as stored in fields.
+QString idOf(const QUuid& id);  ///< ID as stored in fields.
 
-/// True if the expression in a step gives the same script.
+/// True if a step with this expression generates the same text in the script.
 bool isExpression(const QString& text);
 std::optional<bool> flagLiteral(const QString& text);
 /// A string literal that a step writes unchanged.

@@ -198,7 +198,7 @@ std::optional<ProgramStep> MoveImport::moveStep(const ScriptCall& call, const QS
     const auto numberAt = [&](qsizetype at, double initial) {
         return values->at(at).isEmpty() ? std::optional(initial) : numberLiteral(values->at(at));
     };
-    // The initial values are those of the controller.
+    // Defaults of the controller's functions.
     const auto acceleration = numberAt(1, joint ? 1.4 : 1.2);
     const auto speed = numberAt(2, joint ? 1.05 : 0.25);
     const auto time = process ? std::optional(0.0) : numberAt(3, 0);

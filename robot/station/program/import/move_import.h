@@ -44,7 +44,7 @@ public:
                const QHash<QString, QString>& types)
         : before_(before), out_(out), name_(name), types_(types) {}
 
-    void clear();  ///< Forgets the definitions and the TCP.
+    void clear();  ///< Discards the definitions and the TCP.
 
     const ScriptTcp& tcp() const { return tcp_; }
     void setTcp(const ScriptTcp& tcp) { tcp_ = tcp; }
@@ -80,7 +80,7 @@ private:
     /// True if the program has this TCP at this statement.
     bool isTcp(const Pose& tcp);
     bool isSameTcp(const ScriptTcp& then) const;
-    /// Joint positions that the expression stands for, as a list.
+    /// Joint positions that are the value of the expression, as a list.
     std::optional<Target> jointsOf(const QString& expression) const;
     /// Joint positions whose pose with the current TCP is the value of the expression.
     std::optional<Target> jointsOfPose(const QString& expression);

@@ -88,7 +88,8 @@ void ScriptOutline::analyse() {
     std::vector<VariableAssignment> values;
     static const QRegularExpression assignment(
         QStringLiteral("^(global\\s+|local\\s+)?([A-Za-z_]\\w*)\\s*=(?!=)\\s*(.+)$"));
-    // An assignment to an element or a member, or a method, which may change the variable.
+    // Matches an assignment to an element or a member, and a method call. Each of them may change the
+    // variable.
     static const QRegularExpression element(QStringLiteral("^([A-Za-z_]\\w*)\\s*[\\[.]"));
     forEachStatement(main_, false, [&](const ScriptStatement& statement, bool inFunction) {
         isPendant_ = isPendant_ || statement.node > 0;

@@ -226,7 +226,7 @@ private:
     QString error_;
 };
 
-/// Splits at commas outside of brackets and strings. Nothing if the brackets do not match.
+/// Splits at commas outside of brackets and strings. Returns no value if the brackets do not match.
 std::optional<QStringList> splitArguments(const QString& text) {
     QStringList parts;
     const QString plain = withoutStrings(text);

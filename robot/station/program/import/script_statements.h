@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Splits URScript text into statements and blocks, without evaluating them. Each statement knows its lines, so
-// that it can be kept as text.
+// Splits URScript text into statements and blocks, without evaluating them. Each statement contains its line
+// numbers, so that it can be kept as text.
 
 #include <QString>
 #include <QStringList>
@@ -55,8 +55,8 @@ struct ScriptArgument {
 struct ScriptCall {
     QString function;
     std::vector<ScriptArgument> arguments;
-    /// The texts of the arguments in the order of `names`, empty where missing. Nothing if there are too many
-    /// arguments or other names.
+    /// The texts of the arguments in the order of `names`, empty where missing. Returns no value if there are
+    /// too many arguments or other names.
     std::optional<QStringList> bind(const QStringList& names) const;
 };
 std::optional<ScriptCall> parseCall(const QString& code);

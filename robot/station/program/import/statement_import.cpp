@@ -157,7 +157,8 @@ private:
         for (QSet<QString> missing = QSet<QString>(omitted_).intersect(words); !missing.isEmpty();) {
             QSet<QString> further;
             for (const QString& name : missing) {
-                // In the first pass, the words include those of the definitions.
+                // Skip names omitted only in this pass, because the text of the steps still contains their
+                // definitions.
                 if (omittedBefore.contains(name)) {
                     kept_.insert(name);
                     omitted_.remove(name);
@@ -506,7 +507,8 @@ private:
         return true;
     }
 
-    /// A counter that only counts the repetitions of the loop after it.
+    /// Converts a While loop and its counter to a Loop step, if the counter is only used to count the
+    /// iterations.
     bool addCountingLoop(std::vector<ProgramStep>& steps, const Statements& list, std::size_t i) {
         static const QRegularExpression start(QStringLiteral("^(?:global\\s+)?(\\w+)\\s*=\\s*0$"));
         constexpr int kMaxTimes = 1'000'000;
@@ -537,7 +539,7 @@ private:
         return true;
     }
 
-    /// As written for the Switch node of the pendant.
+    /// Converts statements that the pendant has written for a Switch node.
     bool addSwitch(std::vector<ProgramStep>& steps, const Statements& list, std::size_t i) {
         static const QRegularExpression value(QStringLiteral("^(switch_\\d+)\\s*=\\s*(.+)$"));
         const auto match = value.match(list[i].code);
@@ -572,7 +574,7 @@ private:
         return true;
     }
 
-    /// A function without parameters that is only called as a statement becomes a program.
+    /// Converts a function without parameters, which is only called as a statement, to a program.
     bool addFunction(const ScriptStatement& statement) {
         static const QRegularExpression def(QStringLiteral("^def\\s+(\\w+)\\s*\\(\\s*\\)\\s*:$"));
         const auto match = def.match(statement.code);

@@ -76,7 +76,7 @@ QString typeOf(const QString& expression, const QHash<QString, QString>& variabl
         return typeOfCall(call->function);
     }
     if (text.contains(logic) && !text.contains(QLatin1Char('[')) && !text.contains(QLatin1Char('"'))) {
-        // A comparison in the argument of a call is not the value.
+        // A comparison in the argument of a call does not determine the type of the expression.
         static const QRegularExpression inCall(QStringLiteral("\\w\\s*\\([^()]*(<|>|==|!=)[^()]*\\)"));
         static const QRegularExpression notCall(QStringLiteral("\\b(and|or|xor|not)\\s*\\("));
         return QString(text).replace(notCall, QStringLiteral(" (")).contains(inCall) ? QString()
@@ -109,7 +109,7 @@ QHash<QString, QString> variableTypes(const std::vector<VariableAssignment>& ass
             }
         }
     }
-    // A type that one assignment contradicts is not certain, nor are those that depend on it.
+    // A type is uncertain if one assignment contradicts it, or if it depends on an uncertain type.
     for (bool changed = true; changed;) {
         changed = false;
         for (const VariableAssignment& assignment : assignments) {

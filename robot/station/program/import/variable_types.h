@@ -14,11 +14,12 @@ struct VariableAssignment {
     QString name;
     QString value;
     bool isGlobal = false;
-    bool isLocal = false;  ///< unless it is global: the variable of a function, or not yet global
+    /// True in a function, or before the variable is global. Not used if isGlobal is true.
+    bool isLocal = false;
 };
 
-/// Types by name, as in the field `type` of steps. Without the variables that have different or uncertain types,
-/// or that are local in a part of the script.
+/// Types by name, as in the field `type` of steps. Variables that have different or uncertain types, or that
+/// are local in a part of the script, are omitted.
 QHash<QString, QString> variableTypes(const std::vector<VariableAssignment>& assignments);
 
 /// Type of an expression; empty if it is not certain.

@@ -23,7 +23,7 @@
 namespace tiller::program {
 
 /// Number of cycles after which the preview of an endless program ends. The second cycle begins where the
-/// first one has ended.
+/// first cycle ended.
 inline constexpr int kPreviewCycles = 2;
 
 /// A digital input that switches during the run.
@@ -37,7 +37,7 @@ struct InputChange {
 struct PreviewEvent {
     enum class Kind {
         DigitalInput,    ///< `channel` as in InputChange; on unless `value` is 0
-        AnalogInput,     ///< AI0 or AI1, `value` in [A or V]
+        AnalogInput,     ///< AI0 or AI1; `value` in [A or V]
         HandForce,       ///< hand force `force` at the TCP
         ProtectiveStop,  ///< same reaction as to a collision
         OperatorStop,    ///< the stop button of the pendant
@@ -62,7 +62,8 @@ struct PreviewOptions {
     std::vector<InputChange> inputs;
     /// With a LinkLoss event, the script runs as if started from this PC: it ends without a heartbeat.
     std::vector<PreviewEvent> events = {};
-    /// For the questions to the operator, in this order. Further answers are "no", zero or an empty text.
+    /// Answers to the questions to the operator, in this order. Further questions are answered with "no",
+    /// zero or an empty text.
     QJsonArray answers = {};
     std::vector<std::string> variables = {};  ///< names of the variables for Preview::variables
     bool measuresClearance = false;           ///< whether Preview::clearance is measured

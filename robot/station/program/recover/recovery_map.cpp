@@ -53,7 +53,7 @@ struct Group {
     int last = 0;
     QUuid step;
     int iterationStep = 0;         ///< first step in an endless loop; 0: not an endless loop
-    bool isIterationCall = false;  ///< that step marks its beginning and its end
+    bool isIterationCall = false;  ///< `iterationStep` marks its beginning and its end
     bool isScript = false;         ///< contains URScript text, whose variables are unknown
     bool isRelative = false;       ///< the steps depend on the exact arm position
     QSet<QString> variables;       ///< variables that the steps set
@@ -82,7 +82,7 @@ struct Moment {
 struct Repetition {
     enum class End { Reached, Waits, Fails, Cancelled };
     End end = End::Reached;
-    int step = 0;  ///< at the end
+    int step = 0;  ///< step at the end
     Boundary boundary;
     std::vector<int> order;
 };
@@ -276,7 +276,7 @@ private:
                 valuesOf(run, variables)};
     }
 
-    /// True if the rest of the group is the same from both snapshots on.
+    /// True if the rest of the group runs identically from both snapshots.
     bool isSame(const Snapshot& a, const Snapshot& b) const {
         return hasConstantInputs_ && a.state == b.state && a.variables == b.variables &&
                a.isStandstill == b.isStandstill &&

@@ -54,8 +54,8 @@ struct StopPoint {
 struct StepRecovery {
     StopMarks marks;
     int from = 0;          ///< number of the step to run after a stop; 0: not reached
-    QUuid fromStep;        ///< that step, at the top level of the program
-    JointPositions start;  ///< its start position [rad]
+    QUuid fromStep;        ///< ID of step `from`, which is at the top level of the program
+    JointPositions start;  ///< start position of step `from` [rad]
 
     const StopMark& of(StopKind kind) const { return marks[static_cast<std::size_t>(kind)]; }
 };

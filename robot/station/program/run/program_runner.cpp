@@ -230,7 +230,7 @@ Result<RobotSession::MotionId> ProgramRunner::start(const RunPlan& plan, control
                          : plan.obstacle,
                      {}};
     }
-    // Set before the session emits the new state.
+    // Set the members before the session emits the new state.
     state_ = State::Sending;
     id_ = control::kNoMotion;
     project_ = plan.project;
@@ -267,7 +267,7 @@ HoldMotion ProgramRunner::motion(std::function<RunPlan()> plan) {
         .bounds =
             [this] {
                 HoldBounds bounds;
-                // A program of unknown duration has the time limit of motions without an end.
+                // A program of unknown duration has the time limit of motions without a defined end.
                 bounds.longestNs = expected_ > 0 ? HoldBounds::longestOf(kSlower * expected_) : 0;
                 bounds.holdTimeoutNs = HoldBounds::holdTimeoutAt(limits_.tool, limits_.joint);
                 return bounds;

@@ -122,9 +122,9 @@ public:
     /// True: the program ends at standstill before the next iteration of its outermost endless loop.
     void setEndsWithCycle(bool ends);
 
-    /// Changes the value of a variable while the program waits. The program takes it before it continues, and
-    /// resume() and step() have no effect until variableChanged() reports the result.
-    /// text  as typed
+    /// Changes the value of a variable while the program waits. The program applies the change before it
+    /// continues, and resume() and step() have no effect until variableChanged() reports the result.
+    /// text    as typed
     /// Errors  InvalidArgument with a sentence
     Result<void> changeVariable(const QString& name, const QString& text);
     /// Why the value of a variable cannot be changed now, as a sentence; empty if it can.
@@ -161,7 +161,7 @@ Q_SIGNALS:
     /// step     number of the step
     /// isFirst  true for its first run
     void stepBegan(int step, bool isFirst);
-    /// variables() has other values.
+    /// The values of variables() have changed.
     void variablesChanged();
     /// The robot has confirmed a changed value, or has not done so in time.
     void variableChanged(const QString& text, bool isConfirmed);

@@ -23,7 +23,7 @@ public:
     /// A new run begins.
     /// script  of the program; the object keeps a copy of its variables
     void begin(const ProgramScript& script);
-    /// Takes the published values. Values of other programs have no effect.
+    /// Updates the values from those that the robot publishes. Values of other programs have no effect.
     /// states   number of received robot states, see SessionState::primaryStates
     /// Returns  true if a value has changed
     bool follow(const script::ProgramVariables& published, std::uint64_t states);
@@ -32,14 +32,14 @@ public:
     /// Returns  true if a value has changed
     bool followOther(const script::ProgramVariables& published);
 
-    /// Without the variables that Tiller adds. After the run: the last values.
+    /// The variables, except those that Tiller adds. After the run, they have their last values.
     const std::vector<script::ProgramVariable>& list() const { return list_; }
     /// Type of a variable whose value can be changed; empty if it cannot.
     std::optional<script::GateVariable::Type> changeableType(const QString& name) const;
     /// Why the value cannot be changed even while the program waits, as a sentence; empty if it can.
     QString fixedReason(const script::ProgramVariable& variable) const;
 
-    /// Prepares the change that the program must take.
+    /// Prepares a change, which the program must then apply.
     /// text    the new value as typed
     /// Errors  InvalidArgument with a sentence
     Result<script::VariableChange> change(const QString& name, const QString& text);

@@ -153,7 +153,7 @@ private:
         }
         return static_cast<int>(read);
     }
-    /// Returns the index of the string.
+    /// Returns the index of the string in `words`.
     int word(const QString& place, const QJsonValue& value, std::initializer_list<const char*> words) {
         QStringList known;
         for (const char* each : words) {
@@ -197,7 +197,7 @@ private:
     const project::Project& project() const { return *result_.file.project; }
     const ProgramScript& script() const { return result_.file.programs[program_].script; }
 
-    /// A step by number or id.
+    /// Returns the number of a step, given by its number or ID.
     int step(const QString& place, const QJsonValue& value) {
         const int last = static_cast<int>(script().steps.size());
         int found = value.isString() ? script().numberOf(QUuid(value.toString())) : 0;
