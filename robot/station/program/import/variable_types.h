@@ -14,7 +14,7 @@ struct VariableAssignment {
     QString name;
     QString value;
     bool isGlobal = false;
-    /// True in a function, or before the variable is global. Not used if isGlobal is true.
+    /// True for an assignment in a function, or before the variable is global.
     bool isLocal = false;
 };
 
