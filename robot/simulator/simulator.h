@@ -6,8 +6,8 @@
 //
 // In real time, the simulator runs every control period on an absolute schedule. In virtual time, robot time
 // advances only with step(), but the sockets are served continuously, so that clients can connect at any
-// time. With step() and waitForInputPackages(), a test advances robot and client in lock-step, independent of
-// the speed of the machine.
+// time. With step() and waitForInputPackages(), a test advances robot and client in lock-step, independently
+// of the speed of the machine.
 //
 // Apart from the sockets, a program controls the simulator only through the functions below. They correspond
 // to physical actions on a real robot: operator actions, buttons and cables.

@@ -20,7 +20,7 @@ constexpr double kPathStiffness = 10;  // 1/s: rate at which non-compliant axes 
 constexpr double kMinDeviation = 2e-3;  // m
 constexpr double kMinTurn = 0.02;       // rad
 
-// Freedrive.
+// Constants of freedrive.
 const Vector6 kJointInertia = (Vector6() << 2.0, 2.0, 1.2, 0.3, 0.3, 0.3).finished();  // kg m2
 constexpr double kJointDampingRate = 4;                                                // 1/s
 constexpr double kHandForce = 3;                                                       // N, dead band

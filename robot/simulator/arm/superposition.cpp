@@ -174,7 +174,7 @@ std::optional<StopReason> Superposition::step(const JointTarget& program, bool f
     const Eigen::Isometry3d pose = appliedTo(program_.T_base_tcp);
     Vector6 goal = goal_;
     Vector6 rate = Vector6::Zero();
-    // At rest, the goal velocity must be exactly zero, because standstill is detected by that.
+    // At rest, the goal velocity must be exactly zero, because it is compared with zero to detect standstill.
     if (!(pose.matrix() - goalPose_.matrix()).isZero(1e-12) || !program.qd.isZero(0)) {
         // The offset is applied in joint space. The goal may jump, but the arm must approach it smoothly.
         if (!geometry_.follow(pose, goal, posture_)) {

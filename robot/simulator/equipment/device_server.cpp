@@ -14,7 +14,7 @@ namespace tiller::simulator {
 namespace {
 
 constexpr std::size_t kLongestRequest = 64 * 1024;
-/// Maximum number of bytes read from one client per call [bytes].
+/// Maximum amount of data read from one client per call [bytes].
 constexpr std::size_t kDeviceShare = 64 * 1024;
 
 std::string callText(const urscript::xml_rpc::MethodCall& call) {

@@ -129,7 +129,7 @@ Result<void> ScriptMotion::startMotion(urscript::ThreadId thread, const urscript
     return {};
 }
 
-// After the target has stopped, a stop command waits briefly for the arm to settle.
+// After the target has stopped, a stop command waits up to kSettling for the arm to settle.
 bool ScriptMotion::comesToRest(Motion& motion) const {
     const bool waits = plant_.assumptions().stopReturns == BehaviourOptions::StopReturns::Standing;
     if (waits && motion.settles && plant_.arm().state().standstillTime < kSettling &&

@@ -53,8 +53,8 @@ public:
     /// Like arrival(), for data from the controller, which may be held back so that they are sent together.
     double departure();
 
-    /// While this is set, closing a connection at the controller does not notify the client. The connection
-    /// stays half-open until the cable is plugged in again or unbury() is called.
+    /// If set, closing a connection at the controller does not notify the client. The connection stays
+    /// half-open until the cable is plugged in again or unbury() is called.
     void setForgetting(bool forgetting) { forgetting_ = forgetting; }
     /// Takes ownership of the descriptor of a closed connection if the client must not be notified.
     bool bury(native_socket::Descriptor descriptor);

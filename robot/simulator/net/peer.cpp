@@ -152,7 +152,7 @@ std::size_t Peer::sendNow(std::span<const std::uint8_t> bytes) {
     return done;
 }
 
-// Called after the client has closed the connection. Data sent before are still processed, e.g. a program
+// Called after the client has closed the connection. Data sent earlier are still processed, e.g. a program
 // whose sender does not wait for a reply.
 void Peer::endSending() {
     isUnresponsive_ = true;

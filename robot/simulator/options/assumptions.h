@@ -20,9 +20,10 @@ namespace tiller::simulator {
 struct BehaviourOptions {
     enum class Time : std::uint8_t { Real, Scaled };
     Time stops = Time::Real;         ///< whether the speed slider slows stopj and stopl
-    Time programStops = Time::Real;  ///< as above, for protective stops and the end of a program
+    Time programStops = Time::Real;  ///< whether it slows protective stops and program ends
     enum class SpeedCommands : std::uint8_t { Scaled, Real };
-    SpeedCommands speedCommands = SpeedCommands::Scaled;  ///< as above, for speedj, speedl, servoj and servoc
+    /// Whether the speed slider slows speedj, speedl, servoj and servoc.
+    SpeedCommands speedCommands = SpeedCommands::Scaled;
 
     enum class Registers : std::uint8_t { Kept, Zeroed };
     Registers registers = Registers::Kept;  ///< input registers after the client has disconnected

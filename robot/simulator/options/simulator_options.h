@@ -45,9 +45,10 @@ struct SimulatorOptions {
     bool safetyUnconfirmed = false;  ///< the start waits in CONFIRM_SAFETY for the operator
     double calibration =
         0;  ///< maximum deviation of the arm from its nominal model [mm and mrad]; reported to clients
-    double calibrationError = 0;  ///< deviation of the reported calibration from the actual one
-    Text programsFolder = {};     ///< folder for `load`; empty: no program files
-    Text urcapsFolder = {};       ///< additional stand-ins for URCap nodes, see README.md; empty: none
+    /// Maximum deviation of the reported calibration from the actual arm [mm and mrad].
+    double calibrationError = 0;
+    Text programsFolder = {};  ///< folder for `load`; empty: no program files
+    Text urcapsFolder = {};    ///< additional stand-ins for URCap nodes, see README.md; empty: none
     struct Device {
         Text name;
         Text file;  ///< response table, see equipment/device_table.h

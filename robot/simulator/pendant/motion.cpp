@@ -230,7 +230,8 @@ QString Motion::targetOf(const XmlElement& waypoint, const Definer& move, bool j
     const bool isMoved = frame.kind == Expressions::Frame::Kind::Other && !frame.script.isEmpty() &&
                          !then.isEmpty() &&
                          (feature->second.isVariable || !isSamePose(feature->second.pose, then));
-    // Files of PolyScope 3 contain the pose with the TCP at that time, which is one of the installation.
+    // Files of PolyScope 3 contain the pose with the TCP at that time, which is one of the TCPs of the
+    // installation.
     const bool isPoseOfInstallation = position.has("pose") && !t_.installation.tcps.empty();
     const bool directly =
         hasJoints && !isMoved && joints &&
@@ -307,8 +308,8 @@ const XmlElement* Motion::nextMotion(const XmlElement& node) const {
     return nullptr;
 }
 
-/// A process move stops at its end if no motion follows, or the waypoint of a move of another type. Otherwise, it
-/// blends.
+/// A process move stops at its end if no motion follows, or if the next waypoint belongs to a move of another
+/// type. Otherwise, it blends.
 QString Motion::processBlend(const XmlElement& node, const Definer& move) {
     const XmlElement* const next = nextMotion(node);
     const bool stops =

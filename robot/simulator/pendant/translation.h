@@ -60,7 +60,7 @@ public:
     void findPlaces(const XmlElement& element);
     /// The node at a place in the program tree.
     const XmlElement& nodeAt(const XmlElement& place) const;
-    /// The place of a node in the program tree. Its parents are the nodes around the node.
+    /// The place of a node in the program tree. The parents of the place are the enclosing nodes.
     const XmlElement& placeOf(const XmlElement& node) const;
     /// Assigns each program node its line number in the program tree.
     void numberNodes(const XmlElement& container);

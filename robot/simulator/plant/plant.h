@@ -151,7 +151,7 @@ private:
 
     std::uint64_t tick_ = 0;
     std::uint64_t startTick_ = 0;  ///< start time of the controller
-    double startTime_ = 0;         ///< timestamp at that time [s]
+    double startTime_ = 0;         ///< timestamp at startTick_ [s]
     std::uint64_t controlEpoch_ = 0;
     std::uint64_t identity_ = 0;  ///< incremented when values change that primary clients receive only once
     bool disconnected_ = false;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The running programs as the control box sees them: their state, and the requests to stop, pause and resume.
+// Interface through which the control box accesses the running programs: their state, and the requests to
+// stop, pause and resume.
 
 #include <cstdint>
 

@@ -43,8 +43,8 @@ protected:
     struct Callee {
         int index = -1;
         ast::FunctionKind kind = ast::FunctionKind::Def;
-        const ast::Function* here = nullptr;      // in this text, or
-        const FunctionCode* elsewhere = nullptr;  // compiled earlier
+        const ast::Function* here = nullptr;      // defined in this text; otherwise null
+        const FunctionCode* elsewhere = nullptr;  // compiled earlier; otherwise null
         explicit operator bool() const { return index >= 0; }
     };
     Callee findFunction(std::string_view name) const;
