@@ -42,7 +42,7 @@ public:
 
     /// Writes an incident file to this folder for every safety stop, and adds it to the journal.
     void keepIncidentsIn(const QString& folder);
-    /// Null without incident files.
+    /// Returns null if no incident files are written.
     const IncidentWatch* incidents() const { return incidents_.get(); }
 
 private:

@@ -19,7 +19,7 @@ class IncidentWatch : public QObject {
     Q_OBJECT
 
 public:
-    /// folder  for the incident files; created when the first file is written
+    /// folder  folder of the incident files, created when the first file is written
     IncidentWatch(RobotSession& session, const QString& folder, QObject* parent = nullptr);
     ~IncidentWatch() override;
 

@@ -27,10 +27,10 @@ struct ProjectFinding {
     };
     Kind kind = Kind::Unreachable;
     int row = 0;                       ///< index of the waypoint or recorded path, from 0; -1 for Unplaced
-    project::Reach reach;              ///< for Unreachable
-    collision::Contact contact;        ///< for TooClose
-    collision::MoveLimit limit;        ///< for Blocked, Slow and RecordedPath
-    collision::UnplacedObject object;  ///< for Unplaced
+    project::Reach reach;              ///< valid for Unreachable
+    collision::Contact contact;        ///< valid for TooClose
+    collision::MoveLimit limit;        ///< valid for Blocked, Slow and RecordedPath
+    collision::UnplacedObject object;  ///< valid for Unplaced
 
     /// False for findings that only slow the arm down.
     bool isError() const { return kind != Kind::Slow; }

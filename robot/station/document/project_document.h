@@ -36,7 +36,7 @@ public:
     /// Sets the arm that determines reachability. If its geometry differs from that of the arm with which the
     /// project was taught, no waypoint is reachable; see isOfOtherModel().
     void setRobot(const RobotModel& connected);
-    /// Call when no robot is connected.
+    /// Call when the robot is disconnected.
     void clearRobot();
     /// True if the project was taught with a model other than robot(), so that the same joint positions
     /// result in different poses.

@@ -69,7 +69,7 @@ Result<QString> tabbed(const QString& text) {
 QByteArray toCsv(const std::vector<project::Waypoint>& waypoints, const project::FrameList& frames) {
     QString result;
     QStringList lines = waypoint_clipboard::toText(waypoints, frames).split(QLatin1Char('\n'));
-    lines.removeLast();  // empty line
+    lines.removeLast();  // empty line after the last line break
     for (const QString& line : std::as_const(lines)) {
         QStringList fields = line.split(QLatin1Char('\t'));
         std::transform(fields.begin(), fields.end(), fields.begin(), quoted);

@@ -13,7 +13,7 @@ namespace tiller::waypoint_exchange {
 
 /// Writes UTF-8, comma separated, quoted if necessary (RFC 4180), with one heading line.
 QByteArray toCsv(const std::vector<project::Waypoint>& waypoints, const project::FrameList& frames);
-/// Accepts commas, semicolons or tabs as separators, whichever is most frequent in the first line.
+/// Uses the most frequent of comma, semicolon and tab in the first line as the separator.
 /// Errors   InvalidArgument with line and column; a file with an error is rejected as a whole
 Result<std::vector<project::Waypoint>> fromCsv(const QByteArray& bytes, const project::FrameList& frames,
                                                const waypoint_clipboard::Defaults& defaults);
@@ -23,7 +23,7 @@ Result<QByteArray> toJson(const std::vector<project::Waypoint>& waypoints, const
                           RobotModelId robot);
 
 struct Imported {
-    std::vector<project::Waypoint> waypoints;  ///< with new IDs
+    std::vector<project::Waypoint> waypoints;  ///< imported waypoints, with new IDs
     std::vector<project::Frame> frames;        ///< frames of these waypoints that the project does not have
 };
 /// If the project has a frame with the same name, that frame is used instead.

@@ -343,7 +343,7 @@ private:
     friend class ExpressionReader;
     struct Variable {
         std::size_t input = 0;         ///< index in the inputs of the signal
-        std::unique_ptr<Node> node{};  ///< a running function instead of an input
+        std::unique_ptr<Node> node{};  ///< running function used instead of an input; null for an input
     };
     mu::Parser parser_;
     std::vector<Variable> variables_;

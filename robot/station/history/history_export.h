@@ -22,7 +22,7 @@ struct HistoryNote {
 
 /// For signals of one recording, writes the rows and times of its file as .csv, .h5, .hdf5 or .mcap. For live
 /// signals, see exportCsv().
-/// t0, t1   on the plots' time axis [s]
+/// t0, t1   times on the plots' time axis [s]
 /// notes    of the signals' recording or of the live data; those in the range are exported, together with those in
 ///          the file of the recording
 /// Returns  rows written

@@ -40,7 +40,7 @@ public:
 
     /// Amount of work per call of sharpen().
     enum class Effort {
-        Draft,  ///< for a first image: extents of up to four pixel columns, or rows if zoomed in
+        Draft,  ///< reads extents of up to four pixel columns, or rows if zoomed in
         Turn,   ///< reads the next part of the missing data
     };
     /// Reads the data needed to draw these samples with this number of pixel columns.

@@ -84,7 +84,8 @@ LaneEntry laneEntry(const SessionState& state, const QString& jogLabel, const QS
         return noDataEntry();
     }
     if (!state.isFresh()) {
-        return {LaneKind::NoData, StateLaneText::tr("Late data")};  // the arm may move
+        return {LaneKind::NoData, StateLaneText::tr("Late data")};  // the arm may be moving, so neither
+                                                                    // motion nor standstill is shown
     }
     if (const auto hindered = hinderedEntry(state.robotMode, state.safetyMode)) {
         return *hindered;

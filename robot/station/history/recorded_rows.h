@@ -28,7 +28,7 @@ struct RecordedSignal {
 
 /// Row times on the plots' time axis. They never decrease, even if a clock was set back or rows could not be
 /// read.
-/// seconds  on the recording's own axis; missing rows repeat the last value
+/// seconds  times on the recording's own axis; missing rows repeat the last value
 std::vector<double> axisOf(std::vector<double> seconds, double begin, std::uint64_t rows);
 
 /// Threads  one at a time; each thread needs its own recording object
@@ -68,7 +68,7 @@ struct RecordedStretch {
     QString path;
     double begin = 0;  ///< time of the first row on the plots' time axis [s]
     recording::RowRange rows;
-    std::optional<std::int64_t> startUtcNs;  ///< with `columns`, detects a replaced recording
+    std::optional<std::int64_t> startUtcNs;  ///< start of the recording; detects a replaced file
     std::size_t columns = 0;
     std::vector<RecordedSignal> wanted;
 

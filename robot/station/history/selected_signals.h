@@ -19,7 +19,7 @@ public:
         RecordedSignal signal;
     };
     /// file     must outlive the object
-    /// columns  without the time column, which is added automatically
+    /// columns  columns except the time column, which is added automatically
     SelectedSignals(const recording::Recording& file, const std::vector<Column>& columns);
     /// Adds an event that the file does not contain.
     void add(recording::RecordedEvent event);

@@ -96,7 +96,8 @@ public:
         columns_[static_cast<std::size_t>(column)] = std::move(filled);
     }
 
-    // For a history stored in a file. Rows cannot be appended, and the limits do not apply.
+    // The following functions are for a history stored in a file. Rows cannot be appended to it, and the
+    // limits do not apply.
 
     /// Approximate time of a sample. setTimes() sets the exact time.
     struct Mark {
@@ -213,7 +214,7 @@ private:
 
     SampleFile* file_ = nullptr;
     std::vector<Mark> marks_;
-    std::vector<std::int64_t> gaps_;  ///< for a history stored in a file
+    std::vector<std::int64_t> gaps_;  ///< samples after gaps, for a history stored in a file
     std::uint64_t revision_ = 0;
 };
 

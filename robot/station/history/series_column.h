@@ -47,7 +47,7 @@ public:
     /// Memory of the values and their levels [bytes].
     std::size_t bytes() const { return bytes_; }
 
-    /// source(row) returns each value; NaN: no value.
+    /// Appends `count` rows. source(row) returns each value; NaN: no value.
     template <class Source>
     void add(std::size_t count, Source source) {
         if (precision_ == Precision::Single) {
@@ -59,7 +59,7 @@ public:
     /// Drops the oldest block.
     void dropBlock();
 
-    // For a column stored in a file.
+    // The following functions are for a column stored in a file.
 
     /// Adds rows that are stored in the file and whose values are not known yet. The column must not have any
     /// other rows.

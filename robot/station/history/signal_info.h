@@ -24,7 +24,7 @@ struct SignalInfo {
     QString family;     ///< group of signals shown together, e.g. "Joint currents"
     QString label;      ///< label within its group, e.g. "Base"
     QString longLabel;  ///< label outside its group, e.g. "I Base"
-    QString meaning;    ///< from the vendor's documentation, in English
+    QString meaning;    ///< meaning in the vendor's documentation, in English
 
     receive::FieldKind kind = receive::FieldKind::Number;
     receive::FieldModes modes = receive::FieldModes::None;

@@ -170,7 +170,7 @@ private:
         std::vector<int> derived;  ///< derived signal of each column; -1: robot field
         QString name{};            ///< name of the recording
         std::unique_ptr<recording::Recording> file{};
-        std::unique_ptr<HistoryFile> pieces{};  ///< for a long recording, which is read in parts
+        std::unique_ptr<HistoryFile> pieces{};  ///< reader of a long recording; otherwise null
         /// Layout of the samples returned by sampleAt().
         std::shared_ptr<const receive::SampleLayout> layout{};
         std::vector<std::size_t> places{};  ///< index of the file's columns in a sample
@@ -224,7 +224,7 @@ private:
     std::vector<Signal> signals_;
     QHash<QString, int> byKey_;
     std::vector<std::pair<double, double>> clocks_;  ///< see beginClock(), in the order of their times
-    QString robot_;                                  ///< of the newest live samples
+    QString robot_;                                  ///< address of the robot of the newest live samples
     std::vector<std::int64_t> robotChanges_;         ///< first live sample of each further robot
     QHash<const void*, QSet<int>> wanted_;
     QStringList furtherFields_;

@@ -35,7 +35,7 @@ QString freedriveAxesText(FreedriveAxes axes) {
 control::Freedrive freedriveOf(FreedriveAxes axes, const Eigen::Matrix3d& R_base_frame, const Pose& tcp) {
     control::Freedrive freedrive;
     if (axes == FreedriveAxes::All) {
-        return freedrive;  // no frame, so that older software accepts it too
+        return freedrive;  // omit the frame, so that older software also accepts the command
     }
     switch (axes) {
         case FreedriveAxes::All:

@@ -78,7 +78,7 @@ struct JogSelection {
     /// Custom values that replace the selected class or step.
     std::optional<SpeedClass> speed;
     std::optional<StepSize> step;
-    double contactForce = kContactForce;  ///< for UntilContact: change of force that ends the motion [N]
+    double contactForce = kContactForce;  ///< change of force that ends an UntilContact motion [N]
     /// Axes of the view in the base frame: X to the right, Y away from the viewer, Z up.
     Eigen::Matrix3d R_base_view = Eigen::Matrix3d::Identity();
     std::optional<TaughtFrame> taught;
@@ -91,7 +91,7 @@ struct CartesianKey {
 };
 
 /// The velocity for a button of the jog pad.
-/// factor  of the modifier keys: 0.1, 1 or 3; the result never exceeds `limits`
+/// factor  factor of the modifier keys: 0.1, 1 or 3; the result never exceeds `limits`
 control::JogTarget cartesianJog(const JogSelection& selection, const CartesianKey& key, double factor,
                                 const control::MotionLimits& limits);
 /// The velocity of one joint. JogTarget::speedCap keeps TCP and elbow below the selected TCP speed.

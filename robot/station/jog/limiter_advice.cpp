@@ -79,7 +79,8 @@ LimiterAdvice nearestCollision(const SessionState& state, const Eigen::Matrix3d&
     constexpr double kWarnBeyond = 0.010;  // added to the safety distance [m]
     const std::optional<NearestBodies> nearest = nearestBodies(state, kWarnBeyond);
     const control::Limiter& limiter = state.limiter;
-    // After the end of the jog, another program may have moved the arm.
+    // Use the limit reported for the jog only during the jog, because another program may move the arm
+    // afterwards.
     const bool slowed =
         state.check != nullptr && state.motionActive && isCollision(limiter.kind) && limiter.scale < 0.98;
     if (!nearest && !slowed) {

@@ -35,7 +35,7 @@ bool hasTravelLeft(const SessionState& state, const Vector6& direction, int key)
 }
 
 /// The button with the largest gain above `least` and sufficient travel.
-/// gain  of a joint velocity [1/s]
+/// gain  returns the gain of a joint velocity [1/s]
 int bestKey(const SessionState& state, const Eigen::Matrix3d& R_base_frame, double least,
             const std::function<double(const Vector6& qd)>& gain) {
     const Eigen::FullPivLU<Matrix6> solver(kinematics::jacobian(state.dh, state.q, state.tcpOffset));
@@ -89,7 +89,7 @@ int escapeKeyFrom(const SessionState& state, const Eigen::Matrix3d& R_base_frame
     const double here = check.distance(pair, check.place(state.q));
     constexpr double kMinValue = 0.1;  // smaller gains are ignored [m/m]
     return bestKey(state, R_base_frame, kMinValue, [&](const Vector6& qd) {
-        constexpr double kMoment = 1e-3;  // [s]
+        constexpr double kMoment = 1e-3;  // duration of the motion whose effect is computed [s]
         const JointPositions next(Vector6(state.q.values + kMoment * qd));
         return (check.distance(pair, check.place(next)) - here) / kMoment;
     });

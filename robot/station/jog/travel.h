@@ -36,8 +36,8 @@ std::optional<NearestBodies> nearestBodies(const SessionState& state, double bey
 
 /// Moves this joint away from its limit.
 int escapeKey(const SessionState& state, const Eigen::Matrix3d& R_base_frame, int joint);
-/// Moves the arm away from a singularity.
 enum class Singularity { Wrist, Elbow, Shoulder };
+/// Moves the arm away from a singularity.
 int escapeKeyFrom(const SessionState& state, const Eigen::Matrix3d& R_base_frame, Singularity singularity);
 /// Separates this pair of bodies.
 int escapeKeyFrom(const SessionState& state, const Eigen::Matrix3d& R_base_frame,

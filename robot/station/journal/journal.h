@@ -31,7 +31,7 @@ public:
     void addNote(const QString& text, std::int64_t utcNs);
     void addStep(const QString& text, bool isFirstRun);
     /// Adds a message about a recording.
-    /// path    of the file; empty if it could not be written
+    /// path    path of the file; empty if it could not be written
     /// moment  position in the file [s]; empty: time of the incident
     void addRecording(Severity severity, const QString& text, const QString& detail, const QString& path,
                       std::optional<double> moment = {});

@@ -17,7 +17,7 @@ enum class Origin { Tiller, Operator, Robot };
 struct JournalEvent {
     enum class Kind {
         Message,
-        Note,      ///< by the operator, for a point in time. Recordings store it at that time
+        Note,      ///< note by the operator about a point in time, at which recordings store it
         Step,      ///< a step of a program has begun. Recordings store every step
         Recording  ///< a message about a recording, e.g. of an incident. Not part of recordings
     };
@@ -32,7 +32,7 @@ struct JournalEvent {
     QString recording{};             ///< recordings: path of the file; empty if it could not be written
     std::optional<double> moment{};  ///< recordings: position in the file [s]; empty: time of the incident
 
-    // Set by the journal.
+    // Set by the journal:
     std::int64_t utcNs = 0;                     ///< time of the event [ns since 1970]
     QString robot{};                            ///< name of the connected robot; empty if there is none
     std::optional<double> controllerSeconds{};  ///< time of the newest data on the controller's clock [s]

@@ -41,10 +41,10 @@ struct GripperChoice {
 struct RobotiqRange {
     const char* name;
     double stroke;      ///< distance between the open fingers [m]
-    double leastForce;  ///< at 0 % [N]
-    double mostForce;   ///< at 100 % [N]
-    double leastSpeed;  ///< at 0 % [m/s]
-    double mostSpeed;   ///< at 100 % [m/s]
+    double leastForce;  ///< force at 0 % [N]
+    double mostForce;   ///< force at 100 % [N]
+    double leastSpeed;  ///< speed at 0 % [m/s]
+    double mostSpeed;   ///< speed at 100 % [m/s]
 };
 const RobotiqRange& robotiqRange(GripperChoice::Model model);
 

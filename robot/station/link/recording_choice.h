@@ -29,14 +29,14 @@ struct RecordingChoice {
     friend bool operator==(const RecordingChoice&, const RecordingChoice&) = default;
 };
 
-/// The row of a format that a recorder can write; CSV for unknown suffixes.
+/// Returns the file format with this suffix; CSV for a suffix that a recorder cannot write.
 const recording::FileFormat& recordingFormat(const QString& suffix);
 
 /// Translated words for a format.
 struct RecordingFormatWords {
-    QString choice;      ///< in a list of formats
+    QString choice;      ///< text in a list of formats
     QString button;      ///< accessible name of the button that starts a recording
-    QString buttonHint;  ///< its tooltip
+    QString buttonHint;  ///< tooltip of the button
 };
 RecordingFormatWords recordingFormatWords(const recording::FileFormat& format);
 /// Fields that every robot can record.

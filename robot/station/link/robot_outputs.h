@@ -62,7 +62,7 @@ public:
     /// output  0 or 1; level  0 ... 1, for 4 to 20 mA or 0 to 10 V
     void setAnalogOutput(int output, io::AnalogDomain domain, double level);
     void setRegister(const RegisterValue& value);
-    static QString registerName(const RegisterValue& value);  ///< Translated.
+    static QString registerName(const RegisterValue& value);  ///< Returns the translated name of a register.
     const OutputHolders& holders() const;
     /// Sets the operator's names by terminal ("DO 0", "AO 1"), for messages.
     void setNames(const QMap<QString, QString>& names);

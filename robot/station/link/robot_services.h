@@ -36,7 +36,7 @@ public:
     void perform(RobotCommand command, bool confirmed = false);
     /// Requires the operator's explicit confirmation.
     void unlockProtectiveStop(const UnlockConsent& consent);
-    /// name  relative to the controller's programs folder
+    /// name  path relative to the controller's programs folder
     void loadProgram(const QString& name);
     /// Calls `done` with the names for loadProgram(). Never calls it if the robot does not report the names,
     /// e.g. e-Series.
@@ -46,7 +46,7 @@ public:
     // Called by the session.
     /// Handles a stop by STOP, Esc or Space. Stops external programs. Also stops Tiller's own program on all
     /// routes, unless it is confirmed that the control program has stopped.
-    /// epoch  of the stop, see Controller::stop()
+    /// epoch  number of the stop, see Controller::stop()
     void stopPrograms(control::StopCause cause, std::uint64_t epoch);
     /// True if the connection for stopping external programs is open, so that a stop can be sent at once.
     bool stopsForeignProgramsAtOnce() const;

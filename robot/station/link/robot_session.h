@@ -72,13 +72,13 @@ class RobotSession : public QObject {
     Q_OBJECT
 
 public:
-    /// clock  for all timeouts and ages in the session; the steady clock except in tests
+    /// clock  clock for all timeouts and ages in the session; the steady clock except in tests
     explicit RobotSession(const Clock& clock = SteadyClock::shared(), QObject* parent = nullptr);
     ~RobotSession() override;
 
     const SessionState& state() const;
-    /// For clients with their own update rate; null while disconnected. For display, use samplesReceived and
-    /// stateChanged.
+    /// Receiver for clients with their own update rate; null while disconnected. For display, use
+    /// samplesReceived and stateChanged.
     receive::Receiver* receiver() const;
     /// Like receiver(), for another thread, which may keep the receiver slightly longer than the connection
     /// exists.
@@ -167,7 +167,7 @@ public:
     /// Starts several moves, blended by the controller. The moves are first sent to the controller, which
     /// takes a few tenths of a second. During this time, the motion is active: it can be held, ended and
     /// stopped, but the arm does not move yet. motionProgress() reports why a path could not start.
-    /// stops   as MoveRequest::stops
+    /// stops   see MoveRequest::stops
     /// Errors  include those of permits()
     Result<MotionId> beginPath(std::vector<control::PathEntry> path, std::uint64_t stops);
     /// Sends a complete program, runs it instead of the control program, and then takes control again. The
@@ -176,9 +176,9 @@ public:
     /// name     displayed name
     /// script   URScript, one `def`. It ends when this process ends or the connection is lost
     /// holding  Held: needs hold() like every motion, and also ends when the program is paused
-    /// stops    as MoveRequest::stops
+    /// stops    see MoveRequest::stops
     /// gate     which steps may begin; the script calls the functions of script::stepGateScript()
-    /// variables  of the script that the gate can change
+    /// variables  variables of the script that the gate can change
     /// Errors   those of permits() that do not depend on the target, and of the project guard
     Result<MotionId> beginProgram(const QString& name, const QString& script, control::Holding holding,
                                   std::uint64_t stops, const script::StepGate& gate = {},

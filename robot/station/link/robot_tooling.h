@@ -33,7 +33,7 @@ public:
 
     /// Rejected while the arm moves, because its speed would then refer to a different point.
     /// tcp   T_flange_tcp [m, rad]
-    /// name  for the log
+    /// name  name for the log
     void setTcp(const Pose& tcp, const QString& name);
     /// Rejected while the arm moves, because the arm would sag.
     void setPayload(const Load& load, const QString& name);

@@ -56,7 +56,7 @@ public:
     /// While a command is being executed, one more command is queued. A later command replaces the queued
     /// command.
     /// position, speed, force  0 ... 255
-    /// what                    for the log, e.g. "Gripper: close"
+    /// what                    text for the log, e.g. "Gripper: close"
     /// token                   if cancelled, the command is not sent
     void move(int position, int speed, int force, const QString& what, const CancelToken& token = {});
     /// Stops the fingers and discards queued commands. Reconnects after a lost connection.

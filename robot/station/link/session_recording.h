@@ -29,7 +29,7 @@ struct RecordingOrder {
     QStringList fields{};  ///< RTDE names; empty: those recorded by ur_rtde, or all in a complete format
     QStringList shown{};   ///< RTDE names of displayed signals, recorded additionally
     int every = 1;         ///< every n-th packet becomes a row
-    QString format = QStringLiteral("csv");  ///< as RecordingChoice::format
+    QString format = QStringLiteral("csv");  ///< see RecordingChoice::format
     std::int64_t keepFree = 200'000'000;     ///< minimum free disk space; recording stops below it [bytes]
 };
 

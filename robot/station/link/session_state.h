@@ -46,9 +46,9 @@ struct PacketCounts {
 
 struct LinkQuality {
     double rateHz = 0;
-    PacketCounts all;        ///< since the connection was opened
-    PacketCounts recent;     ///< in the last ten seconds: current quality of the connection
-    double roundTripMs = 0;  ///< from a command to its echo; 0: unknown
+    PacketCounts all;        ///< counts since the connection was opened
+    PacketCounts recent;     ///< counts of the last ten seconds: current quality of the connection
+    double roundTripMs = 0;  ///< time from a command to its echo; 0: unknown
     double ageMs = 0;        ///< age of the newest sample
 };
 
@@ -128,10 +128,10 @@ struct SessionState {
     Pose tcpOffset;
     Twist tcpSpeed;
     Wrench tcpForce;
-    double payloadMass = 0;     ///< as set on the robot [kg]
+    double payloadMass = 0;     ///< mass set on the robot [kg]
     bool payloadKnown = false;  ///< false if the software does not report mass and centre
     Eigen::Vector3d payloadCentre =
-        Eigen::Vector3d::Zero();                 ///< as set on the robot, relative to the flange [m]
+        Eigen::Vector3d::Zero();                 ///< centre of gravity set on the robot, flange frame [m]
     bool rawWrenchKnown = false;                 ///< false if the software does not report rawWrench
     Wrench rawWrench;                            ///< force sensor at the flange, with payload, not zeroed
     Vector6 jointCurrent = Vector6::Zero();      ///< [A]

@@ -29,7 +29,7 @@ public:
     /// After Done: the force at the TCP that remains after subtracting the payload set on the robot, in the
     /// base frame.
     Wrench remaining() const { return remaining_; }
-    double payloadMass() const { return payloadMass_; }  ///< as set on the robot [kg]
+    double payloadMass() const { return payloadMass_; }  ///< Mass set on the robot [kg].
 
 private:
     int count_ = 0;

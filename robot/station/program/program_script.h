@@ -64,8 +64,8 @@ struct ProgramScript {
 
 /// Maximum speeds of the moves of a script. URScript text of the user is not limited.
 struct SpeedLimits {
-    double tool = std::numeric_limits<double>::infinity();   ///< of linear and circular moves [m/s]
-    double joint = std::numeric_limits<double>::infinity();  ///< of joint moves [rad/s]
+    double tool = std::numeric_limits<double>::infinity();   ///< limit of linear and circular moves [m/s]
+    double joint = std::numeric_limits<double>::infinity();  ///< limit of joint moves [rad/s]
 };
 
 struct ScriptOptions {

@@ -15,7 +15,7 @@ namespace tiller::program {
 class StepWriter;
 
 enum class StepGroup { Motion, InputsOutputs, Wait, Tooling, Flow, Variables, Operator, Structure };
-QString groupName(StepGroup group);  ///< Translated.
+QString groupName(StepGroup group);  ///< Returns the translated name.
 
 struct StepKind {
     const char* id = "";  ///< name in the file

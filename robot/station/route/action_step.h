@@ -66,7 +66,7 @@ private:
     const ActionPort& port_;
     const SessionState& state_;
     project::WaypointAction action_;
-    double beganAt_ = 0;  ///< on the robot's clock [s]
+    double beganAt_ = 0;  ///< start time on the robot's clock [s]
     std::shared_ptr<Order> order_;
     CancelToken gripper_;
     bool gripping_ = false;  ///< a Robotiq is moving to a commanded position

@@ -9,7 +9,7 @@
 namespace tiller {
 
 /// from       current position of the arm
-/// tcpOffset  of the active TCP
+/// tcpOffset  offset of the active TCP
 /// limits     maximum speeds: tcpSpeed for TCP and elbow, jointSpeed for all joints
 /// Errors     NoSolution, as text for the operator
 Result<MoveRequest> moveRequestFor(const RobotModel& model, const project::Waypoint& waypoint,

@@ -14,8 +14,8 @@ struct CodeWords {
     bool known = false;
 };
 
-/// code  as in ControllerMessage::code, e.g. 153 for C153. For a code without an entry, returns a text for
-///       the type of message, and the advice to look up the code.
+/// code  number as in ControllerMessage::code, e.g. 153 for C153. For a code without an entry, returns a text
+///       for the type of message, and the advice to look up the code.
 CodeWords controllerCode(int code);
 
 }  // namespace tiller

@@ -19,8 +19,8 @@ ModeWords robotModeWords(RobotMode mode);
 ModeWords safetyWords(SafetyStatus status);
 ModeWords runtimeWords(RuntimeState state);
 
-/// The safety value to display. The status distinguishes more causes. If only one of the two values permits
-/// motion, the other value is displayed.
+/// The safety value to display: the status, because it distinguishes more causes than the mode. If the status
+/// permits motion and the mode does not, the mode is displayed.
 SafetyStatus shownSafety(SafetyMode mode, SafetyStatus status);
 
 }  // namespace tiller

@@ -37,7 +37,7 @@ void setNotation(QCoreApplication& application, const Notation& notation);
 namespace format {
 
 /// Example: "200.00 mm" or "7.874 in" for 0.2.
-/// digits  for millimetres; inches have one more
+/// digits  decimal places of millimetres; inches have one more
 QString length(double metres, int digits = 2);
 /// Like length(), without the unit and optionally with a plus sign.
 QString lengthNumber(double metres, int digits, bool withSign);

@@ -51,7 +51,7 @@ private:
     Pose tcpOffset_;
     std::shared_ptr<const collision::CollisionCheck> check_;
     collision::NeverMeeting
-        neverMeeting_;  ///< for `arm_`; reused because the cell changes more often than the arm
+        neverMeeting_;  ///< pairs for `arm_`; reused because the cell changes more often than the arm
 };
 
 }  // namespace tiller

@@ -97,7 +97,7 @@ struct RobotLink {
     ProgramRun program;                                ///< the newest program
     std::shared_ptr<io::Outputs> outputs;
     std::unique_ptr<dashboard::ServiceWorker> service;
-    std::unique_ptr<dashboard::ServiceWorker> watch;  ///< for queries; separate from commands
+    std::unique_ptr<dashboard::ServiceWorker> watch;  ///< sends queries; separate from commands
     std::unique_ptr<ExternalProgramStopper> foreignStop;
     std::unique_ptr<script::PrimaryClient> primary;
     script::MessageLimiter messageLimiter;  ///< limits the number of messages from `primary`
@@ -137,7 +137,7 @@ struct SessionBackend {
     QString refusal;  ///< why control could not be taken the last time
     QString linkReason;
 
-    bool movedBefore = false;  ///< according to the newest fresh data
+    bool movedBefore = false;  ///< the arm moved according to the newest fresh data
 
     std::uint64_t stopsSeen = 0;
     std::uint64_t ownStops = 0;  ///< number of displayed stops that the controller measured

@@ -15,7 +15,7 @@ std::vector<StepField> moveFields(MoveCommand command);
 
 /// A target as URScript.
 struct MoveTarget {
-    QString joints;             ///< if the target is in joint space; empty otherwise
+    QString joints;             ///< joint positions if the target is in joint space; otherwise empty
     QString pose;               ///< TCP pose in the base frame
     QString near;               ///< joint positions near the solution to use; may be empty
     std::optional<Pose> known;  ///< value of `pose`, if known before the run

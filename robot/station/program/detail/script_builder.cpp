@@ -36,7 +36,7 @@ const char* initialValue(VariableType type) {
     return "0";
 }
 
-/// Empty for a type whose values cannot be changed during a run.
+/// Type of a variable whose value can be changed during a run. Empty for all other types.
 std::optional<script::GateVariable::Type> gateType(VariableType type) {
     using Type = script::GateVariable::Type;
     switch (type) {

@@ -102,7 +102,7 @@ public:
     /// program.
     std::optional<Pose> tcpFor(const project::Waypoint& waypoint, const char* key);
     /// Records a move for the blend check.
-    /// target  in the base frame, if known
+    /// target  TCP pose in the base frame, if known
     void noteMove(const std::optional<Pose>& target, double blend);
 
     // ---- problems ---------------------------------------------------------------------------------------

@@ -37,7 +37,7 @@ struct CheckedProgram {
 /// Writes the script and simulates its first ten minutes from the current position of the arm. Obstacles are problems
 /// of the program, a robot with another model or TCP than the waypoints, and a simulated script error, protective stop
 /// or collision.
-/// options  with the version of the robot
+/// options  options with the software version of the robot
 /// robot    current sample with executionFields()
 /// Threads  any. Blocks: up to a few seconds
 CheckedProgram checkForRobot(const project::Project& project, const QUuid& program,
@@ -56,7 +56,7 @@ public:
         Waiting,    ///< paused before a step
         Completed,  ///< the program reached its end
         Failed,     ///< a step failed and ended the program
-        Stopped,    ///< by stop(), another client, the safety system or an error
+        Stopped,    ///< ended by stop(), another client, the safety system or an error
     };
     struct Status {
         State state = State::Starting;
@@ -69,9 +69,9 @@ public:
     };
 
     /// Starts the program, unless the arm has left the checked position. Both threads end with the object.
-    /// controller   in control; must outlive the object
-    /// samples      with executionFields()
-    /// checked      of checkForRobot(), without obstacles
+    /// controller   must be in control and outlive the object
+    /// samples      samples with executionFields()
+    /// checked      result of checkForRobot(), without obstacles
     /// breakpoints  steps before which the program pauses
     /// stops        Controller::stops() when the user requested the run. After a further stop, the program does not
     ///              start. None: now

@@ -19,8 +19,8 @@ public:
     /// Adds a sample. Samples have no effect before the start of the program, while another program ends, and
     /// after its end.
     /// time   time stamp of the robot [s]
-    /// value  of the step register
-    /// gate   of script::kGateRegister
+    /// value  value of the step register
+    /// gate   value of script::kGateRegister
     void add(double time, RuntimeState runtime, int value, int gate = 0);
 
     int step() const { return step_; }             ///< Number of the running or waiting step; 0: none.

@@ -25,8 +25,8 @@ std::optional<QString> plainString(const QString& literal);
 std::optional<int> channelOf(const QString& group, const QString& pin);
 
 /// The step that generates the call; empty if there is none.
-/// payloads  receives the payload of a Payload step, unless it contains it
-/// reason    set if the reason is known
+/// payloads  receives the payload of a Payload step, unless the list already contains it
+/// reason    set if there is no step and the reason is known
 std::optional<project::ProgramStep> stepForCall(const ScriptCall& call, project::PayloadList& payloads,
                                                 QString& reason);
 

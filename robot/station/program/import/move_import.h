@@ -38,8 +38,8 @@ class MoveImport {
 public:
     /// before  the project before the import
     /// out     receives the waypoints
-    /// name    of the program
-    /// types   of the variables, see variableTypes()
+    /// name    name of the program
+    /// types   types of the variables, see variableTypes()
     MoveImport(const project::Project& before, ImportedProgram& out, const QString& name,
                const QHash<QString, QString>& types)
         : before_(before), out_(out), name_(name), types_(types) {}
@@ -69,9 +69,9 @@ public:
 private:
     struct Target {
         std::optional<JointPositions> joints;
-        QString name;         ///< of the variable with the position; may be empty
+        QString name;         ///< name of the variable with the position; may be empty
         QStringList defined;  ///< variables that the steps do not need
-        QString pose;         ///< if there are no joint positions
+        QString pose;         ///< pose, if there are no joint positions
     };
 
     std::optional<project::ProgramStep> moveStep(const ScriptCall& call, const QString& label,
@@ -87,7 +87,7 @@ private:
     std::optional<Target> targetOf(const QString& expression, bool joint);
     static std::optional<Target> poseTarget(const QString& expression);
     /// The waypoint of the imported program at these joint positions.
-    /// label   its name; may be empty
+    /// label   name of the waypoint; may be empty
     /// values  speed and blend of a new waypoint
     QUuid waypointFor(const Target& target, const QString& label, const project::Waypoint& values);
     void use(const Target& target);

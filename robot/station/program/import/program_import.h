@@ -23,7 +23,7 @@ inline constexpr qint64 kMaxImportedBytes = 16LL * 1024 * 1024;
 struct ImportSource {
     QString file;         ///< name of the program file with its suffix, without a folder
     QByteArray content;   ///< content of the file
-    QString programName;  ///< of the new program; empty: the name of the file without its suffix
+    QString programName;  ///< name of the new program; empty: the name of the file without its suffix
     /// Content of another file in the folder of the program, e.g. its installation. Empty if it does not exist.
     std::function<std::optional<QByteArray>(const QString& name)> files;
 };
@@ -36,7 +36,7 @@ struct ImportRow {
         Merged,   ///< part of another item: `reason`
         Omitted,  ///< not imported because it has no effect in the program: `reason`
     };
-    int line = 0;  ///< of a .urp program: in the program tree, otherwise in the file; 0: none
+    int line = 0;  ///< line in the program tree (.urp), or in the file; 0: none
     QString name;  ///< text in the program tree, or the statement
     Result result = Result::Step;
     QString kind;    ///< StepKind::id
@@ -46,7 +46,7 @@ struct ImportRow {
 };
 
 struct ImportedProgram {
-    project::Project project;  ///< with the new waypoints, payloads and programs
+    project::Project project;  ///< project with the new waypoints, payloads and programs
     QUuid program;             ///< the main program
     int waypoints = 0;         ///< number of new waypoints
     int programs = 0;          ///< number of new programs, including subprograms

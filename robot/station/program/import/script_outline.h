@@ -66,7 +66,7 @@ public:
 private:
     const QStringList& lines_;
     Statements main_;
-    QString code_;  ///< of all statements
+    QString code_;  ///< text of all statements
     bool isPendant_ = false;
     bool functionSetsTcp_ = false;
     QSet<int> disabledLines_;

@@ -694,7 +694,7 @@ private:
     QHash<QString, QUuid> programs_;
     MoveImport moves_{before_, out_, name_, outline_.types()};
     QString reason_;
-    QHash<QUuid, QStringList> texts_;  ///< of the text steps
+    QHash<QUuid, QStringList> texts_;  ///< texts of the text steps
     int depth_ = 0;                    ///< number of sections around the current statement
     QUuid lastText_;
     int lastNode_ = 0;

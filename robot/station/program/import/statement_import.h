@@ -11,8 +11,8 @@
 
 namespace tiller::program {
 
-/// lines  of a script: one `def`, or statements
-/// marks  of a pendant program
+/// lines  lines of a script: one `def`, or statements
+/// marks  marks of a pendant program
 /// Errors   ScriptError with the reason
 Result<ImportedProgram> importStatements(const project::Project& project, const QString& name,
                                          const QStringList& lines,

@@ -321,7 +321,8 @@ private:
         if (hasSafetyStop && run_.safetyMode() != SafetyMode::RobotEmergencyStop) {
             find(Finding::Kind::ProtectiveStop, step_, run_.stopText());
         }
-        // A program that has already written 0 was not affected by the stop.
+        // A program that has already written 0 to the step register, i.e. has reached its end, was not
+        // affected by the stop.
         const bool stopped = hasSafetyStop || (isStopped_ && lastMark_ != 0);
         const bool cut =
             std::any_of(result_.findings.begin(), result_.findings.end(), [](const Finding& finding) {

@@ -67,10 +67,10 @@ struct PreviewOptions {
     QJsonArray answers = {};
     std::vector<std::string> variables = {};  ///< names of the variables for Preview::variables
     bool measuresClearance = false;           ///< whether Preview::clearance is measured
-    std::uint64_t seed = 1;                   ///< for the measurement noise and random()
+    std::uint64_t seed = 1;                   ///< seed of the measurement noise and random()
     /// For several previews of the same arm in one thread, see CollisionCheck.
     collision::NeverMeeting* known = nullptr;
-    int maxCycles = kPreviewCycles;          ///< of an endless loop; 0: no limit
+    int maxCycles = kPreviewCycles;          ///< maximum number of cycles of an endless loop; 0: no limit
     double timeLimit = 3600;                 ///< duration [s] after which the program is stopped
     double operatorTime = 1;                 ///< time until a message is closed or a question is answered [s]
     double sampleInterval = 0.02;            ///< time between two samples of the path [s]
@@ -81,7 +81,7 @@ struct PathSample {
     double time = 0;  ///< since the start [s]
     int step = 0;     ///< step number, see ProgramScript; 0: none
     JointPositions q;
-    Pose tcp;  ///< in the base frame
+    Pose tcp;  ///< TCP pose in the base frame
 };
 
 /// Number and duration of the runs of a step.
@@ -126,26 +126,25 @@ struct Extreme {
 struct Preview {
     enum class End {
         Completed,
-        Failed,   ///< by a step or by the script
-        Stopped,  ///< by a protective stop or an event
+        Failed,   ///< ended by a step or by the script
+        Stopped,  ///< ended by a protective stop or an event
         Running,  ///< the program was still running at the end of the preview
     };
     bool completed = false;  ///< the program ended normally, or is endless
     bool isEndless = false;  ///< the preview ended after PreviewOptions::maxCycles cycles of an endless loop
     End end = End::Failed;
     int endStep = 0;      ///< step that failed or was running at the end; 0: none
-    double duration = 0;  ///< until the end of the preview [s]
+    double duration = 0;  ///< time until the end of the preview [s]
     std::vector<PathSample> path;
-    std::vector<int> order;           ///< step numbers in the order of their start
-    std::vector<double> starts;       ///< start time of each item of `order` [s]
-    std::vector<StepTiming> timings;  ///< one per step; step number 1 is at index 0
-    std::vector<JointPositions>
-        startJoints;                ///< at the first start of each step [rad]; index as in `timings`
-    std::vector<Finding> findings;  ///< in chronological order
+    std::vector<int> order;                   ///< step numbers in the order of their start
+    std::vector<double> starts;               ///< start time of each item of `order` [s]
+    std::vector<StepTiming> timings;          ///< one per step; step number 1 is at index 0
+    std::vector<JointPositions> startJoints;  ///< arm position at the first start of each step [rad]
+    std::vector<Finding> findings;            ///< in chronological order
     JointPositions endJoints;
     Pose endPose;                           ///< TCP pose in the base frame
     std::uint64_t outputs = 0;              ///< digital outputs at the end
-    std::array<double, 2> analogOutputs{};  ///< at the end [A or V]
+    std::array<double, 2> analogOutputs{};  ///< levels at the end [A or V]
     std::vector<OutputChange> outputChanges;
     Extreme force;  ///< largest TCP force as received by a client of the robot [N]
     /// Smallest distance of the arm from the floor, planes and boxes of the cell [m], at the samples of the
@@ -171,7 +170,8 @@ std::vector<Eigen::Vector3d> tcpPath(const Preview& preview, double spacing);
 /// project, otherwise the start position of the simulated controller.
 JointPositions startPosition(const project::Project& project, const ProgramScript& script);
 
-/// script  without errors, see ProgramScript::ok()
+/// Runs the script in the simulated controller.
+/// script   must be without errors, see ProgramScript::ok()
 /// Threads  any. Blocks: a few seconds per ten minutes of program time
 Preview previewProgram(const project::Project& project, const ProgramScript& script,
                        const ScriptOptions& scriptOptions = {}, const PreviewOptions& options = {});

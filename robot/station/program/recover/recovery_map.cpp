@@ -19,7 +19,7 @@ using project::ProgramStep;
 using simulator::ControllerState;
 
 constexpr int kOutputs = 18;
-constexpr int kCheckedIterations = 2;   // of an endless loop
+constexpr int kCheckedIterations = 2;   // number of checked iterations of an endless loop
 constexpr double kSamePosition = 1e-4;  // [rad] for each joint
 constexpr double kAtStartPosition = 1e-3;
 constexpr double kAdditionalTime = 10;  // [s] after which a repeated step is considered to be waiting
@@ -417,7 +417,7 @@ private:
 
     struct Rest {
         ProgramScript script;
-        std::vector<int> numbers;  ///< for each step, its number in the complete script
+        std::vector<int> numbers;  ///< number of each step in the complete script
     };
     const Rest& restOf(std::size_t group) {
         std::optional<Rest>& rest = rests_[group];
@@ -715,7 +715,7 @@ private:
     const ProgramScript& script_;
     const ScriptOptions& scriptOptions_;
     RecoveryOptions options_;
-    std::vector<const ProgramStep*> steps_;  ///< by number
+    std::vector<const ProgramStep*> steps_;  ///< steps by number
     std::vector<int> parents_;               ///< number of the enclosing section; 0: none
     int mainSteps_ = 0;                      ///< steps up to this number belong to the main program
     std::vector<Group> groups_;
@@ -732,7 +732,7 @@ private:
     bool isOver_ = false;
     bool failed_ = false;
     std::vector<int> order_;
-    std::vector<std::pair<int, std::size_t>> begun_;  ///< steps with their next stop
+    std::vector<std::pair<int, std::size_t>> begun_;  ///< step numbers, with the index of the next stop
     std::vector<Moment> moments_;
     int periods_ = 0;
     bool isCancelled_ = false;

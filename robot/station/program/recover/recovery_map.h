@@ -67,15 +67,15 @@ struct RecoveryMap {
 };
 
 struct RecoveryOptions {
-    PreviewOptions preview;  ///< of the simulated program; `answers` are not used
+    PreviewOptions preview;  ///< options of the simulated program; `answers` are not used
     double interval = 0.1;   ///< time between two stops in a step [s]
 };
 
 /// Simulates the program from its beginning. For an endless loop at the top level, two iterations are
 /// checked, and the program continues at the loop.
-/// script   of the complete program, without errors
-/// options  of the script
-/// Threads  any. Blocks: seconds; up to a minute if a program has many different states
+/// script         script of the complete program, without errors
+/// scriptOptions  options of the script
+/// Threads        any. Blocks: seconds; up to a minute if a program has many different states
 RecoveryMap checkRecovery(const project::Project& project, const QUuid& program, const ProgramScript& script,
                           const ScriptOptions& scriptOptions = {}, const RecoveryOptions& options = {});
 
@@ -90,7 +90,7 @@ struct RecoveryCount {
 };
 RecoveryCount countRecoverable(const RecoveryMap& map);
 
-QString recoveryText(Recovery recovery);  ///< Translated, e.g. "can continue".
-QString stopKindText(StopKind kind);      ///< Translated, e.g. "Protective stop".
+QString recoveryText(Recovery recovery);  ///< Returns the translated text, e.g. "can continue".
+QString stopKindText(StopKind kind);      ///< Returns the translated name, e.g. "Protective stop".
 
 }  // namespace tiller::program

@@ -17,7 +17,7 @@ struct Continuation {
     QString text;                    ///< one sentence with the mark and its reason; empty: unknown
 };
 
-/// script   of the check
+/// script   script of the check
 /// stopped  script of the stopped run, which may begin at a later step
 /// step     number of the last step in `stopped`
 Continuation chooseContinuation(const project::Project& project, const ProgramScript& script,

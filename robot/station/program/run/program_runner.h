@@ -22,9 +22,9 @@ namespace tiller::program {
 
 /// A script for the connected robot, or why it cannot run.
 struct RunPlan {
-    project::Project project;  ///< that contains the program
+    project::Project project;  ///< project that contains the program
     QUuid program;
-    QString name;  ///< of the program
+    QString name;  ///< name of the program
     ProgramScript script;
     QString obstacle;     ///< translated sentence; empty if the program can run
     double expected = 0;  ///< expected duration [s]; 0: unknown
@@ -33,7 +33,7 @@ struct RunPlan {
 
 /// Numbers of the steps that move the arm or take time, and that the preview did not run, e.g. because they are in
 /// another branch. Such steps may contain faster and longer moves, and their problems are unknown.
-/// script  of the preview
+/// script  script of the preview
 std::vector<int> stepsNotRun(const project::Project& project, const ProgramScript& script,
                              const Preview& preview);
 
@@ -43,8 +43,8 @@ QString stepNumbersText(const std::vector<int>& numbers);
 /// Speed limits of a hold-to-run program, at which neither TCP nor elbow exceeds `tool` in a joint move.
 /// tool     [m/s]
 /// joint    [rad/s]
-/// preview  of the same script, from the current arm position, see stepsNotRun(); the limit then applies to its
-///          joint moves. Null: the limit applies to any joint move and is much lower
+/// preview  preview of the same script from the current arm position, see stepsNotRun(). The limit then
+///          applies to its joint moves. Null: the limit applies to any joint move and is much lower
 SpeedLimits heldLimits(double tool, double joint, const SessionState& state, const Preview* preview);
 
 /// The first collision of the preview as a sentence; empty without a collision.
@@ -67,7 +67,7 @@ RunPlan planRun(const project::Project& project, const QUuid& program, const Ses
 /// Why the program must not run without hold-to-run, as a sentence; empty if it may.
 /// obstacle   RunPlan::obstacle
 /// script     text of the script
-/// preview    of the same script, started at the current arm position; null: no preview
+/// preview    preview of the same script, started at the current arm position; null: no preview
 /// previewed  text of the script of the preview
 QString obstacleWithoutHold(const QString& obstacle, const QString& script, const SessionState& state,
                             const Preview* preview, const QString& previewed);
@@ -93,7 +93,7 @@ public:
         Unknown,         ///< robot data were missing at the end
         StoppedOnRobot,  ///< ended by the pendant or another client
         PausedOnRobot,   ///< held, and ended because the pendant or another client paused it
-        Replaced,        ///< by a program of another client
+        Replaced,        ///< replaced by a program of another client
         Failed,
     };
 
@@ -124,7 +124,7 @@ public:
 
     /// Changes the value of a variable while the program waits. The program applies the change before it
     /// continues, and resume() and step() have no effect until variableChanged() reports the result.
-    /// text    as typed
+    /// text    new value as typed
     /// Errors  InvalidArgument with a sentence
     Result<void> changeVariable(const QString& name, const QString& text);
     /// Why the value of a variable cannot be changed now, as a sentence; empty if it can.

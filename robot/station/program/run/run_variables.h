@@ -21,7 +21,7 @@ QString typeName(script::ProgramVariable::Type type);
 class RunVariables {
 public:
     /// A new run begins.
-    /// script  of the program; the object keeps a copy of its variables
+    /// script  script of the program; the object keeps a copy of its variables
     void begin(const ProgramScript& script);
     /// Updates the values from those that the robot publishes. Values of other programs have no effect.
     /// states   number of received robot states, see SessionState::primaryStates

@@ -11,7 +11,7 @@
 namespace tiller::program {
 
 struct StartStep {
-    QUuid step;        ///< at the top level of the program
+    QUuid step;        ///< ID of the step, at the top level of the program
     JointPositions q;  ///< position of the arm at the beginning of the step [rad]
 };
 
@@ -22,7 +22,7 @@ struct StartStepChoice {
 
 /// Determines the arm position at a step from a preview of the complete program.
 /// options  those of the preview, without ScriptOptions::from
-/// script   of the preview
+/// script   script of the preview
 /// preview  null: not available
 StartStepChoice chooseStartStep(const project::Project& project, const QUuid& program, const QUuid& step,
                                 ScriptOptions options, const ProgramScript& script, const Preview* preview);

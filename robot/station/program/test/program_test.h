@@ -31,16 +31,16 @@ struct ExpectedPose {
 
 struct ExpectedOutput {
     QString name;     ///< e.g. "DO2"
-    int channel = 0;  ///< as in OutputChange
+    int channel = 0;  ///< number as in OutputChange
     double value = 0;
-    double tolerance = 0;  ///< of analog outputs [A or V]
+    double tolerance = 0;  ///< tolerance of analog outputs [A or V]
     ExpectedRange time;    ///< time of the change since the start [s]
 };
 
 struct ExpectedVariable {
     QString name;
     QJsonValue value;
-    double tolerance = 1e-6;  ///< of numbers
+    double tolerance = 1e-6;  ///< tolerance of numbers
 };
 
 struct ExpectedRuns {
@@ -60,14 +60,14 @@ struct TestExpectations {
     int endStep = 0;  ///< 0: any
     bool allowsCollisions = false;
     bool allowsProtectiveStop = false;
-    std::optional<ExpectedPose> pose;       ///< at the end
-    std::optional<double> clearance;        ///< minimum [m]
-    std::optional<double> force;            ///< maximum [N]
+    std::optional<ExpectedPose> pose;       ///< pose at the end
+    std::optional<double> clearance;        ///< minimum clearance [m]
+    std::optional<double> force;            ///< maximum force [N]
     std::optional<ExpectedRange> duration;  ///< [s]
     std::optional<ExpectedCycle> cycle;
     std::vector<ExpectedOutput> outputs;       ///< all changes of these outputs, in this order
-    std::vector<ExpectedOutput> finalOutputs;  ///< at the end
-    std::vector<ExpectedVariable> variables;   ///< at the end
+    std::vector<ExpectedOutput> finalOutputs;  ///< levels at the end
+    std::vector<ExpectedVariable> variables;   ///< values at the end
     std::vector<ExpectedRuns> runs;
 };
 

@@ -47,7 +47,7 @@ struct ReadTestFile {
 ReadTestFile readTestFile(const QString& path);
 
 /// Name of an output in test files, e.g. "DO2" or "AO1".
-/// channel  as in OutputChange
+/// channel  number as in OutputChange
 QString outputName(int channel);
 
 }  // namespace tiller::program

@@ -23,14 +23,14 @@ struct Verdict {
 struct TestOutcome {
     std::size_t file = 0;  ///< index of the test file
     std::size_t test = 0;  ///< index into TestFile::tests
-    Preview preview;       ///< without its path
+    Preview preview;       ///< result without its path
     std::vector<Verdict> verdicts;
     bool hasRun = false;  ///< false if the program has errors
     bool passed() const;  ///< True if all verdicts passed.
 };
 
 struct TestRunOptions {
-    std::uint64_t seed = 1;  ///< for the measurement noise and random()
+    std::uint64_t seed = 1;  ///< seed of the measurement noise and random()
     int threads = 1;
     std::function<bool()> isCancelled = {};  ///< polled in the threads
 };
