@@ -169,7 +169,7 @@ QString hand(ControllerServices& controlBox, Words& words) {
     return {};
 }
 
-constexpr double kFar = 10;  ///< [m]
+constexpr double kFar = 10;  ///< maximum coordinate in a fault line [m]
 
 QString plane(ControllerServices& controlBox, Words& words) {
     arm::ContactPlane plane;

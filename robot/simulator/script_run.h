@@ -54,7 +54,7 @@ struct ControllerState {
     std::array<double, 48> floatRegisters{};          ///< output registers
     Pose tcp;                                         ///< flange to TCP [m, rad]
     double payload = 0;                               ///< [kg]
-    Eigen::Vector3d payloadCentre = Eigen::Vector3d::Zero();  ///< in the flange frame [m]
+    Eigen::Vector3d payloadCentre = Eigen::Vector3d::Zero();  ///< centre of gravity in the flange frame [m]
 
     friend bool operator==(const ControllerState&, const ControllerState&) = default;
 };
@@ -88,7 +88,7 @@ public:
     bool isStandstill() const;
     double tcpForce() const;                      ///< force at the TCP as an RTDE client receives it [N]
     std::uint64_t digitalOutputs() const;         ///< 0-7 standard, 8-15 configurable, 16-17 tool
-    std::array<double, 2> analogOutputs() const;  ///< at the terminals [A or V]
+    std::array<double, 2> analogOutputs() const;  ///< levels at the terminals [A or V]
     /// Last value of a global variable in ScriptRunOptions::followedVariables, also after the end of the
     /// script: true or false, a number, a string, or a list of numbers for a pose or a list. Undefined if the
     /// script has not set the variable.

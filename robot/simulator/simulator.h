@@ -33,7 +33,7 @@
 
 namespace tiller::simulator {
 
-using tiller::operator<<;  // for the enumerations below
+using tiller::operator<<;  // makes the enumerations below printable
 
 /// The actual state of the simulated robot, to compare with the state reported by a client.
 struct SimulatedState {
@@ -96,7 +96,7 @@ public:
     /// the sockets. Does nothing in real time.
     /// Threads  any. Blocks: while stepping
     void step(int ticks = 1);
-    void stepSeconds(double seconds);  ///< [s], rounded to whole periods
+    void stepSeconds(double seconds);  ///< Advances time by `seconds` [s], rounded to whole periods.
     /// Runs one period. Then, without advancing time, reads until an input package has arrived for each data
     /// package sent, no client is connected over RTDE, or the deadline has expired.
     /// Returns  false if input packages are missing

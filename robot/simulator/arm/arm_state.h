@@ -65,7 +65,7 @@ struct ArmState {
     Pose actualTcpPose;           ///< actual_TCP_pose
     Twist actualTcpSpeed;         ///< actual_TCP_speed
     Twist actualTcpAcceleration;  ///< actual_TCP_acceleration [m/s2, rad/s2]
-    Pose actualFlangePose;        ///< without the TCP offset
+    Pose actualFlangePose;        ///< flange pose, without the TCP offset
     Wrench tcpForce;              ///< actual_TCP_force: external force on the tool, base axes
     double tcpForceScalar{};      ///< tcp_force_scalar [N]
     Wrench ftRawWrench;           ///< ft_raw_wrench: flange frame, neither compensated nor zeroed

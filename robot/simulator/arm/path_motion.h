@@ -14,7 +14,8 @@ namespace tiller::simulator::arm {
 struct PathCandidate {
     Vector6 q = Vector6::Zero();
     Vector6 rateProgram = Vector6::Zero();  ///< derivative of q with respect to program time
-    Vector6 rateReal = Vector6::Zero();     ///< with respect to real time; decays regardless of program time
+    Vector6 rateReal = Vector6::Zero();     ///< derivative of q with respect to real time; decays regardless
+                                            ///< of program time
     bool reached = true;                    ///< false: the tool path cannot be followed at this position
     Vector6 currentQ = Vector6::Zero();     ///< joint positions of each of the two motions
     Vector6 tailQ = Vector6::Zero();

@@ -11,7 +11,7 @@ constexpr double kNearlyZero = 1e-9;
 constexpr double kSampleStep = 0.01;        // m
 constexpr double kFirstStep = 1e-4;         // m
 constexpr double kLargestTurn = 0.12;       // rad between samples
-constexpr double kSmallestFraction = 1e-4;  // of the path; a large rotation within it: singularity
+constexpr double kSmallestFraction = 1e-4;  // fraction of the path; a large rotation in it: singularity
 constexpr double kMaxFollowedTurn = 5;      // m; exceeds the longest possible path across the workspace
 }  // namespace
 

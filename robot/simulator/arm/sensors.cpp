@@ -24,7 +24,7 @@ constexpr double kHeatOfElectronics = 6.0;    // K
 constexpr double kSupplyVoltage = 48.0;       // V
 constexpr double kIdlePower = 40.0;           // W, electronics of the joints
 constexpr double kResistance = 1.4;           // ohm, relative to joint current
-constexpr double kRounding = 1e-9;            // relative to an acceleration, and absolute in rad/s2
+constexpr double kRounding = 1e-9;            // tolerance relative to an acceleration, and absolute in rad/s2
 // Initial values recorded from the manufacturer's simulator.
 const Vector6 kStartTemperature = (Vector6() << 25.5, 25.0, 24.5, 24.0, 23.5, 23.5).finished();
 

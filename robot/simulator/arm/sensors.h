@@ -68,8 +68,8 @@ private:
     double period_;
     bool ideal_;
     Noise noise_;
-    Dynamics model_;  // with the configured payload
-    Dynamics real_;   // with the actual load
+    Dynamics model_;  // dynamics with the configured payload
+    Dynamics real_;   // dynamics with the actual load
     Payload payload_;
     Payload load_;
     bool loadHangs_ = false;  // the actual load differs from the configured payload

@@ -70,7 +70,7 @@ private:
     bool targetReached_ = false;
     double slowedBy_ = 1;
 
-    Vector6 velocity_ = Vector6::Zero();        // in program time: joint rates or twist
+    Vector6 velocity_ = Vector6::Zero();        // joint rates or twist, in program time
     Vector6 targetVelocity_ = Vector6::Zero();  // value that velocity_ approaches
     double a_ = 1;
     double aRot_ = 1;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Superposed motions of a program: offsets, and conveyors.
+// Superposed motions of a program: offsets and conveyors.
 
 #include "robot/simulator/urscript/host.h"
 

@@ -25,7 +25,7 @@ struct HttpRequest {
     bool keepAlive = true;
 
     /// Empty if there is no such header.
-    /// name  in lower case
+    /// name  header name in lower case
     std::string_view header(std::string_view name) const;
 };
 

@@ -25,7 +25,7 @@ protected:
     /// Tag of a new connection, passed to answer(). The service defines its meaning.
     virtual std::uint64_t tagOfNewClient() { return 0; }
     virtual std::string greeting() { return {}; }
-    /// line  without the newline
+    /// line  request without the newline
     virtual LineAnswer answer(std::string_view line, std::uint64_t tag) = 0;
     /// Processes an incomplete line. If it returns a reply, the line is complete.
     virtual std::optional<LineAnswer> answerUnfinished(std::string_view) { return std::nullopt; }

@@ -77,8 +77,8 @@ private:
     std::size_t backlog_;
     std::vector<std::uint8_t> out_;
     std::size_t sent_ = 0;
-    std::deque<Segment> held_;      ///< in transit to the client
-    std::deque<Segment> arriving_;  ///< in transit from the client
+    std::deque<Segment> held_;      ///< data in transit to the client
+    std::deque<Segment> arriving_;  ///< data in transit from the client
     std::size_t heldBytes_ = 0;
     bool isWatched_ = false;  ///< the link's poller watches the socket and sets hasArrived_
     bool hasArrived_ = true;  ///< data may be available

@@ -19,8 +19,9 @@ namespace tiller::simulator {
 /// sources.
 struct BehaviourOptions {
     enum class Time : std::uint8_t { Real, Scaled };
-    Time stops = Time::Real;         ///< whether the speed slider slows stopj and stopl
-    Time programStops = Time::Real;  ///< whether it slows protective stops and program ends
+    Time stops = Time::Real;  ///< whether the speed slider slows stopj and stopl
+    /// Whether the speed slider slows protective stops and the end of a program.
+    Time programStops = Time::Real;
     enum class SpeedCommands : std::uint8_t { Scaled, Real };
     /// Whether the speed slider slows speedj, speedl, servoj and servoc.
     SpeedCommands speedCommands = SpeedCommands::Scaled;

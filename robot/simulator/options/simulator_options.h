@@ -17,7 +17,7 @@
 
 namespace tiller::simulator {
 
-using tiller::operator<<;  // for the enumerations below
+using tiller::operator<<;  // makes the enumerations below printable
 
 enum class Time { Real, Virtual };
 

@@ -97,9 +97,9 @@ struct Motion::Until {
     enum class Kind { Distance, Contact, Condition, Arrival };
     const XmlElement* node;
     Kind kind;
-    QString distance;   ///< for Distance [m]
-    QString blend;      ///< for Distance: blend radius [m]; empty: stops
-    QString condition;  ///< for Condition
+    QString distance;   ///< distance of a Distance condition [m]
+    QString blend;      ///< blend radius of a Distance condition [m]; empty: stops
+    QString condition;  ///< expression of a Condition
 };
 
 // ---- waypoints ------------------------------------------------------------------------------------------

@@ -63,7 +63,7 @@ private:
     std::function<void(const XmlElement&)> writeChildren_;
     bool keepsDisabled_;
     bool usesDirections_ = false;
-    std::map<std::pair<QString, QString>, QString> names_;  ///< of waypoints, by their name and position
+    std::map<std::pair<QString, QString>, QString> names_;  ///< waypoint variables, by name and position
 };
 
 }  // namespace tiller::simulator::pendant

@@ -43,7 +43,7 @@ struct PendantProgram {
     std::string script;  ///< complete function, starting with `def`
     /// The first unfinished node. A program with such a node can be loaded but cannot be played.
     std::optional<Error> unfinished = {};
-    std::vector<NodeMark> marks = {};  ///< of a `.urp` program, in the order of the lines
+    std::vector<NodeMark> marks = {};  ///< marks of a `.urp` program, in line order
 };
 
 /// True for gzipped data, or for XML with a program as its root.

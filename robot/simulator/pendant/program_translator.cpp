@@ -13,7 +13,7 @@ namespace tiller::simulator::pendant {
 namespace {
 
 constexpr std::size_t kMaxSubPrograms = 1000;
-constexpr double kMinCurrent = 0.004, kMaxCurrent = 0.020;  ///< of analog terminals [A]
+constexpr double kMinCurrent = 0.004, kMaxCurrent = 0.020;  ///< range of analog terminals [A]
 constexpr double kMaxVoltage = 10.0;                        ///< [V]
 
 QString textOf(const XmlElement& node, const char* child) {

@@ -53,7 +53,7 @@ public:
 
     /// Returns a unique name for a function, thread or waypoint.
     QString uniqueName(const QString& text);
-    int nextNumber() { return ++lastNumber_; }  ///< for generated names
+    int nextNumber() { return ++lastNumber_; }  ///< Returns a number for a generated name.
 
     /// Finds the nodes that are stored elsewhere in the file, e.g. in an expression. Their place in the program
     /// tree contains a reference.

@@ -62,7 +62,7 @@ public:
     Watchdogs& watchdogs() { return watchdogs_; }
     Popups& popups() { return popups_; }
 
-    // Requests that affect more than one part.
+    // Requests that affect several parts of the robot.
     void powerOn();
     void releaseBrakes();
     /// Clears violations and faults. The arm is then powered off.

@@ -22,7 +22,7 @@ enum class Op : std::uint8_t {
     PushTrue,
     PushFalse,
     PushNone,
-    PushUnset,  // for an omitted argument
+    PushUnset,  // value of an omitted argument
     LoadLocal,
     LoadGlobal,
     StoreLocal,

@@ -89,7 +89,7 @@ struct StopL {
 };
 
 struct DirectTorque {
-    JointTorques torque;               ///< without gravity
+    JointTorques torque;               ///< torque without gravity
     bool frictionCompensation = true;  ///< for the command with a single switch
     std::optional<Vector6> viscous;    ///< for the command with scales 0..1
     std::optional<Vector6> coulomb;
@@ -107,14 +107,14 @@ using MotionCommand =
 struct ForceMode {
     Pose taskFrame;
     std::array<bool, 6> compliant{};
-    Wrench wrench;  ///< in the task frame
+    Wrench wrench;  ///< wrench in the task frame
     int type = 2;
     Vector6 limits = Vector6::Zero();
 };
 
 struct Freedrive {
     std::array<bool, 6> freeAxes{true, true, true, true, true, true};
-    Pose feature;              ///< relative to the base if `tool` is false
+    Pose feature;              ///< feature relative to the base if `tool` is false
     bool tool = false;         ///< the feature is the tool
     bool checkPayload = true;  ///< false for freedrive_mode_no_incorrect_payload_check()
 };

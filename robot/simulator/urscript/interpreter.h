@@ -34,7 +34,7 @@ struct Limits {
     /// A thread that reads a socket after this many operations waits for the next frame. Otherwise, a loop that
     /// always finds data would never end its frame.
     std::int64_t readingOperationsPerFrame = 100'000;
-    std::int64_t frameOperations = 4'000'000;  ///< for all threads together
+    std::int64_t frameOperations = 4'000'000;  ///< operations of all threads together
     int callDepth = 200;
     int threads = 128;
     std::size_t listLength = 100'000;
@@ -55,7 +55,7 @@ public:
         Running,
         Paused,
         Finished,  ///< the main body has ended, or `halt`
-        Stopped,   ///< after stop()
+        Stopped,   ///< ended by stop()
         Failed,    ///< see error()
     };
 
@@ -69,9 +69,9 @@ public:
     /// Threads  always the same thread; hosts may call pause(), resume() and stop() from inside this function
     State runFrame();
 
-    void pause();  ///< from the next frame on; sleeps and read timeouts pause too
+    void pause();  ///< Pauses from the next frame on; sleeps and read timeouts pause too
     void resume();
-    void stop();  ///< ends the program; inside runFrame(): after the current statement
+    void stop();  ///< Ends the program; inside runFrame(): after the current statement
 
     State state() const;
     bool ended() const { return state() >= State::Finished; }

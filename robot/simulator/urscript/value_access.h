@@ -16,7 +16,7 @@ namespace tiller::simulator::urscript {
 void assign(Value& variable, Value v, const std::string& name);
 /// Returns the value `steps` levels down, unshared for writing. Advances `indices` past the indices used.
 Value& descend(Value& root, const Path& path, std::size_t steps, const Value*& indices);
-/// Assigns through the last step of a path.
+/// Assigns `element` to the element or member of `holder` that the last step of a path selects.
 void assignElement(Value& holder, const Path::Part& part, const Value* indices, Value element);
 void checkBounds(const Value& root, std::size_t listLength);
 Value applyMethod(Value& object, const MethodCall& call, const Value* arguments);

@@ -29,13 +29,13 @@ public:
     static constexpr std::size_t kMaxFrames = 1000;
 
     /// Adds a frame. The name must be unique.
-    /// pose  relative to `ref`, which becomes the parent
+    /// pose  pose relative to `ref`, which becomes the parent
     Result<void> add(const std::string& name, const Pose& pose, const std::string& ref);
     /// Changes the parent of `child` without moving it. Cycles are refused.
     Result<void> attach(const std::string& child, const std::string& parent, const ArmFrames& arm);
     /// Moves a frame without changing its parent. Of the permanent frames, only the base can be moved (in the
     /// world). Frames attached to the world then do not move.
-    /// pose  relative to `ref`
+    /// pose  pose relative to `ref`
     Result<void> move(const std::string& name, const Pose& pose, const std::string& ref,
                       const ArmFrames& arm);
     /// Removes a frame. Its children are attached to its parent without moving.
@@ -57,7 +57,7 @@ public:
     Result<Pose> poseOf(const std::string& name, const std::string& relative, const std::string& axes,
                         const ArmFrames& arm) const;
 
-    /// load  relative to the frame
+    /// load  payload in the axes of the frame
     Result<void> setMass(const std::string& name, const Payload& load);
     /// Total load attached to the flange and the TCP, in the flange frame.
     Payload attachedPayload(const ArmFrames& arm) const;

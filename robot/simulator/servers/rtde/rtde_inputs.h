@@ -56,7 +56,7 @@ private:
         std::uint64_t period;
         InputRecipe recipe;
         std::vector<double> values;
-        std::vector<bool> late;  ///< for each field of the recipe
+        std::vector<bool> late;  ///< for each field of the recipe: true if it is applied later
     };
 
     std::vector<bool> lateFields(std::size_t count) const;

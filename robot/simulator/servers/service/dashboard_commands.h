@@ -26,7 +26,7 @@ public:
     Rights rightsOfNewClient() const;
 
     struct Reply {
-        std::string line;  ///< without the newline
+        std::string line;  ///< reply without the newline
         bool closes = false;
     };
     Reply run(std::string_view line, Rights rights);

@@ -28,7 +28,7 @@ private:
     using Handler = HttpResponse (RobotApi::*)(const HttpRequest& request, const std::string& rest);
     struct Route {
         std::string_view method;
-        std::string_view path;  ///< relative to the base; final '*': the handler gets the rest
+        std::string_view path;  ///< path relative to the base; final '*': the handler gets the rest
         Handler handler;
         bool changes = false;   ///< refused in local control
         bool since1012 = true;  ///< true: exists from 10.12 on; false: from 10.11 on
