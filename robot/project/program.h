@@ -20,7 +20,7 @@ inline constexpr int kMaxProgramSteps = 100'000;  ///< maximum number of steps i
 struct ProgramStep {
     QUuid id;
     QString kind;        ///< "moveJ"; see robot/station/program/step_kind.h
-    QJsonObject fields;  ///< by name; numbers in SI units, references as IDs
+    QJsonObject fields;  ///< field values by name; numbers in SI units, references as IDs
     bool disabled = false;
     std::vector<ProgramStep> steps;  ///< steps inside a section
     friend bool operator==(const ProgramStep&, const ProgramStep&) = default;

@@ -28,7 +28,7 @@ struct LockOwner {
 /// Threads  one at a time
 class ProjectLock {
 public:
-    /// path  of the project; a symbolic link uses the lock of its target
+    /// path  path of the project; a symbolic link uses the lock of its target
     explicit ProjectLock(const QString& path);
     ~ProjectLock();
     ProjectLock(const ProjectLock&) = delete;

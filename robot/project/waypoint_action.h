@@ -65,15 +65,15 @@ struct WaypointActionKind {
     enum class Grip { None, Open, Close };
 
     WaypointAction::Kind kind;
-    const char* key;  ///< in project files
+    const char* key;  ///< key in project files
     Pin pin;
     Time time;
     Grip grip;
     double usualSeconds;  ///< initial value in the editor [s]
     // Texts in the translation context ActionWords. The arguments are the terminal and `seconds`, if used.
     const char* title;
-    const char* text;          ///< if a pin is used, with the value on
-    const char* offText = "";  ///< with the value off
+    const char* text;          ///< text with the value on, if a pin is used
+    const char* offText = "";  ///< text with the value off
     const char* unlimitedText = "";
     const char* unlimitedOffText = "";
 };

@@ -18,7 +18,7 @@ public:
 private:
     enum class Frames {
         MustBeHere,
-        MayBeDeleted,  ///< for a revision, whose frame may have been deleted since
+        MayBeDeleted,  ///< part of a revision, whose frame may have been deleted since
     };
     /// Reads a waypoint without ID and history.
     Waypoint facts(const QString& where, const QJsonObject& object, Frames frames);
