@@ -14,8 +14,8 @@ namespace tiller::collision {
 /// Radii and offsets of the housings [m]. The size of a joint housing depends on its torque; tubes are thinner than
 /// the housings at their ends.
 struct ArmProportions {
-    double shoulderOffset = 0;  ///< from axis 1 to the upper arm tube, along axis 2
-    double elbowOffset = 0;     ///< from axis 1 to the forearm tube, along axis 2
+    double shoulderOffset = 0;  ///< distance from axis 1 to the upper arm tube, along axis 2
+    double elbowOffset = 0;     ///< distance from axis 1 to the forearm tube, along axis 2
     double baseHeight = 0;      ///< height of the fixed part
     double baseRadius = 0;
     double shoulderRadius = 0;  ///< joints 1 and 2

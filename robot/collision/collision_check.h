@@ -83,8 +83,8 @@ public:
         Contact::With with = Contact::With::Arm;
         std::size_t body = 0;   ///< moving body: index into capsules()
         std::size_t other = 0;  ///< a body closer to the base, or an index into Surroundings
-        int link = 0;           ///< as Contact::link
-        int otherLink = 0;      ///< as Contact::other
+        int link = 0;           ///< see Contact::link
+        int otherLink = 0;      ///< see Contact::other
         double margin = 0;      ///< safety distance between the two for obstruction() and jogs [m]
         /// Radius of the body about each joint axis; 0 if the joint has no effect [m].
         Vector6 radius = Vector6::Zero();

@@ -57,7 +57,7 @@ struct MoveReport {
 std::optional<MoveLimit> collisionOn(const RobotModel& model, const CollisionCheck& check,
                                      const Pose& tcpOffset, std::span<const JointPositions> way);
 
-/// check          for the arm, its tool and the surroundings, with the safety distance. A move that starts
+/// check          checks the arm, its tool and the surroundings, with the safety distance. A move that starts
 ///                within the safety distance and leaves it is not a collision, see
 ///                CollisionCheck::obstruction().
 /// tcpOffset      flange to TCP [m, rad]

@@ -48,8 +48,8 @@ struct UnplacedObject {
 struct CellSurroundings {
     Surroundings around;
     std::vector<UnplacedObject> unplaced;     ///< not checkable; moves are refused unless empty
-    double toolRadius = 0;                    ///< as ToolBody::radius [m]
-    double safetyDistance = kSafetyDistance;  ///< for moves and jogs [m]
+    double toolRadius = 0;                    ///< see ToolBody::radius [m]
+    double safetyDistance = kSafetyDistance;  ///< safety distance for moves and jogs [m]
 };
 
 }  // namespace tiller::collision
