@@ -86,7 +86,7 @@ bool refine(const DhParameters& dh, const Eigen::Isometry3d& target, JointPositi
 /// For a free wrist 3: the smallest rotation of axis 5 about axis 2 for which upper arm and forearm reach
 /// from the shoulder to the end of the forearm [rad]. 0 if the point is already reachable, or cannot be
 /// reached at all.
-/// T_1_4  with the current axis; axis 2 is z of frame 1
+/// T_1_4  transform with the current axis 5; axis 2 is z of frame 1
 double turnIntoReach(const Eigen::Isometry3d& T_1_4, double d5, double a2, double a3) {
     const Eigen::Vector2d axis5 = T_1_4.linear().col(2).head<2>();
     const Eigen::Vector2d wrist = T_1_4.translation().head<2>() + d5 * axis5;

@@ -56,7 +56,7 @@ PayloadEstimate estimatePayload(std::span<const PayloadReading> readings, double
 /// Wrench about the flange in the flange frame, for controllers that do not report the raw reading. It is
 /// computed from the wrench at the TCP in the base frame, from which the controller has subtracted the known
 /// payload.
-/// mass, centre  of this payload
+/// mass, centre  mass [kg] and centre of gravity [m] of this payload
 /// down          direction of gravity in the base frame
 Wrench feltAtFlange(const Wrench& atTcp, const Eigen::Matrix3d& R_base_flange, const Eigen::Vector3d& tcp,
                     double mass, const Eigen::Vector3d& centre, const Eigen::Vector3d& down,

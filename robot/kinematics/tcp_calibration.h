@@ -26,7 +26,7 @@ struct TipFit {
         TooAlike,   ///< the flange was rotated too little, or about one axis only
     };
     Problem problem = Problem::TooFew;
-    Eigen::Vector3d tip = Eigen::Vector3d::Zero();    ///< in the flange frame [m]
+    Eigen::Vector3d tip = Eigen::Vector3d::Zero();    ///< tip in the flange frame [m]
     Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< the touched point in the base frame [m]
     std::vector<double> residuals;  ///< distance of the tip from the point for each pose [m]
     double rms = 0;                 ///< rms of the residuals [m]
@@ -37,7 +37,7 @@ struct TipFit {
 };
 
 /// Least-squares estimate of the tip.
-/// T_base_flange  of each pose
+/// T_base_flange  the flange poses
 /// Threads        any. Real-time: no (allocates)
 TipFit fitTip(std::span<const Eigen::Isometry3d> T_base_flange);
 
@@ -75,7 +75,7 @@ struct ToolRotationFit {
 
 /// Tool orientation relative to the flange, from three poses with equal orientation: a start pose, a pose moved along
 /// the tool's +Z, and a pose moved towards its +X.
-/// T_base_flange  of the three poses
+/// T_base_flange  the three flange poses
 ToolRotationFit fitToolRotation(const std::array<Eigen::Isometry3d, 3>& T_base_flange);
 
 }  // namespace tiller::kinematics
