@@ -52,7 +52,7 @@ public:
     const project::PatternList& patterns() const { return project_.patterns; }
     const project::CellGeometry& cell() const { return project_.cell; }
     const project::PathList& paths() const { return project_.paths; }
-    /// Author in the waypoint history; by default the name of the user account.
+    /// Sets the author in the waypoint history. Default: the name of the user account.
     void setAuthor(const QString& name) { author_ = name; }
 
     /// Replaces the project and clears the undo history.

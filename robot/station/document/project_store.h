@@ -35,7 +35,7 @@ public:
     /// Saves unsaved changes, or keeps a copy of them.
     ~ProjectStore() override;
 
-    /// Folder for copies of unsaved work. Empty: no copies are kept.
+    /// Sets the folder for copies of unsaved work. Empty: no copies are kept.
     void setCopyFolder(const QString& folder);
     const QString& copyFolder() const { return copyFolder_; }
 

@@ -13,7 +13,8 @@ namespace tiller::waypoint_exchange {
 
 /// Writes UTF-8, comma separated, quoted if necessary (RFC 4180), with one heading line.
 QByteArray toCsv(const std::vector<project::Waypoint>& waypoints, const project::FrameList& frames);
-/// Uses the most frequent of comma, semicolon and tab in the first line as the separator.
+/// Reads the columns written by toCsv(). The separator is the most frequent of comma, semicolon and tab in
+/// the first line.
 /// Errors   InvalidArgument with line and column; a file with an error is rejected as a whole
 Result<std::vector<project::Waypoint>> fromCsv(const QByteArray& bytes, const project::FrameList& frames,
                                                const waypoint_clipboard::Defaults& defaults);

@@ -23,8 +23,8 @@ struct HistoryNote {
 /// For signals of one recording, writes the rows and times of its file as .csv, .h5, .hdf5 or .mcap. For live
 /// signals, see exportCsv().
 /// t0, t1   times on the plots' time axis [s]
-/// notes    of the signals' recording or of the live data; those in the range are exported, together with those in
-///          the file of the recording
+/// notes    notes of the signals' recording or of the live data. Notes in the range are exported, together
+///          with those in the file of the recording
 /// Returns  rows written
 /// Errors   as exportCsv() and recording::exportRecording(); Rejected if the signals have different time
 ///          axes, or if the format for live signals is not .csv

@@ -17,7 +17,7 @@ struct MinMax {
         min = other.min < min ? other.min : min;
         max = other.max > max ? other.max : max;
     }
-    /// NaN is ignored.
+    /// Adds a value. NaN is ignored.
     void add(double value) {
         min = value < min ? value : min;
         max = value > max ? value : max;

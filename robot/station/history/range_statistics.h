@@ -47,7 +47,7 @@ struct Moments {
     double timeSquares = 0;  ///< sum of squared deviations from the mean time
     double products = 0;     ///< sum of products of both deviations
 
-    /// NaN is ignored.
+    /// Adds a sample. NaN is ignored.
     void add(double time, double value);
     void add(const Moments& other);
     std::optional<RangeStatistics> statistics() const;

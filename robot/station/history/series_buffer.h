@@ -169,7 +169,7 @@ public:
     /// and has the same time raster, unchanged columns are kept, so that a scrolling view computes only the
     /// new columns.
     void cut(double start, double width, int columns, ColumnGrid& grid) const;
-    /// Exact minimum and maximum per column of the grid.
+    /// Computes the exact minimum and maximum for each column of the grid.
     void envelope(int column, const ColumnGrid& grid, std::vector<MinMax>& out) const;
     std::vector<MinMax> envelope(int column, double t0, double t1, int columns) const;
     /// Minimum and maximum of the samples begin ... end - 1.

@@ -130,8 +130,8 @@ public:
     void appendFurther(std::span<const SeriesBuffer::Row> rows, Source source) {
         append(tables_[kFurther], rows, source);
     }
-    /// The clock of the controller was restarted: from this time of the plots' time axis on, the axis differs from
-    /// the clock by `offset` [s].
+    /// Call when the clock of the controller has been restarted. From the time `from` on, the plots' time
+    /// axis differs from the clock by `offset` [s].
     void beginClock(double from, double offset) { clocks_.emplace_back(from, offset); }
     /// The time of the controller's clock at a time of the plots' time axis [s].
     double controllerTime(double time) const;

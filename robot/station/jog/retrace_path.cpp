@@ -77,7 +77,7 @@ std::optional<JointPositions> RetracePath::nextPlace() const {
     if (isEmpty()) {
         return std::nullopt;
     }
-    // The newest position may be the current position.
+    // Skip the newest position if the arm is already there.
     const auto place = std::find_if(trail_.rbegin(), trail_.rend(), [this](const JointPositions& q) {
         return apart(q, now_) >= kSpacing / 2;
     });
@@ -99,7 +99,7 @@ Result<void> RetracePath::keepPermitted() {
         const std::size_t middle = kept + (end - kept) / 2;
         (permitted(middle) ? kept : end) = middle;
     }
-    if (kept < 2) {  // the newest position may be the current one
+    if (kept < 2) {  // the newest position may be that of the arm
         return whole;
     }
     trail_.erase(trail_.begin(), trail_.end() - static_cast<std::ptrdiff_t>(kept));

@@ -41,7 +41,7 @@ public:
 
     /// Sets the robot and the time on its controller's clock for later events.
     void setRobot(const QString& name, std::optional<double> controllerSeconds);
-    /// For tests: replaces the system clock.
+    /// Replaces the system clock in tests.
     /// utcNs  returns the time [ns since 1970]
     void setWallClock(std::function<std::int64_t()> utcNs);
 

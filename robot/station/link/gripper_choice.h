@@ -26,7 +26,7 @@ struct GripperChoice {
     std::uint32_t outputs() const {
         return 1U << closeOutput | (kind == Kind::TwoOutputs ? 1U << openOutput : 0U);
     }
-    /// Levels of the outputs for closing and opening.
+    /// Levels of the outputs that close or open the gripper.
     std::uint32_t outputsTo(bool close) const {
         return close ? 1U << closeOutput : kind == Kind::TwoOutputs ? 1U << openOutput : 0U;
     }

@@ -93,7 +93,7 @@ private:
     SessionBackend& d_;
     OutputHolders holders_;
     QMap<QString, QString> names_;
-    /// Pulses timed by the robot, without a held button.
+    /// A pulse timed by the robot, without a held button.
     struct RunningPulse {
         int output = 0;
         std::int64_t dueNs = 0;  ///< latest end of the pulse by the robot

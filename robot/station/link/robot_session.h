@@ -113,7 +113,7 @@ public:
     SessionRecording& recording() { return recording_; }
 
     /// In monitor-only mode, every command that changes the robot is rejected with a message, regardless of
-    /// the caller. stop() still works. Setting the mode releases control first.
+    /// the caller. stop() still works. Control is released before the mode is set.
     void setMonitorOnly(bool on);
     bool isMonitorOnly() const;
     /// Must be called first by every command that changes the robot, here and in the parts of the session. In
@@ -128,8 +128,8 @@ public:
     bool asksBeforeChange(const QString& what, const std::function<void()>& change);
     /// True if asksBeforeChange() would ask now.
     bool mustAskBeforeChange() const;
-    /// The operator has agreed. asksBeforeChange() returns false until the running program ends or
-    /// `confirmed` is false.
+    /// Call when the operator has agreed. asksBeforeChange() then returns false until the running program
+    /// ends or until confirmChanges(false).
     void confirmChanges(bool confirmed = true);
 
     // Control. The result is reported by stateChanged and in the journal.
@@ -189,9 +189,8 @@ public:
     /// Number of stops on this connection, from any cause. See MoveRequest::stops.
     std::uint64_t stops() const;
     /// Progress or result of a move, a path or a program.
-    /// Errors  if a path could not start: those of control::Motions::movePath(); if a program could not start
-    ///         or did not end normally: those of control::Programs::runScript()
-    ///         except Stopped
+    /// Errors  if a path could not start: those of control::Motions::movePath(). If a program could not start
+    ///         or did not end normally: those of control::Programs::runScript() except Stopped
     Result<control::MotionProgress> motionProgress(MotionId motion) const;
     /// Starts freedrive, in which the arm can be moved by hand.
     Result<MotionId> beginFreedrive(const control::Freedrive& freedrive);
@@ -214,7 +213,7 @@ public:
     void refresh();
     /// Frame period [ms].
     static constexpr int kFrameMs = 16;
-    /// Closes the connection and waits until it is closed. For the end of the program. Blocks: half a second
+    /// Closes the connection at the end of the program, and waits until it is closed. Blocks: half a second
     /// at most, longer only if a file system blocks
     void shutDown();
 

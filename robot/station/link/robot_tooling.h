@@ -31,11 +31,11 @@ public:
         std::optional<std::array<double, 6>> inertia;      ///< Ixx, Iyy, Izz, Ixy, Ixz, Iyz [kg m2]
     };
 
-    /// Rejected while the arm moves, because its speed would then refer to a different point.
+    /// Sets the TCP. Rejected while the arm moves, because its speed would then refer to a different point.
     /// tcp   T_flange_tcp [m, rad]
     /// name  name for the log
     void setTcp(const Pose& tcp, const QString& name);
-    /// Rejected while the arm moves, because the arm would sag.
+    /// Sets the payload. Rejected while the arm moves, because the arm would sag.
     void setPayload(const Load& load, const QString& name);
 
 private:

@@ -53,8 +53,8 @@ public:
 
     /// Activates the gripper: the fingers open and close once, and a held object is released.
     void activate();
-    /// While a command is being executed, one more command is queued. A later command replaces the queued
-    /// command.
+    /// Moves the fingers. While a command is being executed, one more command is queued. A later command
+    /// replaces the queued command.
     /// position, speed, force  0 ... 255
     /// what                    text for the log, e.g. "Gripper: close"
     /// token                   if cancelled, the command is not sent

@@ -198,7 +198,7 @@ void SessionRecording::stop() {
         const recording::RecorderState state = d_.recorder.progress().state;
         d_.recorder.stop();
         d_.recorderReceiver.reset();
-        // A failure may not have been reported yet.
+        // Continue only while recording, or to report a failure that has not been reported yet.
         if (state != recording::RecorderState::Recording &&
             !(was && state == recording::RecorderState::Failed)) {
             return std::function<void()>();

@@ -116,7 +116,7 @@ struct SessionState {
     bool monitorOnly = false;            ///< the session rejects every command except stop
 
     // motion
-    bool moving = false;           ///< according to data that are at most 100 ms old
+    bool moving = false;           ///< the arm moves, according to data that are at most 100 ms old
     bool motionActive = false;     ///< a motion is commanded, even if the arm does not move yet
     bool jogActive = false;        ///< the commanded motion is a jog
     bool freedriveActive = false;  ///< the commanded motion is freedrive

@@ -50,7 +50,7 @@ public:
     std::optional<double> given(const char* key) const;  ///< Empty for an optional field that is not set.
     int whole(const char* key) const;
     bool flag(const char* key) const;
-    QString text(const char* key) const;        ///< For texts, choices, groups and variables.
+    QString text(const char* key) const;        ///< For text, choice, group and variable fields.
     bool has(const char* key) const;            ///< True if the value is set and not empty.
     QString expression(const char* key) const;  ///< Returns the value as URScript.
     QUuid id(const char* key) const;

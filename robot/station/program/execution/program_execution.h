@@ -89,7 +89,7 @@ public:
     void pause();     ///< Pauses the program at standstill before its next step.
     void resume();    ///< Continues a paused program.
     void stepOnce();  ///< Runs one step of a waiting program.
-    /// True: the program ends at standstill before the next iteration of its outermost endless loop.
+    /// If true, the program ends at standstill before the next iteration of its outermost endless loop.
     void setEndsWithCycle(bool ends);
     void stop();  ///< Ends the program. The arm brakes. Blocks: never
 

@@ -23,7 +23,7 @@ public:
     void pause(const StepLog& log);   ///< The program pauses before its next step.
     void resume(const StepLog& log);  ///< The program continues to the next breakpoint.
     void step(const StepLog& log);    ///< A waiting program runs one step.
-    /// True: the program ends before the next iteration of its outermost endless loop.
+    /// If true, the program ends before the next iteration of its outermost endless loop.
     void setEndsWithCycle(bool ends) { gate_.endsWithCycle = ends; }
     /// Sets a change of a variable, which the waiting program applies.
     void change(const script::VariableChange& change) { gate_.change = change; }

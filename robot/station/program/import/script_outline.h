@@ -42,13 +42,14 @@ public:
     /// Selects the statements of the main program.
     /// Returns  why there are none; otherwise empty
     QString findMain(Statements top);
-    /// Examines the main program.
+    /// Determines the variables and constants of the main program and its disabled lines.
     void analyse();
     /// Moves the statements before the first node into a folder.
     void foldInstallation();
 
     const Statements& main() const { return main_; }
-    bool isPendant() const { return isPendant_; }  ///< written for a pendant program, with nodes
+    /// True if the script was written for a pendant program, with nodes.
+    bool isPendant() const { return isPendant_; }
     bool functionSetsTcp() const { return functionSetsTcp_; }
     /// Types of the variables, as in the field `type` of steps.
     const QHash<QString, QString>& types() const { return types_; }

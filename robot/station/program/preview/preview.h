@@ -109,9 +109,9 @@ struct Finding {
 
 /// An output that changed.
 struct OutputChange {
-    double time = 0;   ///< since the start [s]
-    int channel = 0;   ///< as in InputChange; 18 and 19: AO0 and AO1
-    double value = 0;  ///< 0 or 1; of analog outputs [A or V]
+    double time = 0;   ///< time since the start [s]
+    int channel = 0;   ///< number as in InputChange; 18 and 19: AO0 and AO1
+    double value = 0;  ///< 0 or 1; for an analog output its level [A or V]
     friend bool operator==(const OutputChange&, const OutputChange&) = default;
 };
 inline constexpr int kFirstAnalogOutput = 18;  ///< channel of AO0 in OutputChange

@@ -35,7 +35,7 @@ double longestLever(const SessionState& state) {
     for (std::size_t joint = dh.a.size(); joint-- > 0;) {
         links += std::abs(dh.a[joint]);
         sum += links;
-        links += std::abs(dh.d[joint]);  // parallel to the axis of this joint
+        links += std::abs(dh.d[joint]);  // parallel to the axis of this joint, so not part of its lever
     }
     return sum;
 }

@@ -119,7 +119,7 @@ public:
     void setBreakpoints(const QSet<QUuid>& steps);
     /// Runs one step of a waiting program, which then pauses again.
     void step();
-    /// True: the program ends at standstill before the next iteration of its outermost endless loop.
+    /// If true, the program ends at standstill before the next iteration of its outermost endless loop.
     void setEndsWithCycle(bool ends);
 
     /// Changes the value of a variable while the program waits. The program applies the change before it
@@ -163,7 +163,7 @@ Q_SIGNALS:
     void stepBegan(int step, bool isFirst);
     /// The values of variables() have changed.
     void variablesChanged();
-    /// The robot has confirmed a changed value, or has not done so in time.
+    /// The robot has confirmed a changed value, or has not confirmed it within two seconds.
     void variableChanged(const QString& text, bool isConfirmed);
 
 private:

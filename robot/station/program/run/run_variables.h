@@ -20,7 +20,7 @@ QString typeName(script::ProgramVariable::Type type);
 
 class RunVariables {
 public:
-    /// A new run begins.
+    /// Call when a new run begins.
     /// script  script of the program; the object keeps a copy of its variables
     void begin(const ProgramScript& script);
     /// Updates the values from those that the robot publishes. Values of other programs have no effect.
@@ -49,7 +49,8 @@ public:
         QString text;  ///< a sentence for the log
         bool isConfirmed = false;
     };
-    /// The result of a change, once, when the robot has published the new value, or has not done so in two seconds.
+    /// Returns the result of a change once, when the robot has published the new value, or has not published
+    /// it within two seconds.
     std::optional<Outcome> takeOutcome();
     void forgetChange() { pending_.reset(); }
 

@@ -44,7 +44,7 @@ struct Terminal {
 
 /// Parses "DI3", "CO0", "AI1" ...
 /// direction  'I' or 'O'
-/// Returns    channels as in InputChange or OutputChange; for analog inputs 0 and 1
+/// Returns    the channel as in InputChange or OutputChange; 0 or 1 for an analog input
 std::optional<Terminal> terminalIn(const QString& text, char direction) {
     constexpr int kLetters = 2;
     bool ok = false;
