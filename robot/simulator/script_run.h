@@ -71,7 +71,7 @@ public:
     /// Returns  the error; empty without an error
     static std::optional<ScriptFault> check(const QString& script, const SoftwareVersion& software);
 
-    /// True if the name is a keyword or a function of the language, which functions must not have.
+    /// True if the name is a keyword or a builtin, and therefore not permitted for functions.
     static bool isReservedName(const QString& name);
 
     /// Compiles the script and starts it. The first step() runs its first period.

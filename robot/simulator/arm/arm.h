@@ -53,10 +53,11 @@ public:
     Environment& environment();  ///< actual environment: load, hand, surfaces, boxes
 
     // power and program time
-    /// Leaving Running stops the motion at once (brakes) and discards all commands.
+    /// Sets the power state of the joints. Leaving Running stops the motion at once (brakes) and discards all
+    /// commands.
     void setDriveState(DriveState state);
     DriveState driveState() const;
-    /// Speed slider, 0..1 (clamped). The value is ramped internally.
+    /// Sets the speed slider, 0..1 (clamped). The value is ramped internally.
     void setSpeedFraction(double fraction);
     /// Pauses: decelerates on the path and freezes program time. resume() continues from there.
     void hold();
@@ -71,7 +72,7 @@ public:
     /// leading axis. The program continues from the resulting position.
     MotionStart endPathOffset(double deceleration);
     MotionStart endConveyorTracking(double deceleration);
-    /// Maximum TCP speed [m/s] of programmed motion, as in reduced mode. Empty: only the joints limit the
+    /// Limits the TCP speed of programmed motion [m/s], as in reduced mode. Empty: only the joints limit the
     /// speed.
     void setToolSpeedLimit(const std::optional<double>& limit);
     /// Simulates a protective stop detected by the arm.
@@ -86,16 +87,16 @@ public:
     // tool and mounting
     void setTcp(const Pose& T_flange_tcp);
     const Pose& tcp() const;
-    /// The configured payload, which is also the actual load unless environment().setLoad() has set another
-    /// load.
-    /// transition [s]  time over which the payload changes linearly
+    /// Sets the configured payload, which is also the actual load unless environment().setLoad() has set
+    /// another load.
+    /// transition  time over which the payload changes linearly [s]
     void setPayload(const Payload& payload, double transition = 0);
     const Payload& payload() const;
-    /// Acceleration measured by an accelerometer at the base [m/s2]; [0, 0, 9.82] when upright.
+    /// Sets gravity as measured by an accelerometer at the base [m/s2]; [0, 0, 9.82] when upright.
     void setGravity(const Eigen::Vector3d& gravity);
     const Eigen::Vector3d& gravity() const;
-    /// Reading of an external force sensor for force mode, base axes at the TCP. Empty: force mode uses the
-    /// internal sensor.
+    /// Sets the reading of an external force sensor for force mode, base axes at the TCP [N, Nm]. Empty:
+    /// force mode uses the internal sensor.
     void setExternalForce(const std::optional<Wrench>& wrench);
     /// External force on the tool that the controller does not expect [N]: hand, contact, unknown load.
     double unexplainedForce() const;

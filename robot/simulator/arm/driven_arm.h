@@ -29,9 +29,9 @@ public:
     double period() const;  ///< [s]
     const RobotModel& model() const;
 
-    /// The configured payload, which is also the actual load.
+    /// Sets the configured payload, which is also the actual load.
     void setPayload(const Payload& payload);
-    /// Acceleration measured by an accelerometer at the base [m/s2]; [0, 0, 9.82] when upright.
+    /// Sets gravity as measured by an accelerometer at the base [m/s2]; [0, 0, 9.82] when upright.
     void setGravity(const Eigen::Vector3d& gravity);
     /// Places the arm at q at rest. The next target may be at any distance from the previous one.
     void place(const JointPositions& q);

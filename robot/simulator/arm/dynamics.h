@@ -20,7 +20,7 @@ public:
     ~Dynamics();
 
     void setPayload(const Payload& payload);
-    /// Acceleration measured by an accelerometer at the base [m/s2]; [0, 0, 9.82] when upright.
+    /// Sets gravity as measured by an accelerometer at the base [m/s2]; [0, 0, 9.82] when upright.
     void setGravity(const Eigen::Vector3d& gravity);
 
     /// Joint torques [Nm] that produce qdd while the wrench `onFlange` (flange frame, about its origin) acts

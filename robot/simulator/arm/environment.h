@@ -40,7 +40,7 @@ public:
     void setLoad(const std::optional<Payload>& load) { load_ = load; }
     const std::optional<Payload>& load() const { return load_; }  ///< Empty: the configured payload.
 
-    /// Force and torque that a hand exerts at the TCP, base axes [N, Nm]; constant until changed.
+    /// Sets the force and torque that a hand exerts at the TCP, base axes [N, Nm]. Constant until changed.
     void setHandWrench(const Wrench& wrench) { hand_ = wrench; }
     const Wrench& handWrench() const { return hand_; }  ///< [N, Nm] at the TCP, base frame
 

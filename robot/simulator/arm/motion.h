@@ -31,8 +31,8 @@ public:
 
     /// Joint move. For a pose, the inverse kinematics solution nearest to the current joint positions is
     /// used.
-    /// Returns   a handle; the progress becomes Returned at the target, or where the blend zone begins if r >
-    ///           0
+    /// Returns   a handle; the progress becomes Returned at the target or, if r > 0, at the beginning of the
+    ///           blend zone
     /// Errors    InvalidArgument, JointTargetOutOfRange, NoInverseKinematics, NotOperational, Busy
     /// Source    URScript movej
     MotionStart moveJ(const MoveTarget& target, const MoveParameters& parameters);

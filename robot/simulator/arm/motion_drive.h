@@ -30,8 +30,8 @@ public:
     bool isActive() const { return mode_ != Mode::Rest; }
     bool followsPath() const { return mode_ == Mode::Path; }
     bool followsTorque() const { return mode_ == Mode::Torque; }
-    /// Maximum TCP speed of the program [m/s]; infinity: no limit. The limit slows down the motion along its path;
-    /// speedScaling() includes this reduction.
+    /// Limits the TCP speed of the program [m/s]; infinity: no limit. The limit slows down the motion along
+    /// its path; speedScaling() includes this reduction.
     void setToolSpeedLimit(double limit) { toolSpeedLimit_ = limit; }
     TimeScaleSource scaledBy() const { return scaledBy_; }
 
@@ -56,11 +56,11 @@ public:
     /// Sets the target after force mode or freedrive has moved the arm. Speed commands continue from this
     /// target.
     void rebase(const JointTarget& state);
-    /// Speed commands use the new TCP at once as the centre of rotation. A tool path in progress is completed
-    /// with the old TCP.
+    /// Sets the TCP. Speed commands use it at once as the centre of rotation. A tool path in progress is
+    /// completed with the old TCP.
     void setTcp(const Pose& T_flange_tcp);
     void setTorqueMotion(TorqueMotion* torque) { torque_ = torque; }
-    /// In freedrive, commands return without effect.
+    /// If set, as in freedrive, commands return without effect.
     void setIgnoringCommands(bool ignoring) { ignoring_ = ignoring; }
 
     void raise(StopReason reason, int joint);

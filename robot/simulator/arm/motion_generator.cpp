@@ -152,7 +152,7 @@ MotionStart MotionGenerator::move(Segment::Kind kind, const MoveTarget& target,
     return start;
 }
 
-// The current move has reached its blend zone, where the new move starts.
+// Plans a move that is blended into the current move, which has reached its blend zone.
 MotionStart MotionGenerator::queueMove(Segment::Kind kind, const MoveTarget& target, const MoveParameters& p,
                                        const MoveTarget* via, ArcOrientation orientation) {
     const Segment& before = path_.current();
@@ -337,7 +337,8 @@ MotionStart MotionGenerator::stopL(double a, std::optional<double> aRot) {
     Vector6 rates = Vector6::Zero();
     if (v.norm() + w.norm() < 1e-9 || !geometry_.jointRates(posture_, twist, rates) ||
         (rates - qd).norm() > kBranchTolerance) {
-        // The arm is at rest, or the tool velocity does not determine the joint velocities.
+        // Stop in joint space if the arm is at rest or the tool velocity does not determine the joint
+        // velocities.
         startStop(std::max(a, kRunOutLeast), start.id, readings_.stopsScaled);
         return start;
     }

@@ -20,9 +20,9 @@ class NewtonEuler {
 public:
     explicit NewtonEuler(const RobotModel& model);
 
-    /// Payload at the flange, added to the last link.
+    /// Sets the payload at the flange, which is added to the last link.
     void setPayload(const Payload& payload);
-    /// Acceleration measured by an accelerometer at the base [m/s2]; [0, 0, 9.82] when upright.
+    /// Sets gravity as measured by an accelerometer at the base [m/s2]; [0, 0, 9.82] when upright.
     void setGravity(const Eigen::Vector3d& gravity) { gravity_ = gravity; }
 
     /// Joint torques [Nm] that produce qdd while the wrench `onFlange` (flange frame, about its origin) acts

@@ -36,8 +36,8 @@ public:
     /// True if another move can be blended into the current one.
     bool acceptsNext() const;
     bool nextWaiting() const { return nextWaiting_; }
-    /// `segment` starts where the current segment ends. `switchTime`: time within the current segment at
-    /// which `segment` starts.
+    /// Sets the next segment, which starts where the current segment ends.
+    /// switchTime  time within the current segment at which `segment` starts [s]
     void setNext(const Segment& segment, double switchTime);
 
     /// Computes the step for `dt` [s] of real time and `dtProgram` [s] of program time.

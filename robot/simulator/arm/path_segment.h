@@ -58,7 +58,8 @@ public:
         double blendInRadius = 0;  ///< [m] TCP distance covered while blending in
     };
 
-    /// `segment` contains kind, r and geometry. For a tool path, the function determines endQ.
+    /// Plans the profile of a segment that contains kind, r and geometry. For a tool path, the function
+    /// determines endQ.
     void plan(Segment& segment, const Vector6& startQ, const MoveTiming& timing);
 
     /// Length of path within `radius` [m] of its end or start, as a path parameter; at most half the path.

@@ -89,7 +89,7 @@ SpeedProfile SpeedProfile::plan(const ProfileRequest& request) {
         vEnd = std::min(request.v, request.zoneSpeed);
         vEnd = std::min(vEnd, std::sqrt(square(v0) + 2 * request.a * main));
     }
-    // The speed is too high for the remaining path. Enter the zone at a higher speed, or brake harder than
+    // If the speed is too high for the remaining path, enter the zone at a higher speed, or brake harder than
     // requested at the end.
     vEnd = std::max(vEnd, std::sqrt(std::max(0.0, square(v0) - 2 * request.a * main)));
     if (zone <= kNoDistance && vEnd > 1e-9) {

@@ -32,10 +32,11 @@ public:
     void setOffset(const Pose& offset, OffsetFrame frame);
     /// The current offset, in the axes of `frame`.
     Pose offset(OffsetFrame frame) const;
-    /// Filter coefficient (0..1): fraction of the remaining difference that the applied offset covers per
-    /// control period.
+    /// Sets the filter coefficient (0..1): the fraction of the remaining difference that the applied offset
+    /// covers per control period.
     void setFilter(double alpha);
-    /// translation [m], rotation [rad]; initially 0.1 and 0.52
+    /// Sets the limits of the offset, initially 0.1 m and 0.52 rad.
+    /// translation, rotation  [m], [rad]
     void setLimits(double translation, double rotation);
 
     // the conveyor
@@ -44,7 +45,7 @@ public:
     /// centre  frame about whose z axis the conveyor rotates by `perTick` [rad] per tick
     /// turnTool  true: the tool rotates with the conveyor; false: it keeps its orientation
     void trackCircular(const Pose& centre, double perTick, bool turnTool);
-    /// Encoder count. The value at the start of tracking is the reference.
+    /// Sets the encoder count. The value at the start of tracking is the reference.
     void setTravel(double ticks) { travel_ = ticks; }
     bool tracksConveyor() const { return conveyor_ != Conveyor::None; }
 

@@ -16,9 +16,11 @@ class TorqueMotion {
 public:
     explicit TorqueMotion(Dynamics& dynamics) : dynamics_(dynamics) {}
 
-    /// torques [Nm] without gravity; scales 0..1: compensated fractions of the friction
+    /// Sets the commanded torques.
+    /// torques                     [Nm] without gravity
+    /// viscousScale, coulombScale  compensated fractions of the friction, 0..1
     void command(const JointTorques& torques, const Vector6& viscousScale, const Vector6& coulombScale);
-    /// External torques on the joints [Nm]: hands, contact, unknown load.
+    /// Sets the external torques on the joints [Nm]: hands, contact, unknown load.
     void setExternal(const Vector6& torques) { external_ = torques; }
     /// Runs one control period.
     /// Returns  the reason if a joint is too fast or has reached the end of its range; `joint` is then set to

@@ -47,7 +47,7 @@ void VelocityMotion::toolChanged(const JointTarget& now, double timeScale) {
 void VelocityMotion::speedJ(const JointTarget& now, double timeScale, const Vector6& qd, double a) {
     begin(Kind::SpeedJ, now, timeScale);
     targetVelocity_ = qd;
-    // The arm would never reach speeds beyond the joint limits.
+    // Limit the target velocity, because the arm would never reach speeds beyond the joint limits.
     const double factor = limits_.speedFactor(qd);
     targetVelocity_ *= factor;
     a_ = a;

@@ -56,7 +56,8 @@ struct BehaviourOptions {
     /// Whether force mode and freedrive hold position or continue while the program is paused.
     Pause pause = Pause::Holds;
     enum class StopReturns : std::uint8_t { Standing, Target };
-    StopReturns stopReturns = StopReturns::Standing;  ///< stopj and stopl wait for the arm or for the target
+    /// Whether stopj and stopl wait until the arm is at standstill, or only its target.
+    StopReturns stopReturns = StopReturns::Standing;
     enum class ThreadStart : std::uint8_t { SamePeriod, NextPeriod };
     ThreadStart threadStart = ThreadStart::SamePeriod;  ///< when a thread started by `run` begins
 

@@ -147,7 +147,7 @@ Expressions::Frame Expressions::frame(const XmlElement& node, const XmlElement* 
         t_.refuse(*given, QStringLiteral("it does not refer to a feature"));
         return {};
     }
-    // A feature that is a variable has another attribute.
+    // A feature that is a variable has its name in another attribute.
     const QString name = feature->attribute(feature->has("featureName") ? "featureName" : "referencedName");
     if (name.isEmpty() || name == QLatin1String("Joint_0_name")) {
         return {Frame::Kind::Base, QStringLiteral("Base"), QStringLiteral("p[0,0,0,0,0,0]")};

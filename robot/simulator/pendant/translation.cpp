@@ -9,7 +9,7 @@ QString identifier(const QString& text) {
         if (c.unicode() < 128) {
             name += c.isLetterOrNumber() ? c : QChar('_');
         } else {
-            // Distinguishes names that differ only in this character.
+            // Add the code point, which distinguishes names that differ only in this character.
             name += QStringLiteral("_%1_").arg(c.unicode(), 4, 16, QChar('0'));
         }
     }

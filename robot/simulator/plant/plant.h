@@ -76,10 +76,10 @@ public:
     void setSpeedSlider(double fraction);
     double speedSlider() const { return speedSlider_; }
     void setFreedriveButton(bool pressed);
-    /// Reading of an external sensor, received through RTDE [N, Nm].
+    /// Sets the reading of an external sensor, received through RTDE [N, Nm].
     void setExternalForceTorque(const Wrench& wrench) { externalForce_ = wrench; }
     void setExternalSensorInUse(bool inUse) { externalSensor_ = inUse; }
-    /// The Local/Remote switch of the pendant. Leaving Remote ends the script connections.
+    /// Sets the Local/Remote switch of the pendant. Leaving Remote ends the script connections.
     void setRemoteControl(bool remote);
     bool isRemoteControl() const { return remoteControl_; }
     /// True if a connection opened now may send scripts. CB3 has no local control.
@@ -118,11 +118,11 @@ protected:
     explicit Plant(const SimulatorOptions& options);
     ~Plant() = default;
 
-    /// The part of a period before the programs run: safety, power, watchdogs.
+    /// Runs the part of a period before the programs: safety, power, watchdogs.
     void beginPeriod();
     /// Applies a change of the safety mode to the programs and the arm.
     void reactToSafety();
-    /// The part of a period after the programs have run: the arm and the values reported to clients.
+    /// Runs the part of a period after the programs: the arm and the values reported to clients.
     void endPeriod();
     void refreshTelemetry();
 

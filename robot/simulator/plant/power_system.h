@@ -29,7 +29,7 @@ public:
     /// Actions of the operator on the pendant.
     void confirmSafety();
 
-    /// No effect in IDLE and RUNNING. During power-off, the arm is powered on again afterwards.
+    /// No effect in IDLE and RUNNING. If the arm is being powered off, it is powered on again afterwards.
     void powerOn();
     /// Powers on first if necessary.
     void releaseBrakes();

@@ -44,7 +44,7 @@ Status clearInterpreter(Call& c) {
 constexpr Since kSince{{10, 0, kNever}};
 
 constexpr BuiltinRow kInterpreterRows[] = {
-    // As a bare statement, it replaces the running program, as a motion command does.
+    // As a bare statement, interpreter_mode() replaces the running program, as a motion command does.
     {"interpreter_mode(clearQueueOnEnter=True, clearOnEnd=True)", interpreterMode, kMotion, kSince},
     {"end_interpreter()", endInterpreter, kPlain, kSince},
     {"clear_interpreter()", clearInterpreter, kClearsInterpreter, kSince},

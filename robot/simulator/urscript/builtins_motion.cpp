@@ -131,7 +131,7 @@ std::optional<double> duration(const Call& c, std::size_t i) {
     return c.given(i) ? std::optional(std::max(c.finite(i), 0.0)) : std::nullopt;
 }
 
-// May be infinite, because scripts divide by a remaining time.
+// The acceleration may be infinite, because scripts divide by a remaining time.
 double acceleration(const Call& c, std::size_t i) {
     const double a = c.number(i);
     if (std::isnan(a)) {
@@ -177,7 +177,7 @@ Status stopl(Call& c) {
     });
 }
 
-// Two signatures: (torques, friction_comp) and (torque, viscous_scale, coulomb_scale).
+// The function has two signatures: (torques, friction_comp) and (torque, viscous_scale, coulomb_scale).
 Status directTorque(Call& c) {
     return c.motion([&] {
         DirectTorque torque;

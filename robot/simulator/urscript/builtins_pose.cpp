@@ -49,7 +49,7 @@ Status poseDist(Call& c) {
     return Status::Done;
 }
 
-// Straight line and shortest rotation. alpha outside of 0..1 extrapolates both.
+// Interpolates along a straight line and the shortest rotation. alpha outside of 0..1 extrapolates both.
 Status interpolatePose(Call& c) {
     const Pose from = c.pose(0);
     const Pose to = c.pose(1);

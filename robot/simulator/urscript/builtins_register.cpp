@@ -61,7 +61,7 @@ Status readPortRegister(Call& c) {
     c.result = std::int32_t{c.host.portRegister(c.integerIn(0, 0, RegisterHost::kPorts - 1))};
     return Status::Done;
 }
-// A 16-bit value, either signed or unsigned.
+// Accepts signed and unsigned 16-bit values.
 Status writePortRegister(Call& c) {
     c.host.setPortRegister(c.integerIn(0, 0, RegisterHost::kPorts - 1),
                            static_cast<std::int16_t>(c.integerIn(1, -32768, 65535)));

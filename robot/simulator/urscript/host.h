@@ -255,7 +255,7 @@ public:
     virtual Pose tcpOffset() const = 0;
     virtual Result<void> setTcpOffset(const Pose& flangeToTcp, std::string_view name) = 0;
     virtual Payload payload() const = 0;
-    /// `transition`: time to change linearly from the old to the new payload [s]. `zeroSensor`: for the older
+    /// Sets the payload. `transition`: time to change linearly from the old payload [s]. `zeroSensor`: for the older
     /// functions, which also zero the force/torque reading.
     virtual Result<void> setPayload(const Payload& payload, double transition, bool zeroSensor) = 0;
     virtual Eigen::Vector3d gravity() const = 0;  ///< [m/s2]; 0 0 9.82 when upright
@@ -434,9 +434,9 @@ public:
     virtual Result<void> protectiveStop() = 0;
     virtual void powerDown() = 0;
     virtual Result<void> setWatchdog(std::string_view field, double minFrequency, WatchdogAction action) = 0;
-    /// Main program: decelerates, ends force mode and freedrive, removes watchdogs, closes sockets. Secondary
-    /// program: no effect. Called exactly once for each interpreter that has run, also after errors and
-    /// stop().
+    /// Called exactly once for each interpreter that has run, also after errors and stop(). Main program:
+    /// decelerates, ends force mode and freedrive, removes watchdogs, closes sockets. Secondary program: no
+    /// effect.
     virtual void programEnded(ProgramKind kind) = 0;
 };
 

@@ -163,7 +163,7 @@ private:
         return result.ptr == last && !isLetter(peek());
     }
 
-    // 32 bits, like to_num("0x...").
+    // Reads up to 32 bits, like to_num("0x...").
     bool readHexadecimal(Token& token) {
         const std::size_t start = at_;
         at_ += 2;

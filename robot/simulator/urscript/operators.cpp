@@ -99,7 +99,7 @@ bool elementsOf(const Value& v, Elements& out) {
     return true;
 }
 
-// Element by element. Ints remain ints except in division.
+// Applies the operation element by element. Ints remain ints except in division.
 bool elementwise(Op op, const Elements& a, const Elements& b, std::size_t count, std::vector<double>& out) {
     const bool integer = a.integer && b.integer && op != Op::Divide;
     out.resize(count);

@@ -222,7 +222,7 @@ Stmt* Parser::assignment(const Token& name) {
     return s;
 }
 
-// An assignment, or an expression whose result is not used.
+// Parses an assignment, or an expression whose result is not used.
 Stmt* Parser::simpleStatement() {
     const Token& first = peek();
     if (first.kind != TokenKind::Identifier && first.kind != TokenKind::KwRun) {

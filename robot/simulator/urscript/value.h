@@ -113,7 +113,7 @@ public:
         type_ = Type::Unset;
     }
 
-    // For the interpreter's stack, where most values are numbers.
+    // The following functions are for the interpreter's stack, where most values are numbers.
     /// True for a bool, number or pose, which needs no destructor.
     bool isPlain() const noexcept { return type_ <= Type::Pose; }
     /// Copies `other`; this value must be plain.
