@@ -129,7 +129,7 @@ Q_SIGNALS:
     /// Waypoints were added or restored. Views should select them.
     void waypointsAppeared(int first, int last);
 
-    // For table models. Emitted before and after each change of the waypoint list.
+    // Signals for table models, emitted before and after each change of the waypoint list.
     void projectAboutToBeReplaced();
     void projectReplaced();
     void waypointsAboutToBeInserted(int first, int last);

@@ -70,7 +70,7 @@ public:
     double part() const { return part_; }
     /// Why sums are missing or incomplete; empty if they are available or still being computed.
     const QString& problem() const { return problem_; }
-    /// Empty if there is no value, or while part() is below 1.
+    /// Returns no value if there is no sample, or while part() is below 1.
     std::optional<RangeStatistics> statistics(int signal, double from, double to) const;
 
 Q_SIGNALS:

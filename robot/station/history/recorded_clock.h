@@ -20,9 +20,9 @@ public:
 
     // Times on the plots' time axis [s].
     double begin() const { return begin_; }
-    /// Empty if the recording does not contain time stamps of a controller.
+    /// Controller time at this time; empty if the recording does not contain time stamps of a controller.
     std::optional<double> controllerTime(double time) const;
-    /// [ns since 1970]; empty if the recording does not contain its start.
+    /// UTC at this time [ns since 1970]; empty if the recording does not contain its start.
     std::optional<std::int64_t> utcNs(double time) const;
 
 private:

@@ -29,7 +29,7 @@ struct ReplayMoment {
     QString words() const;
 };
 
-/// Empty while live data are shown.
+/// The displayed past moment; empty while live data are shown.
 using Replay = std::optional<ReplayMoment>;
 
 }  // namespace tiller

@@ -115,7 +115,7 @@ public:
     std::uint64_t revision() const { return revision_; }
     /// True if all values of these samples are in memory.
     bool hasRows(int column, std::int64_t begin, std::int64_t end) const;
-    /// See SeriesColumn. The values of a column added by outlineColumn() are stored in the file.
+    /// Adds a column whose values are stored in the file, see SeriesColumn.
     int outlineColumn(Precision precision);
     void setExtents(int column, std::int64_t first, std::int64_t rowsEach, std::span<const MinMax> extents);
     std::int64_t resolutionOf(int column, std::int64_t block) const {
@@ -194,7 +194,7 @@ private:
 
     void addTime(const Row& row);
     void trim();
-    /// Approximate time from data in memory, without reading the file.
+    /// Approximate time of a sample from data in memory, without reading the file.
     double roughTime(std::int64_t sample) const {
         const std::int64_t row = sample - first_;
         const auto& block = times_[static_cast<std::size_t>(row >> SeriesColumn::kBlockBits)];

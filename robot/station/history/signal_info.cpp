@@ -49,7 +49,7 @@ constexpr const char* kMore = QT_TRANSLATE_NOOP("SignalInfo", "Other");
 constexpr const char* kRegisters = QT_TRANSLATE_NOOP("SignalInfo", "Registers");
 constexpr std::array kGroups = {kTcp, kJoints, kIo, kModes, kPower, kProgram, kPayload, kMore, kRegisters};
 
-// In display order. Other signals are listed under "Other" with their RTDE names.
+// The families in display order. Other signals are listed under "Other" with their RTDE names.
 constexpr Family kFamilies[] = {
     {"actual_TCP_force", 0, 3, kTcp, QT_TRANSLATE_NOOP("SignalInfo", "TCP force"), "F", Axes::Cartesian},
     {"actual_TCP_force", 3, 3, kTcp, QT_TRANSLATE_NOOP("SignalInfo", "TCP torque"), "T", Axes::Cartesian},

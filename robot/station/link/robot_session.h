@@ -120,9 +120,9 @@ public:
     /// monitor-only mode, reports that `command` is rejected and returns true.
     bool refusesCommand(const QString& command);
 
-    /// For a change of outputs, registers, gripper or speed slider by the operator. If a program of another
-    /// client is running, or one of Tiller without hold-to-run, emits changeQuestion() and returns true, and
-    /// the caller must not make the change. If nothing is connected to the signal, returns false.
+    /// Asks the operator before a change of outputs, registers, gripper or speed slider. If a program of
+    /// another client is running, or one of Tiller without hold-to-run, emits changeQuestion() and returns
+    /// true, and the caller must not make the change. If nothing is connected to the signal, returns false.
     /// what    name of the change, e.g. "DO 3"
     /// change  makes the change after the operator has agreed
     bool asksBeforeChange(const QString& what, const std::function<void()>& change);

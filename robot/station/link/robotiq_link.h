@@ -39,7 +39,7 @@ public:
     /// True during the first connection attempt.
     bool isConnecting() const { return client_ != nullptr && !state_ && failures_ == 0; }
 
-    /// Empty if the state is unknown.
+    /// The last queried state; empty if it is unknown.
     std::optional<io::RobotiqState> state() const;
     /// Why the state is unknown, and the suggested action, as sentences; empty if it is known.
     QString reason() const;

@@ -25,7 +25,7 @@ struct StepPosition {
 
 /// Returns null if the program does not contain the step.
 const project::ProgramStep* findStep(const Steps& steps, const QUuid& id);
-/// Empty if the program does not contain the step.
+/// Position of a step; empty if the program does not contain the step.
 std::optional<StepPosition> positionOf(const project::Program& program, const QUuid& id);
 
 /// The steps with these IDs in tree order, with their children. Steps inside another selected step are

@@ -185,7 +185,8 @@ int RouteRunner::lastPlace(Way way) const {
     return way == Way::Through ? route_.size() - 1 : firstPlace(way).value_or(-1);
 }
 
-/// Checked only when the button is pressed, because the gripper may change at any time.
+/// Why an action of the route is not possible, as a sentence. Checked only when the button is pressed,
+/// because the gripper may change at any time.
 QString RouteRunner::actionObstacle(Way way) const {
     if (way == Way::StepBack) {
         return {};

@@ -17,7 +17,8 @@ public:
         const char* meaning;
         const char* action;
     };
-    // Only codes with a publicly documented meaning. Source: the manufacturer's error code directory
+    // The table contains only codes with a publicly documented meaning. Source: the manufacturer's error code
+    // directory.
     static constexpr auto kRows = std::to_array<Row>({
         {150, QT_TR_NOOP("Near a joint limit"), QT_TR_NOOP("A joint came close to its limit."),
          QT_TR_NOOP("Jog the joint away from the limit, or change the waypoint.")},

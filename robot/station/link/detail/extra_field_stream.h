@@ -34,7 +34,7 @@ public:
     void end();
     /// Samples since the last call, stored in `into`.
     SampleBatch drain(std::vector<receive::Sample>& into);
-    /// Null if no fields are requested.
+    /// The receiver of the additional fields; null if no fields are requested.
     std::shared_ptr<const receive::Receiver> receiver() const { return receiver_; }
     /// The requested fields that the robot does not have.
     QSet<QString> absent() const;

@@ -22,7 +22,7 @@ public:
     /// Returns  true if check() has changed
     bool follow(const SessionState& state);
     void forget() { check_.reset(); }  ///< Call when no arm is connected.
-    /// Null if no arm is connected.
+    /// The current collision model; null if no arm is connected.
     const std::shared_ptr<const collision::CollisionCheck>& check() const { return check_; }
 
     /// Checks moves in sequence from the current arm position.

@@ -84,7 +84,7 @@ public:
     /// Ends the program with this error text, or continues in the enclosing On error section.
     void fail(const QString& text);
     void failWith(const QString& expression);  ///< Like fail(), with a text computed by the script.
-    /// Like fail(), if this is selected in the field `key` of the step.
+    /// Like fail() if the condition is true, unless the field `key` of the step is set to continue.
     void failIfChosen(const char* key, const QString& condition, const QString& text);
     void declare(const QString& variable,
                  VariableType type);  ///< Declares a variable for the whole program.

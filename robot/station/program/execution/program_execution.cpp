@@ -246,7 +246,8 @@ void ProgramExecution::stop() {
 
 Result<void> ProgramExecution::wait(const Deadline& deadline) const {
     for (;;) {
-        // Not under the mutex, because the token may call a function that waits for other threads.
+        // Check the deadline without the mutex, because its token may call a function that waits for other
+        // threads.
         const bool hasExpired = deadline.hasExpired();
         const auto poll = hasExpired ? 0ms : deadline.nextPoll();
         std::unique_lock lock(mutex_);

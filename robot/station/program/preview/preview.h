@@ -68,7 +68,7 @@ struct PreviewOptions {
     std::vector<std::string> variables = {};  ///< names of the variables for Preview::variables
     bool measuresClearance = false;           ///< whether Preview::clearance is measured
     std::uint64_t seed = 1;                   ///< seed of the measurement noise and random()
-    /// For several previews of the same arm in one thread, see CollisionCheck.
+    /// Pairs to reuse in several previews of the same arm in one thread, see CollisionCheck.
     collision::NeverMeeting* known = nullptr;
     int maxCycles = kPreviewCycles;          ///< maximum number of cycles of an endless loop; 0: no limit
     double timeLimit = 3600;                 ///< duration [s] after which the program is stopped

@@ -29,7 +29,7 @@ inline constexpr std::array kStopKinds{StopKind::Protective, StopKind::Operator,
                                        StopKind::PowerLoss};
 inline constexpr double kMaxLinkLossTime = 0.25;  ///< [s]
 
-/// From best to worst.
+/// The possible marks, from best to worst.
 enum class Recovery {
     NotReached,  ///< no such stop in the simulated program
     Continue,    ///< the arm is at the start position of the step to run

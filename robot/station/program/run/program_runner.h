@@ -113,9 +113,9 @@ public:
     /// Pauses the program at standstill before its next step. The program stays active on the robot.
     void pause();
     void resume();
-    /// Steps before which a program pauses, also in called programs. New breakpoints take effect at the next start.
-    /// A program that already waits at a removed breakpoint waits until resume(). Held programs do not pause,
-    /// because another press would end the hold.
+    /// Sets the steps before which a program pauses, also in called programs. New breakpoints take effect at
+    /// the next start. A program that already waits at a removed breakpoint waits until resume(). Held
+    /// programs do not pause, because another press would end the hold.
     void setBreakpoints(const QSet<QUuid>& steps);
     /// Runs one step of a waiting program, which then pauses again.
     void step();
