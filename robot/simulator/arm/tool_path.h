@@ -42,7 +42,7 @@ public:
     /// `duration`.
     static ToolPath runOut(const ToolPoint& from, const Eigen::Vector3d& v, const Eigen::Vector3d& w,
                            double duration);
-    /// From the beginning of the zone of `first` (at distance `radius` before its end) along a circle to
+    /// Path from the beginning of the zone of `first` (at distance `radius` before its end) along a circle to
     /// `second`. Requires canRound().
     static ToolPath rounded(const ToolPath& first, const ToolPath& second, double radius);
     static bool canRound(const ToolPath& first, const ToolPath& second);

@@ -51,7 +51,7 @@ bool Gripper::set(std::string_view name, int value) {
     return true;
 }
 
-// These variables have no effect on the motion.
+// Sets variables that have no effect on the motion.
 bool Gripper::setAside(std::string_view name, int value) {
     for (std::size_t i = 0; i < std::size(kLights); ++i) {
         if (name == kLights[i]) {

@@ -249,7 +249,7 @@ Result<void> ScriptMotion::setJointPositions(const JointPositions& q) {
     return {};
 }
 
-// Only wrist 3 of the smallest arms can rotate without limit. Only full revolutions are removed.
+// Removes full revolutions only, and only of wrist 3 of the smallest arms, which can rotate without limit.
 Result<void> ScriptMotion::resetRevolutionCounter(const JointPositions& qNear) {
     constexpr double kTurn = 2 * std::numbers::pi;
     arm::Arm& arm = plant_.arm();

@@ -24,7 +24,7 @@ struct HttpRequest {
     std::string body;
     bool keepAlive = true;
 
-    /// Empty if there is no such header.
+    /// Value of a header; empty if there is no such header.
     /// name  header name in lower case
     std::string_view header(std::string_view name) const;
 };

@@ -46,7 +46,7 @@ public:
 
 protected:
     std::vector<native_socket::Descriptor> takeAccepted() { return listener_.takeAccepted(); }
-    /// For a new client: peer.attach(link()).
+    /// The link of this service, for peer.attach() with a new client.
     Link* link() const { return link_; }
 
 private:

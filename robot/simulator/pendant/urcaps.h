@@ -47,7 +47,7 @@ public:
     /// name  name of the file, for messages
     Result<void> add(const QString& name, const QString& text);
 
-    /// Null if there is no stand-in for this class.
+    /// Returns the stand-in for this class, or null.
     const UrcapStandIn* find(const QString& nodeClass) const;
     /// Returns the lines for a node, with the values of its data.
     /// Errors   FileCorrupt: a value is missing

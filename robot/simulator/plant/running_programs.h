@@ -19,7 +19,7 @@ public:
     bool isActive() const { return state() != RuntimeState::Stopped; }
     bool isPaused() const { return state() == RuntimeState::Paused; }
     virtual std::uint32_t currentLine() const = 0;
-    /// For the host during a frame: true if the ending program is the main program.
+    /// True if the program that is ending is the main program. For the host during a frame.
     virtual bool isEndingMain() const = 0;
 
     /// Ends the main program in the next period.

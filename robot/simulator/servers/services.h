@@ -47,7 +47,7 @@ public:
     RtdeServer& rtde() { return rtde_; }
     const RtdeServer& rtde() const { return rtde_; }
     GripperServer& gripper() { return gripper_; }
-    /// Null if there is no device with this name.
+    /// Returns the device with this name, or null.
     DeviceServer* device(const QString& name) const;
     /// Sets whether the device accepts connections and replies. A device that refuses connections does not
     /// listen.

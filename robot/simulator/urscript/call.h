@@ -80,7 +80,7 @@ public:
     const char* needs() const;  ///< for absent() builtins: the unavailable equipment
     CallContext& context() { return context_; }
 
-    /// For motion builtins: starts the command in the first execution, then waits for its end.
+    /// Runs a motion builtin: starts the command in the first execution, then waits for its end.
     template <class MakeCommand>
     Status motion(MakeCommand make) {
         if (first) {

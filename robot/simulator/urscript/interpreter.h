@@ -84,7 +84,7 @@ public:
     int threadCount() const;     ///< including the main body
     /// Current value of a global variable; null if it does not exist. Valid until the next frame.
     const Value* global(std::string_view name) const;
-    /// For lines sent by clients while the program is in interpreter_mode().
+    /// Interface for lines sent by clients while the program is in interpreter_mode().
     InterpreterMode& mode();
 
 private:

@@ -9,11 +9,11 @@
 
 namespace tiller::simulator::urscript {
 
-/// Op::Add ... Op::Modulo for numbers, element by element for lists and matrices, for matrix products, and
-/// for strings with `+`.
+/// Applies Op::Add ... Op::Modulo to numbers, to lists and matrices element by element, as matrix product,
+/// and to strings with `+`.
 Value arithmetic(Op op, const Value& left, const Value& right);
 Value negated(const Value& v);
-/// Op::Equal ... Op::GreaterEqual.
+/// Applies Op::Equal ... Op::GreaterEqual.
 bool compare(Op op, const Value& left, const Value& right);
 /// Converts a value to a condition: a bool, a number (true if nonzero) or a string (true if nonempty).
 bool truth(const Value& v);

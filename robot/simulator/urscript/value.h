@@ -77,7 +77,7 @@ public:
     bool isNumber() const noexcept { return type_ == Type::Int || type_ == Type::Float; }
     bool is(Type t) const noexcept { return type_ == t; }
 
-    // Not checked. The caller must check type() first.
+    // These functions do not check the type. The caller must check type() first.
     bool asBool() const noexcept { return u_.b; }
     std::int32_t asInt() const noexcept { return u_.i; }
     double asFloat() const noexcept { return u_.d; }

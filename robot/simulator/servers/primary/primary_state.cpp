@@ -19,14 +19,14 @@ bool isNewer(const Telemetry& now) {
     return now.software >= SoftwareVersion{5, 10, 0, 0};
 }
 
-/// From this version on, the masterboard data have one more byte. Clients reject packages of another size.
-/// Source: urcl reads all 75 bytes of software 3.14; ur_modern_driver reads 74 bytes of 3.2 and fails with
-/// 3.10 and 5.4.
+/// True for versions in which the masterboard data have one more byte. Clients reject packages of another
+/// size. Source: urcl reads all 75 bytes of software 3.14; ur_modern_driver reads 74 bytes of 3.2 and fails
+/// with 3.10 and 5.4.
 bool hasSafetyStatus(const SoftwareVersion& software) {
     return software >= (software.isCb3() ? SoftwareVersion{3, 10, 0, 0} : SoftwareVersion{5, 4, 0, 0});
 }
 
-/// In older software, type 5 was a different package, which clients ignore. Source: urx.
+/// False for older software, in which type 5 was a different package, which clients ignore. Source: urx.
 bool hasKinematics(const SoftwareVersion& software) {
     return software >= SoftwareVersion{3, 6, 0, 0};
 }
