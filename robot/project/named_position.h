@@ -35,7 +35,7 @@ struct Positions {
     QUuid home;  ///< position for the Home button; null: default of the program
     std::optional<SafeHeight> safeHeight;
 
-    /// Null if not selected.
+    /// The selected home position; null if none is selected.
     const NamedPosition* homePosition() const { return home.isNull() ? nullptr : list.find(home); }
     friend bool operator==(const Positions&, const Positions&) = default;
 };
