@@ -357,8 +357,8 @@ private:
                      rows_.vector<3>(rows_.actualForce, row) - state.tcpForce.force);
         }
     }
-    /// Computed from the controller's target TCP pose, which includes the calibration of the arm. If there is
-    /// no target pose, the recorded TCP offset is used.
+    /// TCP offset in a row. Computed from the controller's target TCP pose, which includes the calibration of
+    /// the arm. If there is no target pose, the recorded TCP offset is used.
     std::optional<Eigen::Isometry3d> tcpOffsetAt(std::size_t row) const {
         const Field& field = rows_.targetPose.isThere() ? rows_.targetPose : rows_.tcpOffset;
         const Vector6 values = rows_.vector<6>(field, row);

@@ -50,7 +50,7 @@ struct Limits {
 
 struct Choice {
     Limits limits = {};
-    /// Empty: the model stated in the recording.
+    /// Model of the arm; empty: the model stated in the recording.
     std::optional<RobotModelId> model = {};
     double from = 0;                                         ///< [s] on the recording's time axis
     double until = std::numeric_limits<double>::infinity();  ///< [s]
