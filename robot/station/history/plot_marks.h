@@ -51,7 +51,7 @@ public:
     /// Checks the samples added since the last call. A signal triggers an alarm when it exceeds the limit. To
     /// trigger another alarm, it must first return within the limit.
     void check();
-    /// Description of the threshold, e.g. "Fz above 50.0 N".
+    /// Description of the threshold, e.g. "Fz is above 50.0 N".
     QString words(const Threshold& threshold) const;
 
     static constexpr int kMaxThresholds = 48;

@@ -25,7 +25,7 @@ struct ReplayMoment {
     /// The log of the recording; null for the history, which uses the log of the window.
     std::shared_ptr<const std::vector<recording::RecordedEvent>> events;
 
-    /// Label in every view during replay, e.g. "REPLAY · 14:02:11.250 · at 12.350 s of incident_….mcap".
+    /// Label in every view during replay, e.g. "REPLAY · 14:02:11.250 · at 12.350 s in incident_….mcap".
     QString words() const;
 };
 

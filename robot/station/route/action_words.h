@@ -14,7 +14,7 @@ class ActionWords {
     Q_DECLARE_TR_FUNCTIONS(ActionWords)
 
 public:
-    /// Examples: "DO 3 on", "CO 0 on for 0.5 s", "Wait for DI 2 off, at most 10 s", "Wait 2 s", "Close the
+    /// Examples: "DO 3 on", "CO 0 on for 0.5 s", "Wait until DI 2 is off (max. 10 s)", "Wait 2 s", "Close the
     /// gripper".
     static QString of(const project::WaypointAction& action);
     static QStringList of(const project::WaypointActions& actions);

@@ -92,7 +92,7 @@ ProgramExecution::ProgramExecution(control::Controller& controller, receive::Sub
     , script_(std::move(checked.script))
     , start_(checked.start)
     , log_(static_cast<int>(script_.steps.size())) {
-    // Copies the subscription before the monitor reads from it.
+    // Start the runner first, because its arguments copy the subscription from which the monitor then reads.
     runner_ = std::thread(&ProgramExecution::run, this, script_.gatedText(breakpoints),
                           stops.value_or(controller.stops()), samples_);
     monitor_ = std::thread(&ProgramExecution::monitor, this);

@@ -17,7 +17,7 @@ namespace tiller::program {
 struct ScriptStatement {
     enum class Kind {
         Simple,    ///< `code` is the statement without its comment
-        If,        ///< `branches`
+        If,        ///< see `branches`
         While,     ///< `code` is the condition
         Function,  ///< def, thread or sec; `code` is its first line
         Comment,   ///< `code` is the text
