@@ -28,7 +28,7 @@ struct ErrorCode {
 inline constexpr const char* kProgramStarted = "PROGRAM_XXX_STARTED";
 inline constexpr const char* kProgramStopped = "PROGRAM_XXX_STOPPED";
 
-/// timestampNs  controller time
+// In the following functions, `timestampNs` is the controller time.
 Bytes version(const SoftwareVersion& software);
 Bytes text(std::uint64_t timestampNs, std::string_view text);
 Bytes label(std::uint64_t timestampNs, std::int32_t id, std::string_view text);
