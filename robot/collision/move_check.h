@@ -44,7 +44,7 @@ struct MoveLimit {
 };
 
 struct MoveReport {
-    std::vector<JointPositions> way;      ///< up to the reachable end; joints move uniformly in between
+    std::vector<JointPositions> way;      ///< path to the reachable end; joints move uniformly in between
     std::vector<Eigen::Vector3d> places;  ///< positions of the TCP, base frame [m]
     int largestTurnJoint = 0;             ///< 0 ... 5
     double largestTurn = 0;               ///< signed, from start to end [rad]
