@@ -581,7 +581,7 @@ Result<std::shared_ptr<DerivedSignal>> DerivedSignal::make(
                                "norm(actual_TCP_force_0, actual_TCP_force_1)"));
     }
     const QString expression = form.captured(3).trimmed();
-    // The parser would interpret "=" as an assignment to the signal.
+    // Refuse "=", which the parser would interpret as an assignment to the signal.
     static const QRegularExpression kAssigns(QStringLiteral("(?<![=<>!])=(?!=)"));
     const Plain plain(expression);
     if (plain.expression.contains(kAssigns)) {

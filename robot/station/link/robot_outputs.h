@@ -69,7 +69,7 @@ public:
 
     // Called by the session.
     /// Claims the inputs of the robot while in control, and releases them when they have not been used for
-    /// some time.
+    /// two seconds.
     void followControl();
     void release();
     void reportSlider();
