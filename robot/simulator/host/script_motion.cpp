@@ -149,7 +149,7 @@ Result<bool> ScriptMotion::motionFinished(urscript::ThreadId thread) {
         case arm::MotionProgress::Running:
             return false;
         case arm::MotionProgress::Failed:
-            // The program is about to be paused and may continue after the move when it is resumed.
+            // The protective stop pauses the program, which may continue after the move when it is resumed.
             return !plant_.safety().isProtectiveStopped() && !plant_.arm().protectiveStop();
         case arm::MotionProgress::Returned:
             if (!comesToRest(it->second)) {
