@@ -185,7 +185,7 @@ Result<void> ProjectStore::openKept(const project::KeptCopy& copy) {
     show(*loaded, {}, nullptr, copy.name.isEmpty() ? tr("Unsaved project") : copy.name);
     keeper_->adopt(copy);
     modified_ = true;
-    autosave_.start(kAutosaveMs);  // save soon, because another window may have replaced the copy on disk
+    autosave_.start(kAutosaveMs);  // write a copy soon, because another window may use the copy on disk
     Q_EMIT statusChanged(statusText());
     return {};
 }

@@ -74,7 +74,8 @@ public:
     /// Discards the unsaved changes at the operator's request, without keeping a copy.
     void discardChanges();
 
-    /// Reads the file again after another program has changed it. Unsaved changes are lost.
+    /// Reads the file again after another program has changed it. Unsaved changes are kept as a copy, or lost
+    /// without a copy folder.
     Result<void> reload();
     /// Takes over the project from the other window. Without changes in this window, reads the last state
     /// saved by the other window.
@@ -101,7 +102,7 @@ Q_SIGNALS:
     void saveRecovered();
     /// Another window has the project open, so changes in this window are not saved.
     void openElsewhere();
-    /// The other window has closed the project, so changes in this window are saved again.
+    /// This window saves changes again, because the other window has closed the project or lost it to takeOver().
     void freeAgain();
     void changedByOther();
     /// The content of the file matches again the content that this window has last read or written.

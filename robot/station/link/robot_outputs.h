@@ -35,8 +35,8 @@ struct OutputOrder {
     /// Cancels a queued command. A command already sent is not undone, but a pulse ends.
     CancelToken token = {};
     std::optional<Pulse> pulse = {};
-    /// Called with the result in the GUI thread: Cancelled if the command was not sent. May be empty, because
-    /// the result is always logged.
+    /// Called with the result in the GUI thread: Cancelled if the command was not sent. May be empty. Results
+    /// other than Cancelled are also logged.
     std::function<void(const Result<void>&)> done = {};
 };
 

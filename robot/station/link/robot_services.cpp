@@ -22,7 +22,7 @@ constexpr milliseconds kDoneTime{10'000};
 /// The state is queried every half second, because a change to Local must be detected within one second.
 constexpr std::int64_t kAskEveryNs = kNsPerSecond / 2;
 
-/// Sends one command and reports a rejection.
+/// Sends one command and logs the result.
 /// after  called with true if the command was executed
 template <class Call>
 void send(

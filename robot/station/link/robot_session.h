@@ -147,8 +147,8 @@ public:
     /// while there are such objects, moves are refused, but jogs are permitted.
     void setSurroundings(const collision::CellSurroundings& cell);
     /// Checks whether these moves are permitted in sequence from the current arm position.
-    /// Errors  NoSolution with a sentence that names the two bodies that would be too close, and the position
-    ///         on the path
+    /// Errors  NoSolution with a sentence that names the two bodies that would be too close and the position on
+    ///         the path, or the object whose position is unknown
     Result<void> permits(std::span<const MoveRequest> moves) const;
     /// Like permits(), for a path of joint positions.
     Result<void> permitsPath(std::span<const JointPositions> way) const;
@@ -157,9 +157,9 @@ public:
     // The caller keeps the returned number. After a stop, a motion with this number never moves the arm
     // again.
     using MotionId = std::uint64_t;
-    /// guard  called before every move to a position of the project (MoveRequest::toProject, beginPath()).
-    ///        Returns why the move must not start, as a sentence; empty if it may start. A refused move ends
-    ///        with Cancelled and this sentence.
+    /// guard  called before every move to a position of the project (MoveRequest::toProject, beginPath()),
+    ///        and before beginProgram(). Returns why the motion must not start, as a sentence; empty if it may
+    ///        start. A refused motion ends with Cancelled and this sentence.
     void setProjectGuard(std::function<QString()> guard) { projectGuard_ = std::move(guard); }
     Result<MotionId> beginJog(const control::JogTarget& target);
     /// Errors  include those of permits(), because every limited motion of a button starts here
@@ -195,7 +195,7 @@ public:
     /// Starts freedrive, in which the arm can be moved by hand.
     Result<MotionId> beginFreedrive(const control::Freedrive& freedrive);
     /// Keeps the motion active. For a jog, the target may change.
-    /// Returns  false if the motion has been stopped; the button must be pressed again
+    /// Returns  false if the motion has ended; the button must be pressed again
     bool hold(MotionId motion);
     bool hold(MotionId motion, const control::JogTarget& target);
     void endMotion(MotionId motion, control::StopCause cause);
@@ -213,14 +213,14 @@ public:
     void refresh();
     /// Frame period [ms].
     static constexpr int kFrameMs = 16;
-    /// Closes the connection at the end of the program, and waits until it is closed. Blocks: half a second
-    /// at most, longer only if a file system blocks
+    /// Closes the connection before the session is destroyed. The destructor waits until it is closed: half a
+    /// second at most, longer only if a file system blocks.
     void shutDown();
 
 Q_SIGNALS:
     /// A connection to a robot has started. Earlier data belong to another robot or connection.
     void linkBegan();
-    /// extraReceiver() has changed during a connection.
+    /// followExtraFields() has changed the fields and, during a connection, extraReceiver().
     void extraFieldsChanged();
     /// The first data of a connection have arrived, after connecting or reconnecting.
     void connected();
@@ -231,7 +231,7 @@ Q_SIGNALS:
     void stateChanged(const tiller::SessionState& state);
     /// A motion has ended and its stop was measured.
     void motionStopped(const tiller::control::StopMeasurement& measurement);
-    /// The robot's service has replied to a command, or could not be reached.
+    /// A command to the robot's service has been executed (`done`), or has failed or was refused.
     void commandDone(tiller::RobotCommand command, bool done);
     /// takeControl() would end a program of another client. If the operator agrees, call it again with
     /// ForeignProgram::Stop.
@@ -241,7 +241,7 @@ Q_SIGNALS:
     /// RobotServices::perform() would start, pause or end a program that is not Tiller's own. If the operator
     /// agrees, call it again with `confirmed`.
     void commandQuestion(tiller::RobotCommand command);
-    /// A complete message from the controller. Also added to the journal.
+    /// A complete message from the controller. Messages for the operator are also added to the journal.
     void controllerMessage(const tiller::script::ControllerMessage& message);
 
 private:

@@ -3,8 +3,8 @@
 
 // The connection of the window to a Robotiq gripper. A separate thread queries the state several times a
 // second and sends commands, so that an unresponsive gripper does not delay the window or an output. Values
-// that the gripper does not report are shown as unknown, with the reason. Every command and its result is
-// logged.
+// that the gripper does not report are shown as unknown, with the reason. Every command that is sent is
+// logged with its result.
 //
 // The gripper is independent of the arm motion. A stop of the arm does not affect the gripper, which keeps
 // its grip. A gripper command started by a held button is ended by stop() when the button is released.
@@ -29,7 +29,7 @@ class RobotiqLink : public QObject {
     Q_OBJECT
 
 public:
-    /// session  used only for the log
+    /// session  provides the log and the check for monitor-only mode
     explicit RobotiqLink(RobotSession& session, QObject* parent = nullptr);
     ~RobotiqLink() override;
 
@@ -39,7 +39,7 @@ public:
     /// True during the first connection attempt.
     bool isConnecting() const { return client_ != nullptr && !state_ && failures_ == 0; }
 
-    /// The last queried state; empty if it is unknown.
+    /// The last queried state if it is at most one second old; empty otherwise.
     std::optional<io::RobotiqState> state() const;
     /// Why the state is unknown, and the suggested action, as sentences; empty if it is known.
     QString reason() const;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Mean reading of the force sensor over one second at rest, because a single sample is too noisy. Any motion
+// Mean reading of the force sensor over about one second at rest, because a single sample is too noisy. Any motion
 // invalidates the result.
 
 #include <optional>

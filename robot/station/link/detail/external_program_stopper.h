@@ -41,7 +41,7 @@ public:
     /// - While in control, a stop is first sent to Tiller's own program, see control::StopConfirmation.
     static bool isMeant(control::StopCause cause, const SessionState& state);
 
-    /// Opens missing connections in advance, so that a stop need not wait for them.
+    /// Opens the connection to the service in advance, so that a stop need not wait for it.
     void warmUp();
     /// True if the stop on the primary interface can be sent at once, without connecting.
     bool isReady() const { return stopper_.isConnected(); }
@@ -99,7 +99,7 @@ private:
     control::StopMeter meter_;
     std::uint64_t measuredFrom_ = 0;  ///< number of the newest sample at the request
     bool isExternal_ = false;         ///< not in control in the last frame: the controller does not measure
-    bool motionAllowed_ = false;      ///< safety mode of the previous sample
+    bool motionAllowed_ = false;      ///< by the safety mode of the previous sample
 };
 
 }  // namespace tiller

@@ -73,7 +73,7 @@ struct ProgramRun {
     std::optional<Result<void>> outcome;  ///< empty until the program has ended
 
     bool isRunning() const { return shared != nullptr && !outcome; }
-    /// Returns  false if the program has ended
+    /// Returns  false if the program has ended or must not start
     bool hold(std::int64_t nowNs);
     void end(control::StopCause cause);
     /// Prevents the start of a program that is being sent.
