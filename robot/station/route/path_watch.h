@@ -30,7 +30,7 @@ public:
 
 Q_SIGNALS:
     /// A waypoint was checked.
-    /// limit  why the move would be refused, as a sentence; empty if it is permitted
+    /// limit  why the move would be refused, as a sentence; empty if it is permitted or cannot be checked
     void looked(const QUuid& waypoint, const QString& limit);
 
 private:

@@ -27,7 +27,7 @@ public:
     std::optional<int> coming() const;
     /// Next waypoint in backward direction; empty before the first waypoint.
     std::optional<int> before() const;
-    /// True from the first reached waypoint until a restart.
+    /// True from the first move or reached waypoint until a restart.
     bool isUnderWay() const { return underWay_; }
     /// True after the last waypoint.
     bool isDone() const { return underWay_ && !coming(); }
@@ -46,7 +46,7 @@ private:
     QVector<QUuid> ids_;
     bool loop_ = false;
     bool underWay_ = false;
-    bool cameRound_ = false;  ///< has moved from the last waypoint to the first
+    bool cameRound_ = false;  ///< the loop has continued from the last waypoint to the first
     std::optional<int> on_;
     std::optional<int> back_;
 };
