@@ -78,7 +78,7 @@ public:
     /// Returns  the error; empty without an error
     std::optional<ScriptFault> start(const QString& script);
     /// Runs one control period.
-    /// Returns  false when the script has ended
+    /// Returns  false when the script has ended, or when a stop has paused it
     bool step();
 
     double stepTime() const;   ///< [s]
@@ -110,7 +110,8 @@ public:
     bool waitsForAnswer() const;  ///< True while the script waits for an answer to a question.
     /// Closes the message or answers the question with true or false, a number, or a string.
     /// answer   undefined: "no", zero or an empty string
-    /// Returns  false if the question requires another type; the default for undefined is then used
+    /// Returns  false if `answer` was not used, because there is no question or it requires another type. A
+    ///          question is then answered as for undefined
     bool answerOperator(const QJsonValue& answer = QJsonValue::Undefined);
 
     void setDigitalInput(int channel, bool value);  ///< channels as in digitalOutputs()

@@ -41,8 +41,9 @@ public:
     /// True if the project was taught with a model other than robot(), so that the same joint positions
     /// result in different poses.
     bool isOfOtherModel() const { return project::isOfOtherModel(project_, robot_.id); }
-    /// Sets the robot model of a project without a model or without waypoints. This is not an edit and is
-    /// saved with the next edit. An undo that restores waypoints also restores their model.
+    /// Sets the robot model of a project without a model or without taught data, see
+    /// project::hasTaughtPlaces(). This is not an edit and is saved with the next edit. An undo that restores
+    /// taught data also restores their model.
     void adoptRobot(RobotModelId connected);
     /// Replaces the project by the result of project::changeModel(), as one undo step.
     void changeModel(const project::ModelChange& change, const QString& text);

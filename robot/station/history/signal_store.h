@@ -56,7 +56,7 @@ public:
     /// syntax of the text. For a long recording, a worker reads the file from its beginning, and the values
     /// become available step by step.
     /// Returns  its number, also if the signal already exists
-    /// Errors   InvalidArgument, with the error as message; those of Recording
+    /// Errors   InvalidArgument, with the error as message; FileNotReadable, with problem() as message
     Result<int> derive(const QString& text);
     /// Reports an error of derive() for a menu command.
     void refuse(const Error& error) { Q_EMIT computationFailed(error.controllerMessage); }
@@ -102,7 +102,7 @@ public:
     bool hasRecordings() const { return tables_.size() > kFirstRecording; }
     /// Describes a read of these signals from the file of a long recording, for a worker.
     /// begin, end  the samples begin ... end - 1
-    /// Returns     nothing unless all signals belong to the same long recording
+    /// Returns     nothing if the range is empty or the signals do not belong to one long recording
     std::optional<RecordedStretch> stretchOf(std::span<const int> wanted, std::int64_t begin,
                                              std::int64_t end) const;
     /// Makes these signals available as a recording with the rows and times of their file. They must all
@@ -110,7 +110,7 @@ public:
     std::unique_ptr<SelectedSignals> selected(std::span<const int> wanted) const;
     /// Available fraction of a signal computed from a long recording: 0 ... 1.
     double computedPart(int signal) const { return signals_[static_cast<std::size_t>(signal)].computedPart; }
-    /// Why the last want() failed: too many signals for the robot or for the memory limit.
+    /// Why the last want() failed or is incomplete: too many signals, the memory limit, or the file.
     const QString& problem() const { return problem_; }
 
     /// History of the standard fields. For the additionally requested fields, see further().
@@ -142,7 +142,7 @@ public:
     /// Sets the signals that a client displays, so that fields outside the standard stream are requested.
     /// Replaces the previous signals of this client.
     /// who      address that identifies the client; not accessed
-    /// Returns  false, without change, if problem() explains why they cannot be received
+    /// Returns  false, without change, if problem() explains why they cannot be received or loaded
     bool want(const void* who, const QSet<int>& shown);
     const QStringList& extraFields() const { return furtherFields_; }
     /// All robot fields of the displayed signals, in alphabetical order.
@@ -155,7 +155,7 @@ public:
 Q_SIGNALS:
     /// The additional fields to request from the robot have changed.
     void furtherFieldsChanged(const QStringList& fields);
-    /// A derived signal was added.
+    /// Signals were added; `signal` is the last one. -1: the recordings were closed.
     void signalAdded(int signal);
     /// Another part of a signal computed from a long recording is available.
     void computedFurther(int signal);

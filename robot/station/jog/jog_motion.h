@@ -33,7 +33,7 @@ inline constexpr int kSpeedClassCount = 5;
 inline constexpr int kStartSpeedClass = 2;
 const std::array<SpeedClass, kSpeedClassCount>& speedClasses();
 
-/// Length [m] and angle [rad] of one step; zero for Hold.
+/// Length [m] and angle [rad] of one step; zero for Hold and UntilContact.
 struct StepSize {
     double length = 0;
     double angle = 0;
@@ -75,7 +75,7 @@ struct JogSelection {
     FrameChoice frame = FrameChoice::Base;
     MotionChoice motion = MotionChoice::Hold;
     int speedClass = kStartSpeedClass;
-    /// Custom values that replace the selected class or step.
+    /// Custom values that replace the selected speed class and the coarse step.
     std::optional<SpeedClass> speed;
     std::optional<StepSize> step;
     double contactForce = kContactForce;  ///< change of force that ends an UntilContact motion [N]

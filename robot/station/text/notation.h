@@ -56,7 +56,7 @@ QString speedNumber(double metresPerSecond);
 QString speedUnit();
 
 /// rotationVector  [rad]
-/// Returns         three numbers with unit, e.g. "179.94°" or "3.1406"
+/// Returns         three numbers, e.g. "179.94°" or "3.1406"
 std::array<QString, 3> rotation(const Eigen::Vector3d& rotationVector);
 /// Like rotation(), with the unit after the last number only.
 std::array<QString, 3> rotationNumbers(const Eigen::Vector3d& rotationVector);

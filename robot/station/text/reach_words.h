@@ -11,7 +11,7 @@ namespace tiller {
 
 /// Short label: "✓", "✕ reach", "✕ joint", "✕ frame", "✕ line" or "✕ model".
 QString reachText(const project::Reach& reach);
-/// A sentence that ends with the suggested action; empty if the waypoint is reachable.
+/// Why the waypoint is unreachable, with the suggested action; empty if it is reachable.
 QString reachAdvice(const project::Reach& reach);
 
 }  // namespace tiller

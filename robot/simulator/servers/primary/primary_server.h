@@ -23,8 +23,9 @@ public:
 
     void service() override;
     using Server::publish;
-    /// Sends the data of a control period: the state of the robot when due, followed by the messages. If the
-    /// safety mode changes several times, only the last change is reported, because it matches the state.
+    /// Sends the data of a control period: the state of the robot when due or when the safety mode has
+    /// changed, followed by the messages. If the safety mode has changed several times, only the last change
+    /// is reported, because it matches the state.
     void publish(const std::vector<primary::Bytes>& messages);
     void closeClients() override { clients_.clear(); }
 

@@ -63,7 +63,7 @@ public:
 
     static bool isMove(const ScriptCall& call);
     /// label   name of the waypoint; may be empty
-    /// reason  set if there is no step
+    /// reason  may be set if there is no step
     std::optional<project::ProgramStep> step(const ScriptCall& call, const QString& label, QString& reason);
 
 private:
@@ -88,7 +88,7 @@ private:
     static std::optional<Target> poseTarget(const QString& expression);
     /// The waypoint of the imported program at these joint positions.
     /// label   name of the waypoint; may be empty
-    /// values  speed and blend of a new waypoint
+    /// values  move type, speed and blend of a new waypoint
     QUuid waypointFor(const Target& target, const QString& label, const project::Waypoint& values);
     void use(const Target& target);
 

@@ -64,7 +64,7 @@ std::optional<ScriptCall> parseCall(const QString& code);
 /// Removes brackets around the whole expression.
 QString withoutBrackets(QString expression);
 std::optional<double> numberLiteral(const QString& text);
-/// Six numbers in a list; `prefix` is "p" for a pose and empty for joint positions.
+/// The numbers of a list with `count` numbers; `prefix` is "p" for a pose and empty for joint positions.
 std::optional<std::vector<double>> listLiteral(const QString& text, const QString& prefix, qsizetype count);
 /// The content of a string literal without special characters.
 std::optional<QString> stringLiteral(const QString& text);
