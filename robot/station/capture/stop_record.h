@@ -64,7 +64,7 @@ private:
     std::deque<std::pair<double, QString>> said_;
     bool stopped_ = false;
     std::uint64_t connection_ = 0;  ///< connection of the last sample
-    JointPositions q_;              ///< arm position at the stop
+    JointPositions q_;              ///< arm position in the last sample
     double now_ = 0;
     std::optional<StopRecord> record_;
 };

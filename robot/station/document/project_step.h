@@ -16,7 +16,7 @@ struct ProjectStep {
     bool undone = true;
     QString text;  ///< description of the edit, e.g. "Change the TCP “gripper”"
     ProjectPart part = ProjectPart::Waypoints;
-    QUuid id;  ///< first changed waypoint, frame, tool, payload or position; null if removed
+    QUuid id;  ///< first changed waypoint, frame, tool, payload, position or program; null if removed
 };
 
 }  // namespace tiller

@@ -25,9 +25,9 @@ struct HistoryNote {
 /// t0, t1   times on the plots' time axis [s]
 /// notes    notes of the signals' recording or of the live data. Notes in the range are exported, together
 ///          with those in the file of the recording
-/// Returns  rows written
+/// Returns  number of rows written
 /// Errors   as exportCsv() and recording::exportRecording(); Rejected if the signals have different time
-///          axes, or if the format for live signals is not .csv
+///          axes, if the range contains too many values, or if the format for live signals is not .csv
 Result<std::int64_t> exportSignals(const SignalStore& store, const std::vector<int>& shown, double t0,
                                    double t1, const QString& path,
                                    const std::vector<HistoryNote>& notes = {});

@@ -15,7 +15,7 @@ struct LimiterAdvice {
     QString advice;
 };
 
-/// The nearest relevant limit: a joint within 15 deg of its range, or a nearby singularity.
+/// The most relevant limit: a collision, a joint within 15 deg of its range, a speed cap, or a singularity.
 /// Threads  any
 /// R_base_frame  axes of the jog pad, for the suggested button
 LimiterAdvice nearestLimiter(const SessionState& state,

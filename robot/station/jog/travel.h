@@ -42,7 +42,7 @@ int escapeKeyFrom(const SessionState& state, const Eigen::Matrix3d& R_base_frame
 /// Separates this pair of bodies.
 int escapeKeyFrom(const SessionState& state, const Eigen::Matrix3d& R_base_frame,
                   const collision::CollisionCheck::Pair& pair);
-/// Label of a button by its number, e.g. "Z\u2212".
+/// Label of a button by its number, e.g. "Z−".
 QString travelKeyName(int key);
 
 }  // namespace tiller

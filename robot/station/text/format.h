@@ -11,7 +11,7 @@
 
 namespace tiller::format {
 
-/// Examples: "−12.40", "12.40". Never "−0.00". NaN is displayed as "–".
+/// Examples: "−12.40", "12.40". Never "−0.00". NaN and infinity are displayed as "–".
 QString number(double value, int digits);
 /// Like number(), with '+' before positive values.
 QString signedNumber(double value, int digits);

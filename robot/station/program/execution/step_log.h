@@ -35,8 +35,8 @@ public:
     bool isCutShort() const { return hasEnded() && value_ > 0; }
     /// True while the program is paused by the pendant or another client.
     bool isPausedOnRobot() const { return isPausedOnRobot_; }
-    /// One per step; step number 1 is at index 0. Times are relative to the start of the program. They
-    /// exclude the time for which the program waits before a step.
+    /// One per step; step number 1 is at index 0. Times are relative to the start of the program. The
+    /// totals exclude the time for which the program waits before a step.
     const std::vector<StepTiming>& timings() const { return timings_; }
 
 private:

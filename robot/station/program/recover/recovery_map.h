@@ -21,7 +21,7 @@ namespace tiller::program {
 
 enum class StopKind {
     Protective,  ///< the arm stops, and the controller keeps outputs and registers
-    Operator,    ///< same as Protective
+    Operator,    ///< same as Protective, but the brakes do not displace the arm
     LinkLoss,    ///< the program continues for up to kMaxLinkLossTime, possibly into later steps
     PowerLoss,   ///< outputs off; registers, TCP and payload as after a controller start
 };
@@ -81,7 +81,7 @@ RecoveryMap checkRecovery(const project::Project& project, const QUuid& program,
 
 /// The worst mark of all stops except power loss, e.g. "✔ Continue".
 QString recoveryMark(const StepRecovery& recovery);
-/// One line for each kind of stop, with mark and reason.
+/// A heading, and one line for each kind of stop with mark and reason.
 QString recoveryDetails(const StepRecovery& recovery);
 /// Number of steps with a stop, and number of those that can continue after any stop except power loss.
 struct RecoveryCount {

@@ -102,7 +102,8 @@ public:
 
     /// Starts the program of the plan.
     /// permitted  number of steps before the program pauses
-    /// Errors  Cancelled with the obstacle of the plan; those of RobotSession::beginProgram()
+    /// Errors  Cancelled with the obstacle of the plan, or if a program is running; those of
+    ///         RobotSession::beginProgram()
     Result<RobotSession::MotionId> start(const RunPlan& plan, control::Holding holding,
                                          std::int32_t permitted = script::StepGate::kUnlimited);
     /// The motion of a button that runs the program while it is held.

@@ -15,7 +15,7 @@ namespace tiller::program {
 /// The result of one expectation.
 struct Verdict {
     QString name;      ///< e.g. "duration"
-    QString expected;  ///< e.g. "18 s to 25 s"
+    QString expected;  ///< e.g. "18.000 s to 25.000 s"
     QString measured;  ///< e.g. "27.104 s"
     bool passed = false;
 };
@@ -42,7 +42,7 @@ std::vector<Verdict> judge(const TestFile& file, const ProgramTest& test, const 
 /// Threads  any. Blocks: until all tests have run, in the given number of threads
 std::vector<TestOutcome> runTests(const std::vector<TestFile>& files, const TestRunOptions& options = {});
 
-/// A verdict as one line, e.g. "duration: 27.104 s (expected 18 s to 25 s)".
+/// A verdict as one line, e.g. "duration: 27.104 s (expected 18.000 s to 25.000 s)".
 QString verdictText(const Verdict& verdict);
 
 }  // namespace tiller::program
