@@ -26,9 +26,9 @@ struct ArmProportions {
     double flangeRadius = 0;
 };
 
-/// Source: the offsets are based on the vendor's public description files (UR3 to UR30 except UR8 Long, UR15 and
-/// UR18), or on the centres of mass in robot_model.cpp for the other models. The radii are estimates that grow
-/// with the cube root of the joint torque. They have not been compared with the description files yet.
+/// Source: the offsets are based on the vendor's public description files (UR3 to UR30 except UR8 Long, UR15
+/// and UR18), or on the centres of mass in robot_model.cpp for the other models. The radii are estimates that
+/// grow with the cube root of the joint torque. They have not been compared with the description files yet.
 ArmProportions armProportions(const RobotModel& model);
 
 /// Height of the flange axis above the base with the arm pointing straight up [m].

@@ -16,7 +16,7 @@ inline constexpr double kStandardGravity = 9.82;  ///< value used by the control
 /// A reading at standstill without external contact.
 struct PayloadReading {
     Eigen::Matrix3d R_base_flange = Eigen::Matrix3d::Identity();
-    /// Force and torque about the flange, in the flange frame [N, Nm]. Zero the sensor for all readings or none.
+    /// Force and torque about the flange, in its frame [N, Nm]. Zero the sensor for all readings or none.
     Wrench felt;
 };
 

@@ -75,7 +75,7 @@ private:
     int fault_ = 0;
 };
 
-/// Decodes sequences such as %41. Empty if a % is not followed by a hexadecimal number.
+/// Decodes sequences such as %41. Empty if a % is not followed by two hexadecimal digits.
 std::optional<std::string> percentDecoded(std::string_view text);
 
 struct FormFile {

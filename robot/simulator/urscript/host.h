@@ -255,8 +255,8 @@ public:
     virtual Pose tcpOffset() const = 0;
     virtual Result<void> setTcpOffset(const Pose& flangeToTcp, std::string_view name) = 0;
     virtual Payload payload() const = 0;
-    /// Sets the payload. `transition`: time to change linearly from the old payload [s]. `zeroSensor`: for the
-    /// older functions, which also zero the force/torque reading.
+    /// Sets the payload. `transition`: time to change linearly from the old payload [s]. `zeroSensor`: for
+    /// the older functions, which also zero the force/torque reading.
     virtual Result<void> setPayload(const Payload& payload, double transition, bool zeroSensor) = 0;
     virtual Eigen::Vector3d gravity() const = 0;  ///< [m/s2]; 0 0 9.82 when upright
     virtual Result<void> setGravity(const Eigen::Vector3d& gravity) = 0;

@@ -102,7 +102,7 @@ Q_SIGNALS:
     void saveRecovered();
     /// Another window has the project open, so changes in this window are not saved.
     void openElsewhere();
-    /// This window saves changes again, because the other window has closed the project or lost it to takeOver().
+    /// This window saves again, because the other window has closed the project or lost it to takeOver().
     void freeAgain();
     void changedByOther();
     /// The content of the file matches again the content that this window has last read or written.

@@ -26,8 +26,8 @@ struct Defaults {
 /// The heading line is optional. With a heading line, the columns may be in any order, and only the joints or
 /// the pose are required. Without it, the text has either all columns in the order of toText(), or the six
 /// numbers of a pose, optionally preceded by a name. Missing joints are computed from the pose as the nearest
-/// solution, and a missing pose from the joints. Waypoints get new IDs. Names may be empty or already exist in the
-/// project.
+/// solution, and a missing pose from the joints. Waypoints get new IDs. Names may be empty or already exist
+/// in the project.
 /// Errors   InvalidArgument with line and column; a text with an error is rejected as a whole
 Result<std::vector<project::Waypoint>> fromText(const QString& text, const project::FrameList& frames,
                                                 const Defaults& defaults = {});

@@ -32,8 +32,8 @@ control::Freedrive freedriveOf(FreedriveAxes axes, const Eigen::Matrix3d& R_base
 inline constexpr double kPayloadForce = 12;  ///< [N]
 inline constexpr double kPayloadTorque = 2;  ///< [Nm]
 
-/// Why freedrive should not start: the arm is moving, or it measures a force without contact, so it would drift.
-/// Empty if freedrive can start.
+/// Why freedrive should not start: the arm is moving, or it measures a force without contact, so it would
+/// drift. Empty if freedrive can start.
 QString payloadDoubt(const SessionState& state);
 
 }  // namespace tiller

@@ -147,8 +147,8 @@ public:
     /// while there are such objects, moves are refused, but jogs are permitted.
     void setSurroundings(const collision::CellSurroundings& cell);
     /// Checks whether these moves are permitted in sequence from the current arm position.
-    /// Errors  NoSolution with a sentence that names the two bodies that would be too close and the position on
-    ///         the path, or the object whose position is unknown
+    /// Errors  NoSolution with a sentence that names the two bodies that would be too close and the position
+    ///         on the path, or the object whose position is unknown
     Result<void> permits(std::span<const MoveRequest> moves) const;
     /// Like permits(), for a path of joint positions.
     Result<void> permitsPath(std::span<const JointPositions> way) const;
@@ -158,8 +158,8 @@ public:
     // again.
     using MotionId = std::uint64_t;
     /// guard  called before every move to a position of the project (MoveRequest::toProject, beginPath()),
-    ///        and before beginProgram(). Returns why the motion must not start, as a sentence; empty if it may
-    ///        start. A refused motion ends with Cancelled and this sentence.
+    ///        and before beginProgram(). Returns why the motion must not start, as a sentence; empty if it
+    ///        may start. A refused motion ends with Cancelled and this sentence.
     void setProjectGuard(std::function<QString()> guard) { projectGuard_ = std::move(guard); }
     Result<MotionId> beginJog(const control::JogTarget& target);
     /// Errors  include those of permits(), because every limited motion of a button starts here

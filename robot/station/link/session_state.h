@@ -107,8 +107,8 @@ struct SessionState {
     double speedCap = 0.250;          ///< speed limit of Tiller for TCP and elbow [m/s]
     ControlState control = ControlState::None;
     QString controlReason;  ///< why the arm cannot be moved now, as a sentence; empty if it can
-    /// Control was lost recently because the connection or the control program failed, and it is not certain that
-    /// Tiller's own program has ended. Space and Esc still stop the robot regardless of the keyboard focus.
+    /// Control was lost recently because the connection or the control program failed, and Tiller's own
+    /// program may not have ended. Space and Esc still stop the robot regardless of the keyboard focus.
     bool controlInDoubt = false;
     control::ControlLoss controlLoss =
         control::ControlLoss::NotTaken;  ///< reason for the last loss of control

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Mean reading of the force sensor over about one second at rest, because a single sample is too noisy. Any motion
-// invalidates the result.
+// Mean reading of the force sensor over about one second at rest, because a single sample is too noisy. Any
+// motion invalidates the result.
 
 #include <optional>
 

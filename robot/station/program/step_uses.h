@@ -14,8 +14,8 @@ namespace tiller::program {
 /// Number of steps in all programs that refer to the waypoint or to its group.
 int countUses(const project::Project& project, const project::Waypoint& waypoint);
 
-/// The steps contained in both scripts whose lines differ. For two scripts of the same steps, these are the steps that depend on
-/// the changed waypoint, frame or tool.
+/// The steps contained in both scripts whose lines differ. For two scripts of the same steps, these are the
+/// steps that depend on the changed waypoint, frame or tool.
 QSet<QUuid> changedSteps(const ProgramScript& before, const ProgramScript& after);
 
 }  // namespace tiller::program

@@ -60,8 +60,8 @@ public:
     bool isMeasuring() const { return meter_.isMeasuring(); }
 
     enum class Outcome { None, Stopped, Failed };
-    /// Measures the stop, including stops by the safety system, and checks whether the request has succeeded or
-    /// failed. Call once per frame with the samples of the frame.
+    /// Measures the stop, including stops by the safety system, and checks whether the request has succeeded
+    /// or failed. Call once per frame with the samples of the frame.
     /// Returns  the result of the request, once
     Outcome follow(const SessionState& state, const SampleBatch& batch);
     const Error& error() const { return error_; }

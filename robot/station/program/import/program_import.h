@@ -61,7 +61,7 @@ struct ImportedProgram {
 /// Threads  any. Blocks: for the file system
 Result<ImportSource> readImportSource(const QString& path);
 
-/// The result of a row in one line, e.g. "MoveL" or "URScript (no step generates this statement)". Translated.
+/// The translated result of a row, e.g. "MoveL" or "URScript (no step generates this statement)".
 QString resultText(const ImportRow& row);
 
 /// Adds a program to a copy of the project.
