@@ -24,7 +24,7 @@ QString quoted(QString text);
 
 class Translation {
 public:
-    /// isReserved  names that functions must not have; may be empty
+    /// isReserved  returns true for names that functions must not have; may be empty
     Translation(const Installation& used, const SoftwareVersion& version,
                 std::function<bool(const QString&)> isReserved)
         : installation(used), software(version), isReserved_(std::move(isReserved)) {}

@@ -96,8 +96,7 @@ public:
         columns_[static_cast<std::size_t>(column)] = std::move(filled);
     }
 
-    // The following functions are for a history stored in a file. Rows cannot be appended to it, and the
-    // limits do not apply.
+    // Functions for a history stored in a file. Rows cannot be appended to it, and the limits do not apply.
 
     /// Approximate time of a sample. setTimes() sets the exact time.
     struct Mark {
