@@ -46,6 +46,8 @@ protected:
     DesktopCell& cell() { return *cell_; }
     /// The controls used by the test must be visible on this screen.
     virtual QSize screen() const { return {1280, 800}; }
+    /// Name of the window manager for the current row.
+    virtual QString windowManager() const { return DesktopCell::kOpenbox; }
     XHand& hand() { return cell_->hand(); }
     ArmWatch& arm() { return cell_->arm(); }
     /// For tests that leave the cell in an unusable state. The next test then gets a new cell.
@@ -82,8 +84,11 @@ protected:
 
 private Q_SLOTS:
     void init() {
+        if (const QString obstacle = DesktopCell::obstacle(windowManager()); !obstacle.isEmpty()) {
+            QSKIP(qPrintable(obstacle));
+        }
         if (!cell_) {
-            auto made = std::make_unique<DesktopCell>(screen());
+            auto made = std::make_unique<DesktopCell>(screen(), windowManager());
             QVERIFY2(made->bringUp(), qPrintable(made->what()));
             cell_ = std::move(made);
         }

@@ -45,7 +45,19 @@ class TestStopAboveDialogs : public DesktopTest {
         hand().button(1, false);
     }
 
+    QString windowManager() const override {
+        const char* row = QTest::currentDataTag();
+        return row != nullptr ? QString::fromLatin1(row) : DesktopTest::windowManager();
+    }
+
 private Q_SLOTS:
+    // Some window managers raise the button above the windows of all programs whenever it is moved.
+    void theWindowOfAnotherProgramIsNotCovered_data() {
+        QTest::addColumn<QString>("unused");
+        for (const char* name : {"openbox", "xfwm4", "metacity"}) {
+            QTest::newRow(name) << QString();
+        }
+    }
     void theWindowOfAnotherProgramIsNotCovered() {
         runOtherProgram();
         openCommands();
@@ -53,6 +65,10 @@ private Q_SLOTS:
         const XHand::WindowId other = openOther(stop - QPoint(120, 60));
         QCOMPARE(hand().activeWindow(), other);
         QVERIFY(cell().until([&] { return !hand().isUnmanaged(stop); }));
+        for (int i = 0; i < 100; ++i) {
+            QVERIFY2(!hand().isUnmanaged(stop), "the button comes to the front again");
+            QTest::qWait(10);
+        }
         clickAt(stop);
         QVERIFY2(arm().untilMoving(1), "a click into the window of another program stopped the arm");
         QVERIFY2(!arm().untilStanding(1), "a click into the window of another program stopped the arm");

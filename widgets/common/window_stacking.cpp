@@ -4,6 +4,7 @@
 #ifdef TILLER_HAS_XCB
 
 #include <QGuiApplication>
+#include <algorithm>
 #include <cstdlib>
 #include <iterator>
 #include <memory>
@@ -28,10 +29,48 @@ Tree treeOf(xcb_connection_t* link, xcb_window_t window) {
     return Tree(xcb_query_tree_reply(link, xcb_query_tree(link, window), nullptr));
 }
 
+/// True if the window is on the screen. Windows without content, e.g. for input only, do not count.
 bool isOnScreen(xcb_connection_t* link, xcb_window_t window) {
     const Owned<xcb_get_window_attributes_reply_t> attributes(
         xcb_get_window_attributes_reply(link, xcb_get_window_attributes(link, window), nullptr));
-    return attributes != nullptr && attributes->map_state == XCB_MAP_STATE_VIEWABLE;
+    return attributes != nullptr && attributes->map_state == XCB_MAP_STATE_VIEWABLE &&
+           attributes->_class == XCB_WINDOW_CLASS_INPUT_OUTPUT;
+}
+
+xcb_atom_t stateAtom(xcb_connection_t* link) {
+    static constexpr char kName[] = "WM_STATE";
+    const Owned<xcb_intern_atom_reply_t> reply(xcb_intern_atom_reply(
+        link, xcb_intern_atom(link, 1, sizeof kName - 1, static_cast<const char*>(kName)), nullptr));
+    return reply != nullptr ? reply->atom : xcb_atom_t{XCB_ATOM_NONE};
+}
+
+/// True for the window of a program that the window manager manages, and for the frame around it. Other windows, e.g.
+/// the one in which a compositor draws the whole screen, do not cover anything.
+/// depth  number of windows that may be nested around the window of the program
+bool isManaged(xcb_connection_t* link, xcb_window_t window, xcb_atom_t state, int depth = 2) {
+    const Owned<xcb_get_property_reply_t> property(xcb_get_property_reply(
+        link, xcb_get_property(link, 0, window, state, XCB_GET_PROPERTY_TYPE_ANY, 0, 1), nullptr));
+    if (property != nullptr && property->type != XCB_ATOM_NONE) {
+        return true;
+    }
+    const Tree tree = depth > 0 ? treeOf(link, window) : nullptr;
+    if (!tree) {
+        return false;
+    }
+    const std::span<const xcb_window_t> children(
+        xcb_query_tree_children(tree.get()),
+        static_cast<std::size_t>(xcb_query_tree_children_length(tree.get())));
+    return std::any_of(children.begin(), children.end(),
+                       [&](xcb_window_t child) { return isManaged(link, child, state, depth - 1); });
+}
+
+/// The area of a child of the root window [px of the display].
+QRect areaOf(xcb_connection_t* link, xcb_window_t window) {
+    const Owned<xcb_get_geometry_reply_t> area(
+        xcb_get_geometry_reply(link, xcb_get_geometry(link, window), nullptr));
+    return area != nullptr ? QRect(area->x, area->y, area->width + 2 * area->border_width,
+                                   area->height + 2 * area->border_width)
+                           : QRect();
 }
 
 /// Returns the ancestor of a window that is a child of the root window: its frame, or the window itself. 0: none.
@@ -47,7 +86,8 @@ xcb_window_t frameOf(xcb_connection_t* link, xcb_window_t window) {
 
 }  // namespace
 
-Stacking stackDirectlyAbove(const QList<QWindow*>& references, const QWindow& unmanaged) {
+Stacking keepAbove(const QList<QWindow*>& references, const QWindow& unmanaged, QRegion& covered) {
+    covered = {};
     const auto* x11 = qGuiApp->nativeInterface<QNativeInterface::QX11Application>();
     xcb_connection_t* link = x11 != nullptr ? x11->connection() : nullptr;
     if (link == nullptr) {
@@ -70,23 +110,28 @@ Stacking stackDirectlyAbove(const QList<QWindow*>& references, const QWindow& un
     const std::span<const xcb_window_t> order(
         xcb_query_tree_children(root.get()),
         static_cast<std::size_t>(xcb_query_tree_children_length(root.get())));
-    xcb_window_t topmost = 0;
-    xcb_window_t above = 0;  // the window directly above `topmost`
-    for (const xcb_window_t each : order) {
-        if (frames.contains(each)) {
-            topmost = each;
-            above = 0;
-        } else if (above == 0) {
-            above = each;
-        }
-    }
-    if (topmost == 0) {
+    const auto topmost = std::find_if(order.rbegin(), order.rend(), [&](xcb_window_t each) {
+                             return frames.contains(each);
+                         }).base();
+    if (topmost == order.begin()) {
         return Stacking::NoneVisible;
     }
-    if (above != window) {
-        const std::uint32_t values[] = {topmost, XCB_STACK_MODE_ABOVE};
+    if (std::find(topmost, order.end(), window) == order.end()) {
+        const std::uint32_t values[] = {*std::prev(topmost), XCB_STACK_MODE_ABOVE};
         xcb_configure_window(link, window, XCB_CONFIG_WINDOW_SIBLING | XCB_CONFIG_WINDOW_STACK_MODE, values);
         xcb_flush(link);
+    }
+    const xcb_atom_t state = stateAtom(link);
+    const QRect area = areaOf(link, window);
+    const double scale = unmanaged.devicePixelRatio();
+    for (auto above = topmost; above != order.end(); ++above) {
+        const QRect part = *above == window ? QRect() : areaOf(link, *above).intersected(area);
+        if (!part.isEmpty() && isOnScreen(link, *above) && isManaged(link, *above, state)) {
+            const QRect local = part.translated(-area.topLeft());
+            covered +=
+                QRectF(local.x() / scale, local.y() / scale, local.width() / scale, local.height() / scale)
+                    .toAlignedRect();
+        }
     }
     return Stacking::Done;
 }
@@ -97,7 +142,8 @@ Stacking stackDirectlyAbove(const QList<QWindow*>& references, const QWindow& un
 
 namespace tiller {
 
-Stacking stackDirectlyAbove(const QList<QWindow*>&, const QWindow&) {
+Stacking keepAbove(const QList<QWindow*>&, const QWindow&, QRegion& covered) {
+    covered = {};
     return Stacking::Unsupported;
 }
 

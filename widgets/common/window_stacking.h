@@ -4,6 +4,7 @@
 // Order of windows on the screen.
 
 #include <QList>
+#include <QRegion>
 #include <QWindow>
 
 namespace tiller {
@@ -14,8 +15,11 @@ enum class Stacking {
     Unsupported,  ///< not available on this platform
 };
 
-/// Places a window that the window manager does not manage, e.g. a tooltip, directly above the topmost
-/// reference window. Windows of other programs that are in front of the reference windows stay in front.
-Stacking stackDirectlyAbove(const QList<QWindow*>& references, const QWindow& unmanaged);
+/// Keeps a window that the window manager does not manage, e.g. a tooltip, above all reference windows. Some window
+/// managers, e.g. metacity, raise such a window above all others at any time, so the parts of it that belong to
+/// another program are returned instead of changing the order.
+/// covered  receives the parts of `unmanaged` that windows of other programs cover or would cover if they were not
+///          below it [px, device-independent, relative to `unmanaged`]
+Stacking keepAbove(const QList<QWindow*>& references, const QWindow& unmanaged, QRegion& covered);
 
 }  // namespace tiller

@@ -401,8 +401,8 @@ void HeaderBar::stackStopAbove() {
         return;
     }
     // The display server puts windows of this type in front of all others, where the button would cover windows
-    // of other programs, e.g. the STOP button of another robot. Move it below them, but keep it above all
-    // windows of this program.
+    // of other programs, e.g. the STOP button of another robot. Show only the part that they do not cover, but
+    // keep the button above all windows of this program.
     // QWidget::winId() is outdated here, because Qt has created the native window again.
     QList<QWindow*> windows;
     const QWidgetList all = QApplication::topLevelWidgets();
@@ -413,16 +413,20 @@ void HeaderBar::stackStopAbove() {
             windows.append(each->windowHandle());
         }
     }
-    switch (stackDirectlyAbove(windows, *stopAbove_->windowHandle())) {
-        case Stacking::Done:
-            stopAbove_->show();
-            break;
-        case Stacking::NoneVisible:
-            stopAbove_->hide();
-            break;
-        case Stacking::Unsupported:
-            break;
+    QRegion covered;
+    const Stacking stacking = keepAbove(windows, *stopAbove_->windowHandle(), covered);
+    if (stacking == Stacking::Unsupported) {
+        return;
     }
+    const QRegion free = QRegion(stopAbove_->rect()) - covered;
+    if (stacking == Stacking::NoneVisible || free.isEmpty()) {
+        stopAbove_->hide();
+        return;
+    }
+    if (const QRegion shape = covered.isEmpty() ? QRegion() : free; shape != stopAbove_->mask()) {
+        stopAbove_->setMask(shape);
+    }
+    stopAbove_->show();
 }
 
 void HeaderBar::placeStopAbove() {
