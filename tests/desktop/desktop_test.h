@@ -64,7 +64,7 @@ protected:
             }
             release();
         }
-        QFAIL("nothing moved while it was held: this proves nothing");
+        QFAIL("the arm did not move during the hold, so the test shows nothing");
     }
     /// Makes sure that the cell is in control with the keyboard armed. On a busy machine, control may have
     /// been lost.
@@ -79,7 +79,7 @@ protected:
         QVERIFY2(stop.verdict != Standstill::Verdict::GoesOn && stop.verdict != Standstill::Verdict::Blind,
                  words(stop).constData());
         QVERIFY2(stop.verdict == Standstill::Verdict::Stood, words(stop).constData());
-        QVERIFY2(arm().stays(0.5), "it stood, and moved again by itself");
+        QVERIFY2(arm().stays(0.5), "the arm stopped, but moved again by itself");
     }
 
 private Q_SLOTS:

@@ -44,9 +44,9 @@ protected:
         verifyStands();
         QVERIFY(cell().toTheFront());
         comeBack();
-        QVERIFY2(arm().stays(0.3), "it moved again while it was still held");
+        QVERIFY2(arm().stays(0.3), "the arm moved again during the same hold");
         letGo();
-        QVERIFY2(arm().stays(0.3), "it moved again when it was let go");
+        QVERIFY2(arm().stays(0.3), "the arm moved again after the release");
     }
 
 private:

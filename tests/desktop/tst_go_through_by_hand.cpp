@@ -45,7 +45,7 @@ class TestGoThroughByHand : public InterruptedHold {
                 hand().tap(kReturn);
                 cell().until([&] { return all(); }, 2000);
             }
-            QVERIFY2(all(), "not all waypoints could be chosen");
+            QVERIFY2(all(), "not all waypoints could be selected");
         }
         QVERIFY(cell().until([&] { return cell().place("waypoint.goThrough").enabled; }));
     }

@@ -42,7 +42,7 @@ private Q_SLOTS:
             hand().release(kRight);
             verifyStands();
         }
-        QVERIFY2(went, "the repetition ended the motion");
+        QVERIFY2(went, "auto-repeat ended the motion");
     }
 
     void anotherWindowOpens() {
@@ -70,7 +70,7 @@ private Q_SLOTS:
         hand().release(kRight);
         QVERIFY(arm().stays(0.3));
         lock.ungrab();
-        QVERIFY2(arm().stays(0.3), "it moved again when the screen was unlocked");
+        QVERIFY2(arm().stays(0.3), "the arm moved again after the screen was unlocked");
     }
 
     void theScreenIsLockedByXtrlock() {
@@ -85,7 +85,7 @@ private Q_SLOTS:
         // locked.
         if (lock.waitForEnd(10'000)) {
             hand().release(kRight);
-            QSKIP(qPrintable("xtrlock does not lock here: " + lock.output().trimmed()));
+            QSKIP(qPrintable("xtrlock cannot lock this screen: " + lock.output().trimmed()));
         }
         verifyStands();
     }
@@ -96,7 +96,7 @@ private Q_SLOTS:
         verifyStands();
         hand().release(kRight);
         cell().program().signal(SIGCONT);
-        QVERIFY2(arm().stays(1), "it moved again when the program went on");
+        QVERIFY2(arm().stays(1), "the arm moved again after the program resumed");
     }
 
     // A program sends a press to the window that did not come from the keyboard. A release would never
@@ -105,7 +105,7 @@ private Q_SLOTS:
         const Vector6 from = arm().joints();
         hand().sendKey(cell().place("mainWindow").window, kRight, true);
         QVERIFY2(cell().until([&] { return (arm().joints() - from).cwiseAbs().maxCoeff() > 1e-4; }),
-                 "nothing began: this proves nothing");
+                 "no motion started, so the test shows nothing");
         verifyStands();
     }
 

@@ -159,7 +159,7 @@ private Q_SLOTS:
         for (const MatrixCell& cell : cells) {
             CellOutcome outcome = trial.run(cell);
             for (int again = 0; again < furtherRuns(outcome); ++again) {
-                qInfo("%s, once more", qPrintable(line(cell, outcome)));
+                qInfo("%s, repeated", qPrintable(line(cell, outcome)));
                 outcome = trial.run(cell);
             }
             if (isFailure(outcome)) {

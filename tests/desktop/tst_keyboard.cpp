@@ -55,7 +55,7 @@ private Q_SLOTS:
         letGo();
         verifyStands();
         hand().lockGroup(0);
-        QVERIFY2(arm().stays(0.3), "it moved again when the first layout came back");
+        QVERIFY2(arm().stays(0.3), "the arm moved again when the first layout was restored");
     }
 
     // The map is replaced as if the user selected another layout in the desktop settings.
@@ -117,9 +117,9 @@ private Q_SLOTS:
         verifyStands();
         hand().tap(kCapsLock);
         hand().tap(kCapsLock);
-        QVERIFY2(arm().stays(0.3), "it moved again with the keys still down");
+        QVERIFY2(arm().stays(0.3), "the arm moved again while the keys were still held");
         letGo();
-        QVERIFY2(arm().stays(0.3), "it moved again when the keys were let go");
+        QVERIFY2(arm().stays(0.3), "the arm moved again after the keys were released");
     }
 
     void nothingMovesWhenNotArmed() {

@@ -48,7 +48,7 @@ private Q_SLOTS:
         // main window would still count as active.
         QVERIFY(cell().until([&] { return cell().place("tabsDock").active; }));
         QVERIFY(cell().toTheFront());
-        QVERIFY2(arm().stays(0.3), "it moved again while it was still held");
+        QVERIFY2(arm().stays(0.3), "the arm moved again during the same hold");
         hand().release(kRight);
         QVERIFY(arm().stays(0.3));
     }
@@ -58,7 +58,7 @@ private Q_SLOTS:
         QVERIFY(cell().click("jog.armKeyboard"));
         QVERIFY(cell().until([&] { return !cell().place("armedFrame").visible; }));
         hand().press(kRight);
-        QVERIFY2(arm().stays(0.5), "it moves though it is not armed");
+        QVERIFY2(arm().stays(0.5), "the arm moved although the keyboard was not armed");
         hand().release(kRight);
         QVERIFY(cell().takeControl());  // a busy machine may have lost control, and arming would be refused
         QVERIFY(cell().click("jog.armKeyboard"));

@@ -79,7 +79,7 @@ private Q_SLOTS:
     void thePointerLeavesTheKey() {
         hold();
         hand().moveTo({area_.center().x(), area_.bottom() + 20});
-        QVERIFY2(arm().untilMoving(1), "a few pixels beside the key are no leaving");
+        QVERIFY2(arm().untilMoving(1), "moving the pointer a few pixels off the button ended the hold");
         hand().moveTo({area_.center().x(), area_.bottom() + 40});
         verifyEndedForGood();
     }

@@ -70,8 +70,8 @@ private Q_SLOTS:
             QTest::qWait(10);
         }
         clickAt(stop);
-        QVERIFY2(arm().untilMoving(1), "a click into the window of another program stopped the arm");
-        QVERIFY2(!arm().untilStanding(1), "a click into the window of another program stopped the arm");
+        QVERIFY2(arm().untilMoving(1), "a click on the window of another program stopped the arm");
+        QVERIFY2(!arm().untilStanding(1), "a click on the window of another program stopped the arm");
         hand().closeWindow(other);
         QVERIFY(cell().until([&] { return hand().isUnmanaged(stop); }));
         clickAt(stop);

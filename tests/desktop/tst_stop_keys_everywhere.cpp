@@ -113,7 +113,7 @@ class TestStopKeysEverywhere : public QObject {
         const Standstill stop = cell().standstill(kContract);
         qInfo("%s", words(stop).constData());
         QVERIFY2(stop.verdict == Standstill::Verdict::Stood, words(stop).constData());
-        QVERIFY2(cell().arm().stays(0.5), "it stood, and moved again by itself");
+        QVERIFY2(cell().arm().stays(0.5), "the arm stopped, but moved again by itself");
     }
 
 private Q_SLOTS:
@@ -159,7 +159,7 @@ private Q_SLOTS:
         startForeignProgram();
         hand().tap(key);
         verifyStands();
-        QVERIFY2(cell().place(kOpened[opened].widget).visible, "the key closed what was open as well");
+        QVERIFY2(cell().place(kOpened[opened].widget).visible, "the key also closed the open window");
     }
 
     void stopIsClickedWhileADialogIsOpen_data() {

@@ -103,7 +103,7 @@ private Q_SLOTS:
         QVERIFY(isDown(fresh(witness, 0)));
         hand.button(1, false);
         hand.button(3, true);
-        QVERIFY2(!isDown(fresh(witness, 0)), "another button");
+        QVERIFY2(!isDown(fresh(witness, 0)), "the right button counts as the left button");
         hand.button(3, false);
     }
 
@@ -154,7 +154,7 @@ private Q_SLOTS:
         fresh(witness, 0);
         server_->signal(SIGKILL);
         QVERIFY(QTest::qWaitFor([&] { return witness.waitingNs() > 150 * kNsPerMs; }, kWaitTimeoutMs));
-        QVERIFY2(witness.isThere(), "who was there once is not replaced by trust");
+        QVERIFY2(witness.isThere(), "after the server was killed, the key-state check counts as unavailable");
     }
 
     void isUnavailableWithoutAServer() {

@@ -107,14 +107,14 @@ private Q_SLOTS:
     void initTestCase() {
         initResources();
         if (!Stretch::isMeasurable()) {
-            QSKIP("this system does not tell how a thread spent its time");
+            QSKIP("this system does not report how long a thread was blocked");
         }
     }
 
     void theCheckDetectsABlockedThread() {
         const Stretch asleep;
         QTest::qSleep(120);
-        QVERIFY2(asleep.blockedMs() > 60, "sleeping is blocking");
+        QVERIFY2(asleep.blockedMs() > 60, "sleeping does not count as blocked");
         double least = 1e9;
         for (int attempt = 0; attempt < kAttempts && least >= 20; ++attempt) {
             const Stretch busy;
@@ -125,7 +125,7 @@ private Q_SLOTS:
             QVERIFY(sum != 0.5);
             least = std::min(least, busy.blockedMs());
         }
-        QVERIFY2(least < 20, "computing is not");
+        QVERIFY2(least < 20, "computing counts as blocked");
     }
 
     void noActionWaitsForTheRobot() {
@@ -227,7 +227,7 @@ void TestBlackHole::askForEverything(Waits& waits) {
 
     QList<double> sorted = waits.values();
     std::sort(sorted.begin(), sorted.end());
-    qInfo("%lld steps; blocked: median %.2f ms, p99 %.2f ms, most %.2f ms",
+    qInfo("%lld steps; blocked: median %.2f ms, p99 %.2f ms, maximum %.2f ms",
           static_cast<long long>(sorted.size()), sorted[sorted.size() / 2], sorted[sorted.size() * 99 / 100],
           sorted.last());
 }

@@ -123,7 +123,7 @@ private:
         const QRect tabs = placeOf("tabsDock");
         const QRect plots = placeOf("plotsDock");
         QVERIFY2(!tabs.intersects(plots) && plots.bottom() < bench.window.height(),
-                 qPrintable(QStringLiteral("%1: there is no room for all").arg(QLatin1String(what))));
+                 qPrintable(QStringLiteral("%1: not enough space for all").arg(QLatin1String(what))));
         bench.window.resize(kSmallest);
         QTest::qWait(50);
         const QStringList found = stillClipped(bench.window);
@@ -264,7 +264,7 @@ private Q_SLOTS:
     // Uses a screen with a height of 720 pixels and the sizes for mouse operation.
     void theMenuOfTheWaypointsIsOneColumn() {
         if (qApp->primaryScreen()->size().height() < kSmallest.height()) {
-            QSKIP("at this scale the screen of the offscreen platform is smaller");
+            QSKIP("the screen of the offscreen platform is too small at this scale factor");
         }
         applyDensity(*qApp, Density::Mouse);
         WindowBench bench;

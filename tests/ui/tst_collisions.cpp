@@ -247,7 +247,8 @@ private Q_SLOTS:
         press(key("jog.Z+"));
         release(key("jog.Z+"));
         cell_->advanceMs(1500);
-        QVERIFY2(std::abs(cell_->truth().tcpPose.position.z() - z - 0.01) < 0.0005, "up it goes");
+        QVERIFY2(std::abs(cell_->truth().tcpPose.position.z() - z - 0.01) < 0.0005,
+                 "the arm did not move up by 10 mm");
         document().undoStack().undo();
         chooseMotion(0);
         cell_->advanceMs(40);
@@ -260,7 +261,8 @@ private Q_SLOTS:
         addCrate(crate, 0.04);
         const Eigen::Vector3d before = state().tcpPose.position;
         jog("backKey", 8000);
-        QVERIFY2((state().tcpPose.position - before).norm() > 0.02, "the part up to the obstacle is free");
+        QVERIFY2((state().tcpPose.position - before).norm() > 0.02,
+                 "the arm did not move along the unobstructed part of the path");
         QVERIFY((state().tcpPose.position - crate).norm() > 0.03);
     }
 
@@ -304,7 +306,7 @@ private Q_SLOTS:
         for (int ms = 0; down.isHolding() && ms < 15000; ms += 20) {
             cell_->advanceMs(20);
         }
-        QVERIFY2(!down.isHolding(), "it ends by itself");
+        QVERIFY2(!down.isHolding(), "the jog does not end by itself");
         release(down);
         QVERIFY(timeToStandstill(*cell_) >= 0);
         cell_->advanceMs(100);
@@ -312,7 +314,7 @@ private Q_SLOTS:
                  qPrintable(QString::number(z - cell_->truth().tcpPose.position.z())));
         QVERIFY2(isShown(QStringLiteral("is 10 mm from “table”")),
                  qPrintable(window().findChild<LimiterLine*>()->limiter().what));
-        QVERIFY2(isShown(QStringLiteral("jog Z+")), "and the way out");
+        QVERIFY2(isShown(QStringLiteral("jog Z+")), "the direction away from the obstacle is not shown");
         keepPicture(window(), QStringLiteral("collision-limiter"));
     }
 
@@ -355,12 +357,12 @@ private Q_SLOTS:
         QVERIFY(std::none_of(keys.begin(), keys.end(),
                              [](const JogKey* any) { return any->isTravelOutdated(); }));
         travel.reset();  // after a change of units
-        QVERIFY2(!down.travel().isEmpty(), "the distances are still known");
+        QVERIFY2(!down.travel().isEmpty(), "the distances are not shown after a change of units");
         cell_->robot.protectiveStop();
         cell_->advanceMs(200);
         travel.look();
         QVERIFY(!window().session().state().canMove());
-        QVERIFY2(down.isTravelOutdated(), "nothing is known after a stop");
+        QVERIFY2(down.isTravelOutdated(), "the distances are not marked as outdated after a stop");
     }
 
     void theCellIsEditedInTheWindow() {

@@ -49,7 +49,7 @@ private Q_SLOTS:
 
     void memoryUseStaysConstantOverADay() {
         if (residentMb() == 0) {
-            QSKIP("this system does not tell how much memory a process has");
+            QSKIP("this system does not report the memory usage of a process");
         }
         bool given = false;
         const int asked = qEnvironmentVariableIntValue("TILLER_SAMPLE_RATE", &given);

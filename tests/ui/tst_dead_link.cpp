@@ -211,7 +211,8 @@ private Q_SLOTS:
         QVERIFY(bench.control().contains(QStringLiteral("Ready")));
         bench.inject("half-open");
         bench.goOn(120);
-        QVERIFY2(bench.state().control != ControlState::InControl, "old data count as control");
+        QVERIFY2(bench.state().control != ControlState::InControl,
+                 "the session counts as in control although the data are old");
         QVERIFY(!bench.state().moving);
         for (const char* word : {"Ready", "control", "Running", "Move"}) {
             QVERIFY2(!bench.control().contains(QLatin1String(word)), qPrintable(bench.control()));

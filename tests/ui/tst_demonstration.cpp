@@ -55,7 +55,7 @@ private Q_SLOTS:
 
         const std::vector<double>& x = *table->column("actual_TCP_pose_0");
         const auto [low, high] = std::minmax_element(x.begin(), x.end());
-        QVERIFY2(*high - *low > 0.049, "the recording shows the jog");
+        QVERIFY2(*high - *low > 0.049, "the recording does not contain the jog");
     }
 
     void pandasReadsTheRecordingUnmodified() {
@@ -87,7 +87,8 @@ print(len(demo), tau)
         program.start(TILLER_PROGRAM, {"--simulator", "--demo", "/proc/no/such/place"});
         QVERIFY(program.waitForFinished(60'000));
         QVERIFY(program.exitCode() != 0);
-        QVERIFY2(program.readAllStandardOutput().contains("/proc/no/such/place"), "the folder is named");
+        QVERIFY2(program.readAllStandardOutput().contains("/proc/no/such/place"),
+                 "the error does not name the folder");
     }
 
 private:

@@ -85,7 +85,8 @@ private Q_SLOTS:
             QVERIFY2(dialog->findChild<QPushButton*>(QLatin1String(key)) != nullptr, key);
         }
         QVERIFY(dialog->findChild<QPushButton*>("startSimulator")->isDefault());
-        QVERIFY2(!dialog->findChild<QPushButton*>("connectRobot")->isEnabled(), "no address yet");
+        QVERIFY2(!dialog->findChild<QPushButton*>("connectRobot")->isEnabled(),
+                 "the button is enabled without an address");
         const QString to = qEnvironmentVariable("TILLER_SCREENSHOTS");
         if (!to.isEmpty()) {
             QVERIFY(dialog->grab().save(to + "/first-run.png"));
@@ -102,7 +103,8 @@ private Q_SLOTS:
         QTest::keyClick(dialog, Qt::Key_Return);
         QTRY_COMPARE_WITH_TIMEOUT(window.session().state().link, LinkState::Live, 30'000);
         QVERIFY(window.session().state().simulated);
-        QVERIFY2(app::Settings(file()).rememberedRobots().isEmpty(), "the simulator is no robot of yours");
+        QVERIFY2(app::Settings(file()).rememberedRobots().isEmpty(),
+                 "the simulator was added to the remembered robots");
     }
 
     void anInvalidAddressIsReportedBeforeConnecting_data() {
@@ -265,7 +267,8 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(page->isFinished(), 60'000);
         QTest::mouseClick(page->findChild<QPushButton*>("preflightConnect"), Qt::LeftButton);
         QVERIFY(window.session().state().link != LinkState::Disconnected);
-        QVERIFY2(app::Settings(file()).rememberedRobots().isEmpty(), "nobody answered there");
+        QVERIFY2(app::Settings(file()).rememberedRobots().isEmpty(),
+                 "a robot that did not respond was added to the remembered robots");
     }
 
     void theSelectorListsTheNewestRobotFirst() {

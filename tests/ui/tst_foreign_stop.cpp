@@ -118,8 +118,8 @@ private Q_SLOTS:
             QTRY_VERIFY_WITH_TIMEOUT(way == Way::Space || open == nullptr || !open->isVisible(), 60'000);
             return;
         }
-        QVERIFY2(bench.stopsAtOnce(), "the program goes on");
-        QVERIFY2(bench.comesToRest(), "the arm goes on");
+        QVERIFY2(bench.stopsAtOnce(), "the program did not stop");
+        QVERIFY2(bench.comesToRest(), "the arm did not stop");
         QVERIFY(typed == nullptr || typed->text().isEmpty());
         QVERIFY(open == nullptr || open->isVisible());
         // The stopping distance is measured and displayed.
@@ -239,7 +239,7 @@ private Q_SLOTS:
         for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Space, Qt::Key_Escape}) {
             QVERIFY(bench.within([&] { return bench.find<QPushButton>("nextStepButton").isEnabled(); }));
             take();
-            QVERIFY2(question() != nullptr, "control is taken without a question");
+            QVERIFY2(question() != nullptr, "control was taken without a question");
             QVERIFY2(
                 question()->text().contains(paused ? QStringLiteral("paused") : QStringLiteral("running")),
                 qPrintable(question()->text()));
@@ -265,7 +265,7 @@ private Q_SLOTS:
         QVERIFY(bench.within([&] { return bench.state().runtimeState == RuntimeState::Playing; }));
         const auto question = [&] { return bench.window.findChild<QMessageBox*>("powerOffQuestion"); };
         bench.window.actions().find("power.off")->trigger();
-        QVERIFY2(question() != nullptr, "the arm is powered off without a question");
+        QVERIFY2(question() != nullptr, "the arm was powered off without a question");
         QVERIFY(QTest::qWaitForWindowActive(question()));
         QTest::keyClick(question()->focusWidget(), Qt::Key_Return);
         QTRY_VERIFY_WITH_TIMEOUT(question() == nullptr, 60'000);
@@ -308,7 +308,7 @@ private Q_SLOTS:
         const RuntimeState before = bench.state().runtimeState;
         const auto question = [&] { return bench.window.findChild<QMessageBox*>(name); };
         bench.window.actions().find(command)->trigger();
-        QVERIFY2(question() != nullptr, "the program is changed without a question");
+        QVERIFY2(question() != nullptr, "the program was changed without a question");
         QVERIFY(QTest::qWaitForWindowActive(question()));
         QTest::keyClick(question()->focusWidget(), Qt::Key_Return);
         QTRY_VERIFY_WITH_TIMEOUT(question() == nullptr, 60'000);
@@ -345,7 +345,7 @@ private Q_SLOTS:
         QVERIFY(under != nullptr);
         QTest::mousePress(under, Qt::LeftButton, {}, under->mapFromGlobal(place));
         QTest::mouseRelease(under, Qt::LeftButton, {}, under->mapFromGlobal(place));
-        QVERIFY2(bench.stopsAtOnce(), "the program goes on");
+        QVERIFY2(bench.stopsAtOnce(), "the program did not stop");
         QVERIFY(bench.comesToRest());
         QVERIFY(dialog.isVisible() && dialog.isActiveWindow());
         // The button above the dialog covers STOP after every change of the layout. Otherwise, a part of STOP would
@@ -380,7 +380,7 @@ private Q_SLOTS:
         bench.window.devices().use(bench.window.devices().devices().front().get());
         QVERIFY(bench.startMoving());
         bench.stop(way);
-        QVERIFY2(bench.stopsAtOnce(), "the program goes on");
+        QVERIFY2(bench.stopsAtOnce(), "the program did not stop");
         QVERIFY(bench.comesToRest());
     }
 
@@ -557,7 +557,8 @@ private Q_SLOTS:
         const QPointer<QMessageBox> question = bench.window.findChild<QMessageBox*>("takeControlQuestion");
         QVERIFY(question != nullptr);
         bench.cell.advanceMs(500);
-        QVERIFY2(question != nullptr && question->isVisible(), "the question closed while its program runs");
+        QVERIFY2(question != nullptr && question->isVisible(),
+                 "the question closed while its program was running");
         if (change.isEmpty()) {
             bench.window.session().disconnectFromRobot();
         } else {

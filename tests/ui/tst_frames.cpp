@@ -102,7 +102,8 @@ private Q_SLOTS:
         QCOMPARE(tabs.tabData(tabs.currentIndex()).toString(), QStringLiteral("frames"));
         const Eigen::Matrix3d axes = rotationMatrix(frames().at(0).T_base_frame.rotation);
         QVERIFY(distanceMm(frames().at(0).T_base_frame, origin) < 0.1);
-        QVERIFY2(axes.col(0).dot(Eigen::Vector3d::UnitY()) > 0.999, "X lies where the arm was jogged");
+        QVERIFY2(axes.col(0).dot(Eigen::Vector3d::UnitY()) > 0.999,
+                 "X of the frame does not point in the direction of the jog");
         QVERIFY(axes.col(1).dot(-Eigen::Vector3d::UnitX()) > 0.999);
         QCOMPARE(window().findChild<SceneView*>()->frames().size(), std::size_t(1));
 
@@ -116,7 +117,7 @@ private Q_SLOTS:
         const Pose before = cell().truth().tcpPose;
         jog("jog.X+", 50);
         const Eigen::Vector3d way = cell().truth().tcpPose.position - before.position;
-        QVERIFY2(way.normalized().dot(axes.col(0)) > 0.9999, "X+ goes along the frame's X");
+        QVERIFY2(way.normalized().dot(axes.col(0)) > 0.9999, "X+ does not move along X of the frame");
         QVERIFY(way.norm() > 0.049);
         command("frame.action.touchUp").trigger();
         keepPictures("frames-question");
@@ -132,7 +133,8 @@ private Q_SLOTS:
         command("waypoint.action.undo").trigger();
         command("waypoint.action.undo").trigger();
         QVERIFY(frames().isEmpty());
-        QVERIFY2(window().jogColumn().selection().frame == FrameChoice::Base, "the frame is gone");
+        QVERIFY2(window().jogColumn().selection().frame == FrameChoice::Base,
+                 "a deleted frame is still selected");
         QVERIFY(!key.isEnabled());
         command("waypoint.action.redo").trigger();
         QCOMPARE(frames().size(), std::size_t(1));

@@ -285,7 +285,7 @@ private Q_SLOTS:
         window().resize(1920, 1080);
         cell().advanceMs(40);
         for (const char* name : {"waypoint.goThrough", "waypoint.stepBack", "waypoint.stepOn"}) {
-            QVERIFY2(key(name).isVisible(), qPrintable(QStringLiteral("row %1, tab %2 x %3, least %4")
+            QVERIFY2(key(name).isVisible(), qPrintable(QStringLiteral("row %1, tab %2 x %3, minimum %4")
                                                            .arg(key(name).parentWidget()->sizeHint().width())
                                                            .arg(tab().width())
                                                            .arg(tab().height())
@@ -323,7 +323,7 @@ private Q_SLOTS:
         release(through());
         QVERIFY(timeToStandstill(cell()) >= 0);
         QVERIFY(!isAt(0) && !isAt(1));
-        QVERIFY2(isMarked(1), "the coming one stays in sight");
+        QVERIFY2(isMarked(1), "the next waypoint is not marked during the pause");
         const JointPositions paused = cell().truth().q;
         cell().advanceMs(1000);
         QVERIFY((cell().truth().q.values - paused.values).cwiseAbs().maxCoeff() < 1e-4);
@@ -334,20 +334,20 @@ private Q_SLOTS:
             nearest = std::min(nearest, apart(0));
             return isAt(1);
         }));
-        QVERIFY2(nearest > 0.01, "it does not begin anew");
+        QVERIFY2(nearest > 0.01, "the route started from the first waypoint again");
         QVERIFY(until([&] { return isAt(2); }));
         release(through());
     }
 
     void stepForwardAndStepBack() {
         teach({0.2, 0.4, 0.6}, 0.02);
-        QVERIFY2(!key("waypoint.stepBack").isEnabled(), "nothing was gone yet");
+        QVERIFY2(!key("waypoint.stepBack").isEnabled(), "stepping back is possible before the first step");
         step("waypoint.stepOn");
         QVERIFY(isAt(0));
         step("waypoint.stepOn");
         QVERIFY(isAt(1));
         cell().advanceMs(500);
-        QVERIFY2(isAt(1), "one step is one waypoint");
+        QVERIFY2(isAt(1), "one step passed more than one waypoint");
         step("waypoint.stepBack");
         QVERIFY(isAt(0));
         QVERIFY(isMarked(1));
@@ -368,7 +368,7 @@ private Q_SLOTS:
             QVERIFY(until([&] { return isAt(0); }));
         }
         QVERIFY2(until([&] { return !through().isHolding(); }, 25'000),
-                 "no motion without an end lasts for ever");
+                 "the maximum hold time did not end the loop");
         QVERIFY(timeToStandstill(cell()) >= 0);
         release(through());
     }
@@ -440,7 +440,7 @@ private Q_SLOTS:
         }));
         QVERIFY(passed);
         QVERIFY2(slowest > 0.01, qPrintable(QString::number(slowest)));
-        QVERIFY2(nearest > 0.001, "it goes round the corner");
+        QVERIFY2(nearest > 0.001, "the path passes through the blended corner");
         QVERIFY(until([&] { return !through().isHolding(); }));
         release(through());
         QVERIFY(window().session().state().canMove());
@@ -492,7 +492,7 @@ private Q_SLOTS:
         if (QTest::currentTestFailed()) {
             return;
         }
-        QVERIFY2(which == Stage::Sending || !standsStill(cell()), "the arm moves");
+        QVERIFY2(which == Stage::Sending || !standsStill(cell()), "the arm does not move");
         int ms = 0;
         int bound = kDeathToStandstillMs;
         switch (how) {
@@ -549,7 +549,8 @@ private Q_SLOTS:
             hold(through());
             release(through());
         }
-        QVERIFY2(window().session().state().canMove(), "what is being sent costs no control");
+        QVERIFY2(window().session().state().canMove(),
+                 "cancelling a path that is being sent caused a loss of control");
         hold(through());
         QVERIFY(until([&] { return isAt(1); }));
         QVERIFY(until([&] { return !through().isHolding(); }));
@@ -565,7 +566,8 @@ private Q_SLOTS:
         drive();
         QVERIFY(!through().isEnabled());
         QVERIFY2(through().toolTip().contains("point 2"), qPrintable(through().toolTip()));
-        QVERIFY2(key("waypoint.stepOn").isEnabled(), "the first one can be reached");
+        QVERIFY2(key("waypoint.stepOn").isEnabled(),
+                 "a step to the first waypoint, which is reachable, is disabled");
     }
 
     void anEditWhileTheButtonIsHeldEndsTheRun() {

@@ -282,7 +282,7 @@ private Q_SLOTS:
         panel().setNames({{"TO 0", "Jaw"}});
         choose(kTwoOutputs);
         QCOMPARE(bench_->find<QComboBox>("gripper.closeOutput").currentText(), QString("TO 0 · Jaw"));
-        QVERIFY2(!key("gripper.close").isEnabled(), "a second click of the choice shall meet no key");
+        QVERIFY2(!key("gripper.close").isEnabled(), "a second click after the selection could press Close");
         QVERIFY(!key("gripper.activate").isVisible());
         QVERIFY(until([this] { return text("gripper.state") == "both outputs off"; }));
         click("gripper.close");

@@ -105,7 +105,7 @@ private Q_SLOTS:
             QCoreApplication::processEvents();
             QVERIFY2(browser->toPlainText().size() > 200, qPrintable(place.page));
             QVERIFY2(!place.page.contains('#') || browser->verticalScrollBar()->value() > 0,
-                     qPrintable(place.page + " has no such place"));
+                     qPrintable(place.page + ": section not found"));
         }
     }
 
@@ -217,7 +217,7 @@ private Q_SLOTS:
                     const QUrl place = browser->source().resolved(QUrl(image.name()));
                     QVERIFY2(!QImage(place.toLocalFile()).isNull(), qPrintable(file + ": " + image.name()));
                     QVERIFY2(block.text().trimmed().size() == 1,
-                             qPrintable(file + ": in one line with " + block.text()));
+                             qPrintable(file + ": image on the same line as " + block.text()));
                     ++pictures;
                 }
             }

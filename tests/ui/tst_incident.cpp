@@ -259,7 +259,7 @@ void TestIncident::theScrubberMovesAllViewsTogether() {
     bench.dragCursor(early - 0.3);
     QCOMPARE(bench.plots().replay()->time, view.cursor(PlotView::Cursor::A).value());
     const double q0 = bench.scene().view().replay()->q[0];
-    QVERIFY2(std::abs(q0 - bench.state().q[0]) > 0.3, "the arm of the replay stands where it stood");
+    QVERIFY2(std::abs(q0 - bench.state().q[0]) > 0.3, "the replay shows the current position of the arm");
     QCOMPARE(bench.io().input(2)->state(), IoChannel::State::Off);
     bench.window.showTab("log");
     const auto textAtCursor = [&] {

@@ -150,7 +150,7 @@ private Q_SLOTS:
         QVERIFY2(!note->text().contains("room"), qPrintable(note->text()));
         QCOMPARE(readInterfaceSize(start.setting()), 150);
         QTest::keyClick(size, Qt::Key_Down);
-        QVERIFY2(note->text().contains("150"), "200 % has no room here");
+        QVERIFY2(note->text().contains("150"), "the note does not name the largest size that fits");
         QCOMPARE(readInterfaceSize(start.setting()), 200);
         QCOMPARE(Settings(start.setting()).preferences().interfaceSize, 200);
         QTest::keyClick(size, Qt::Key_Home);

@@ -62,7 +62,7 @@ private Q_SLOTS:
         QVERIFY(!standsStill(cell()));
         bench_->window.session().outputs().setDigitalOutput(2, true);
         QVERIFY(until([this] { return output(2); }));
-        QVERIFY2(!standsStill(cell()), "the arm goes on");
+        QVERIFY2(!standsStill(cell()), "setting an output stopped the arm");
         QVERIFY(find<HoldToRunButton>("homeKey").isHolding());
         QCOMPARE(cell().truth().runtimeState, RuntimeState::Playing);
         release(find<HoldToRunButton>("homeKey"));
@@ -163,7 +163,8 @@ private Q_SLOTS:
         const double released = cell().truth().timestamp;
         session.releaseControl();
         QVERIFY(until([this] { return !output(4); }));
-        QVERIFY2(cell().truth().timestamp - released < 25, "the pulse ended by itself");
+        QVERIFY2(cell().truth().timestamp - released < 25,
+                 "the pulse ended after its duration, not with the release of control");
         QVERIFY(until([&session] { return session.state().control != ControlState::InControl; }));
         cell().advanceMs(3000);
         QVERIFY(!output(4));
@@ -196,7 +197,7 @@ private Q_SLOTS:
         client.write("stop program\n");
         client.flush();
         QVERIFY(until([this] { return cell().truth().runtimeState == RuntimeState::Stopped; }));
-        QVERIFY2(output(4), "nothing on the robot ends it any more");
+        QVERIFY2(output(4), "the output was switched off by the robot");
         QVERIFY(until([this] { return !output(4); }));
     }
 
@@ -208,7 +209,7 @@ private Q_SLOTS:
         QVERIFY(until([row] { return row->valueText() == "5.00 V · 5.00 bar"; }));
         QVERIFY(AnalogScale::fromText(row->scale().toText()).at(0.25) == 2.5);
         QVERIFY(!AnalogScale::fromText("nonsense|1|bar").isSet());
-        QVERIFY2(tab().names().value("AI 0 scale").contains("bar"), "it is remembered with the names");
+        QVERIFY2(tab().names().value("AI 0 scale").contains("bar"), "the scale is not stored with the names");
     }
 
     void anAnalogOutputIsSetWithItsDomain() {

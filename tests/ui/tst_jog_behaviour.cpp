@@ -39,7 +39,7 @@ private Q_SLOTS:
         QVERIFY2(distanceMm(start, cell().truth().tcpPose) < 3,
                  qPrintable(QString::number(distanceMm(start, cell().truth().tcpPose))));
         cell().advanceMs(60);
-        QVERIFY2(!key("backKey").isEnabled(), "there is nothing left to undo");
+        QVERIFY2(!key("backKey").isEnabled(), "Back is still enabled at the start of the path");
     }
 
     void alignTurnsTheToolToTheNearestAxis() {
@@ -64,10 +64,11 @@ private Q_SLOTS:
         cell().robot.pressHand(Wrench::fromVector((Vector6() << 0, 0, 25, 0, 0, 0).finished()));
         const int ms = timeToStandstill(cell());
         QVERIFY2(ms >= 0 && ms <= kReleaseToStandstillMs, qPrintable(QString::number(ms)));
-        QVERIFY2(distanceMm(at, cell().truth().tcpPose) < 1.0, "a millimetre at most");
+        QVERIFY2(distanceMm(at, cell().truth().tcpPose) < 1.0,
+                 "the arm moved more than 1 mm after the contact");
         cell().advanceMs(400);
         QCOMPARE(window().session().state().lastStop.cause, control::StopCause::Contact);
-        QVERIFY2(!key("jog.Z-").isHolding(), "the key has to be pressed again");
+        QVERIFY2(!key("jog.Z-").isHolding(), "the button still holds a motion after the contact");
     }
 
     void severalAxesAreNoFasterThanOne() {
@@ -82,7 +83,8 @@ private Q_SLOTS:
         QVERIFY(v.norm() < 0.0505);
         QTest::keyRelease(&window(), Qt::Key_Up);
         cell().advanceMs(500);
-        QVERIFY2(std::abs(cell().truth().tcpSpeed.linear.y()) < 0.002, "the other one goes on");
+        QVERIFY2(std::abs(cell().truth().tcpSpeed.linear.y()) < 0.002,
+                 "the axis of the released key still moves");
         QVERIFY(cell().truth().tcpSpeed.linear.x() > 0.045);
         QTest::keyRelease(&window(), Qt::Key_Right);
         QVERIFY(timeToStandstill(cell()) >= 0);
@@ -175,7 +177,7 @@ private Q_SLOTS:
         text.clearFocus();
         QTest::keyPress(&window(), Qt::Key_Right);
         cell().advanceMs(300);
-        QVERIFY2(!standsStill(cell()), "a new press moves again");
+        QVERIFY2(!standsStill(cell()), "a new press did not move the arm");
         QTest::keyRelease(&window(), Qt::Key_Right);
         QVERIFY(timeToStandstill(cell()) >= 0);
     }

@@ -112,7 +112,7 @@ private Q_SLOTS:
                 jogKeys << key;
             }
         }
-        QVERIFY2(jogKeys.size() == 12 + 12 + 3, "the pad, the joints, Home, Align and Back");
+        QVERIFY2(jogKeys.size() == 12 + 12 + 3, "expected the pad, the joints, Home, Align and Back");
         // From Home, all buttons can move the arm.
         column.setHome(simulator::kHomeJoints, false);
 

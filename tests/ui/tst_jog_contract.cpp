@@ -70,7 +70,8 @@ private Q_SLOTS:
         QVERIFY2(ms <= kPressToMotionMs, qPrintable(QString::number(ms)));
         cell().advanceMs(300);
         const Twist speed = cell().truth().tcpSpeed;
-        QVERIFY2(std::abs(speed.linear.x() - 0.1) < 0.002, "X+ at 100 mm/s moves along +X of the base");
+        QVERIFY2(std::abs(speed.linear.x() - 0.1) < 0.002,
+                 "X+ does not move along +X of the base at 100 mm/s");
         QVERIFY(std::abs(speed.linear.y()) < 0.002 && std::abs(speed.linear.z()) < 0.002);
         release(key());
     }
@@ -170,7 +171,7 @@ private Q_SLOTS:
                 key().hide();
                 break;
             default:
-                QFAIL("no such rule");
+                QFAIL("unknown rule");
         }
         const int ms = timeToStandstill(cell());
         QVERIFY2(ms >= 0 && ms <= kReleaseToStandstillMs, qPrintable(QString::number(ms)));

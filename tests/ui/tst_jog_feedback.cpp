@@ -116,8 +116,8 @@ private Q_SLOTS:
         }
         press(button);
         const auto [linear, angular] = fastestFor(1200);
-        QVERIFY2(button.isHolding(), "it goes on");
-        QVERIFY2(linear > 0.001 || angular > toRadians(0.5), "it moves");
+        QVERIFY2(button.isHolding(), "the hold ended");
+        QVERIFY2(linear > 0.001 || angular > toRadians(0.5), "the arm does not move");
         QVERIFY2(linear < 1.1 * kSlow, qPrintable(QString::number(1e3 * linear)));
         QVERIFY2(angular < 1.1 * toRadians(3), qPrintable(QString::number(toDegrees(angular))));
         release(button);
@@ -269,7 +269,8 @@ private Q_SLOTS:
         const double first = figure(pose().deltaText(2));
         QVERIFY(first > 5);
         cell().advanceMs(400);
-        QVERIFY2(figure(pose().deltaText(2)) > first + 10, "the way is counted from the press");
+        QVERIFY2(figure(pose().deltaText(2)) > first + 10,
+                 "the displayed distance is not measured from the press");
         if (by == 0) {
             release(key("jog.Z+"));
         } else if (by == 1) {
@@ -282,7 +283,7 @@ private Q_SLOTS:
         QVERIFY(!key("jog.Z+").isConfirmed());
         QVERIFY(!view().jog().has_value());
         QCOMPARE(lane(), QStringLiteral("At standstill"));
-        QVERIFY2(figure(pose().deltaText(2)) > first + 10, "and stays when the key is let go");
+        QVERIFY2(figure(pose().deltaText(2)) > first + 10, "the displayed distance was reset by the release");
     }
 
     void severalAxesAndJointsAreNamedToo() {
@@ -295,7 +296,7 @@ private Q_SLOTS:
         QVERIFY(key("jog.X+").isConfirmed() && key("jog.Z+").isConfirmed() && !key("jog.X-").isConfirmed());
         QCOMPARE(lane(), QStringLiteral("Jog X+ Z+"));
         QVERIFY(view().jog()->direction.x() > 0 && view().jog()->direction.z() > 0);
-        QVERIFY2(figure(pose().deltaText(2)) > first, "another key is no new beginning");
+        QVERIFY2(figure(pose().deltaText(2)) > first, "a second key reset the displayed distance");
         QTest::keyRelease(&window(), Qt::Key_PageUp);
         cell().advanceMs(200);
         QVERIFY(key("jog.X+").isConfirmed() && !key("jog.Z+").isConfirmed());
@@ -355,7 +356,7 @@ private Q_SLOTS:
         QCOMPARE(pose().factorText(), QString());
         QTest::keyPress(&window(), static_cast<Qt::Key>(code), modifiers);
         cell().advanceMs(40);
-        QVERIFY2(pose().factorText() == shown, "before anything moves");
+        QVERIFY2(pose().factorText() == shown, "the speed factor is not shown before the motion");
         QTest::mousePress(&key("jog.Z+"), Qt::LeftButton, modifiers);
         cell().advanceMs(600);
         QVERIFY(std::abs(tcpSpeed(cell()) - speed) < 0.05 * speed);
@@ -419,7 +420,7 @@ private Q_SLOTS:
         QCOMPARE(button.detail() == QStringLiteral("hold"), says);
         QCOMPARE(button.geometry(), place);
         QVERIFY(timeToStandstill(cell()) >= 0);
-        QTRY_VERIFY2_WITH_TIMEOUT(!button.showsHoldHint(), "for a moment only", 60'000);
+        QTRY_VERIFY2_WITH_TIMEOUT(!button.showsHoldHint(), "the hint does not disappear", 60'000);
     }
 
     void theFreedriveKeyIsLabelledFreedrive() {
@@ -477,11 +478,11 @@ private Q_SLOTS:
         QVERIFY(!arm.isDown());
         QVERIFY(!keyboard().isArmed() && !arm.isArmed());
         sendKey(arm, QEvent::KeyPress, 0, Qt::Key_Return, {.repeat = true});
-        QVERIFY2(!keyboard().isArmed(), "a key held since before");
+        QVERIFY2(!keyboard().isArmed(), "a repeat of a key that was already held armed the keyboard");
         QTest::keyClick(&arm, Qt::Key_Return);
         QVERIFY(keyboard().isArmed() && arm.isArmed());
         sendKey(arm, QEvent::KeyPress, 0, Qt::Key_Return, {.repeat = true});
-        QVERIFY2(keyboard().isArmed(), "the same key held on");
+        QVERIFY2(keyboard().isArmed(), "a repeat of the same key disarmed the keyboard");
     }
 };
 

@@ -258,7 +258,7 @@ private Q_SLOTS:
         prepare(which);
         begin(which);
         cell().advanceMs(300);
-        QVERIFY2(!standsStill(cell()), "the way moves the arm");
+        QVERIFY2(!standsStill(cell()), "the input does not move the arm");
         int ms = 0;
         int bound = kReleaseToStandstillMs;
         switch (static_cast<End>(end)) {

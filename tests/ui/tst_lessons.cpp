@@ -157,7 +157,8 @@ private Q_SLOTS:
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         bench.cell.advanceMs(60);
         QVERIFY(bench.steps().isVisible());
-        QVERIFY2(!QApplication::activeModalWidget() && bench.window.isActiveWindow(), "nothing is blocked");
+        QVERIFY2(!QApplication::activeModalWidget() && bench.window.isActiveWindow(),
+                 "the checklist blocks the window");
         for (const FirstStep step : kFirstSteps) {
             QVERIFY(!bench.isTicked(step));
         }
@@ -232,7 +233,7 @@ private Q_SLOTS:
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         bench.cell.advanceMs(60);
         QVERIFY(!bench.steps().isVisible());
-        QVERIFY2(bench.learned().firstSteps.isEmpty(), "it runs, but that was nobody's doing here");
+        QVERIFY2(bench.learned().firstSteps.isEmpty(), "a robot that was already running completed an item");
     }
 
     void cardDoesNotMoveOtherWidgets_data() {
@@ -310,7 +311,7 @@ private Q_SLOTS:
         QVERIFY(bench.steps().isVisible());
         QCOMPARE(QApplication::focusWidget(), focus);
         bench.cell.advanceMs(200);
-        QVERIFY2(tcpSpeed(bench.cell) > 0.01, "it lies beside the hand, not over it");
+        QVERIFY2(tcpSpeed(bench.cell) > 0.01, "showing the card ended the hold");
         release(key);
         QVERIFY(bench.cell.advanceUntil([&] { return standsStill(bench.cell); }, 2000));
     }
@@ -423,7 +424,7 @@ private Q_SLOTS:
         bench.turnTo(PracticeTask::TouchUp);
         bench.click("practice.start");
         QCOMPARE(bench.window.waypointCount(), 1);
-        QVERIFY2(!bench.isTicked(FirstStep::Teach), "it was not taught by hand");
+        QVERIFY2(!bench.isTicked(FirstStep::Teach), "the waypoint of the task completed the item");
         const project::Waypoint before = bench.window.document().waypoints().at(0);
         QVERIFY(bench.jog("jog.X+", 19.5));
         QVERIFY(!bench.check().isDone());
@@ -465,7 +466,7 @@ private Q_SLOTS:
         QVERIFY(bench.until([&] { return !bench.state().recording.active; }));
         bench.cell.advanceMs(40);
         QVERIFY2(bench.check().text().contains("Enter the force"), qPrintable(bench.check().text()));
-        QVERIFY2(distanceMm(at, bench.cell.truth().tcpPose) < 0.1, "the arm holds against the hand");
+        QVERIFY2(distanceMm(at, bench.cell.truth().tcpPose) < 0.1, "the contact force moved the arm");
         auto& answer = bench.find<QLineEdit>("practice.answer");
         answer.setFocus();
         QTest::keyClicks(&answer, "3");

@@ -62,9 +62,9 @@ private Q_SLOTS:
         auto& view = bench.find<PlotView>("plots.view");
         const auto shown = view.laneItem().segments();
         QVERIFY(!shown.empty());
-        QVERIFY2(shown.back().kind == LaneKind::NoData, "it shows while it lasts");
-        QVERIFY2(shown.back().end - shown.back().start > 2.5, "as long as it lasted until now");
-        QVERIFY2(view.window().end() - lostAt > 2.5, "the time axis goes on");
+        QVERIFY2(shown.back().kind == LaneKind::NoData, "the lane does not show the outage while it lasts");
+        QVERIFY2(shown.back().end - shown.back().start > 2.5, "the lane does not show the whole outage");
+        QVERIFY2(view.window().end() - lostAt > 2.5, "the time axis stopped during the outage");
 
         bench.cell.robot.silence(false);
         QElapsedTimer patience;

@@ -91,14 +91,15 @@ private Q_SLOTS:
             ++looked;
             const QRect inWindow(widget->mapTo(&window, QPoint(0, 0)), widget->size());
             QVERIFY2(window.rect().contains(inWindow),
-                     qPrintable(QStringLiteral("%1 reaches out of the window").arg(widget->objectName())));
+                     qPrintable(QStringLiteral("%1 extends beyond the window").arg(widget->objectName())));
             QVERIFY2(widget->width() >= widget->minimumSizeHint().width(),
-                     qPrintable(QStringLiteral("%1 is narrower than it can be").arg(widget->objectName())));
+                     qPrintable(
+                         QStringLiteral("%1 is narrower than its minimum width").arg(widget->objectName())));
             QVERIFY2(widget->visibleRegion().boundingRect().size() == widget->size(),
                      qPrintable(QStringLiteral("%1 \"%2\" is partly covered")
                                     .arg(widget->objectName(), widget->accessibleName())));
         }
-        QVERIFY2(looked > 30, "the window has more controls than this");
+        QVERIFY2(looked > 30, "too few controls were checked");
         // The limiter line also needs enough space. Otherwise, it would be drawn over the buttons.
         auto* limiter = window.findChild<LimiterLine*>();
         const QList<HoldToRunButton*> keys = window.findChildren<HoldToRunButton*>();
@@ -176,13 +177,15 @@ private Q_SLOTS:
         };
         window.setFocus();
         type(window, kJ, Qt::ControlModifier);
-        QVERIFY2(window.findChild<QWidget*>("armedFrame") != nullptr, "Ctrl+J arms");
+        QVERIFY2(window.findChild<QWidget*>("armedFrame") != nullptr, "Ctrl+J did not arm the keyboard");
         type(window, kJ, Qt::ControlModifier, true);
-        QVERIFY2(window.findChild<QWidget*>("armedFrame") != nullptr, "a repeated key is no press");
+        QVERIFY2(window.findChild<QWidget*>("armedFrame") != nullptr, "a key repeat disarmed the keyboard");
         type(window, kJ, Qt::ControlModifier | Qt::AltModifier);
-        QVERIFY2(window.findChild<QWidget*>("armedFrame") != nullptr, "another shortcut");
+        QVERIFY2(window.findChild<QWidget*>("armedFrame") != nullptr,
+                 "another shortcut disarmed the keyboard");
         type(window, kJ, Qt::ControlModifier);
-        QVERIFY2(window.findChild<QWidget*>("armedFrame") == nullptr, "and disarms");
+        QVERIFY2(window.findChild<QWidget*>("armedFrame") == nullptr,
+                 "the second Ctrl+J did not disarm the keyboard");
 
         auto* table = window.waypoints().findChild<QTableView*>();
         QVERIFY(table != nullptr);
@@ -240,7 +243,7 @@ private Q_SLOTS:
         // Data may resume within the 250 ms that the contract allows for a lost connection.
         cell.advanceMs(250);
         QVERIFY(standsStill(cell));
-        QVERIFY2(!window.session().state().canMove(), "control has to be taken again, by hand");
+        QVERIFY2(!window.session().state().canMove(), "control was taken again automatically");
         const Pose at = cell.truth().tcpPose;
         cell.advanceMs(500);
         QVERIFY(distanceMm(at, cell.truth().tcpPose) < 0.05);

@@ -141,7 +141,7 @@ private Q_SLOTS:
         key.click();
         QVERIFY(bench.window.findChild<QWidget*>("armedFrame") != nullptr);
         bench.setMonitorOnly(true);
-        QVERIFY2(bench.window.findChild<QWidget*>("armedFrame") == nullptr, "it ends what was armed");
+        QVERIFY2(bench.window.findChild<QWidget*>("armedFrame") == nullptr, "the keyboard is still armed");
         bench.cell.advanceMs(100);
         QAction* action = bench.window.actions().find("jog.keyboard");
         QVERIFY(!action->isEnabled());
@@ -275,7 +275,7 @@ private Q_SLOTS:
         bench.window.devices().use(bench.window.devices().devices().front().get());
         QVERIFY(bench.startMoving());
         bench.stop(way);
-        QVERIFY2(bench.stopsAtOnce(), "the program goes on");
+        QVERIFY2(bench.stopsAtOnce(), "the program did not stop");
         QVERIFY(bench.comesToRest());
     }
 

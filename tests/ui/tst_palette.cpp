@@ -115,7 +115,8 @@ private Q_SLOTS:
         };
         bench.run("record", "plots.action.record");
         QTRY_VERIFY_WITH_TIMEOUT(records(), 60'000);
-        QVERIFY2(!bench.window.actions().find("plots.action.record")->isEnabled(), "one at a time");
+        QVERIFY2(!bench.window.actions().find("plots.action.record")->isEnabled(),
+                 "a second recording can be started");
         bench.run("stop recording", "plots.action.stopRecording");
         QTRY_VERIFY_WITH_TIMEOUT(!records(), 60'000);
         QCOMPARE(QDir(folder).entryList({"*.csv"}, QDir::Files).size(), 1);

@@ -205,7 +205,7 @@ private Q_SLOTS:
         QCOMPARE(tabs.tabData(tabs.currentIndex()).toString(), QStringLiteral("io"));
         QTRY_VERIFY2_WITH_TIMEOUT(
             placeOf(bench.window, "tabsDock").right() < placeOf(bench.window, "viewDock").left(),
-            "inputs and outputs at the left", 60'000);
+            "inputs and outputs are not on the left", 60'000);
 
         QTest::keyClick(&bench.window, Qt::Key_K, Qt::ControlModifier);
         auto* palette = bench.window.findChild<app::CommandPalette*>();
@@ -355,7 +355,7 @@ private Q_SLOTS:
         VirtualClock clock;
         app::MainWindow window(app::Settings(file), clock);
         window.resize(1280, 720);
-        QVERIFY2(!dockOf(window, "plotsDock").isVisible(), "not without the window");
+        QVERIFY2(!dockOf(window, "plotsDock").isVisible(), "the panel is shown before the window");
         window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&window));
         QVERIFY(dockOf(window, "plotsDock").isFloating() && dockOf(window, "plotsDock").isVisible());
@@ -457,7 +457,8 @@ private Q_SLOTS:
         QVERIFY2(warnings.first().contains("Broken"), qPrintable(warnings.first()));
         QTRY_VERIFY_WITH_TIMEOUT(standsAsInTeach(window), 60'000);
         QCOMPARE(window.perspectives().current().id, QStringLiteral("teach"));
-        QVERIFY2(window.perspectives().all().size() == 4, "it is not lost: it can be saved anew");
+        QVERIFY2(window.perspectives().all().size() == 4,
+                 "the damaged perspective was removed from the list");
     }
 
     void everyPanelIsClosedFloatedAndRestored_data() {
@@ -552,7 +553,7 @@ private Q_SLOTS:
             QTest::qWait(10);
         }
         QVERIFY(plots.isFloating());
-        QVERIFY2(!bench.find<QMenu>("menu.plotsDock").isVisible(), "a drag is no click");
+        QVERIFY2(!bench.find<QMenu>("menu.plotsDock").isVisible(), "a drag opened the menu");
         const QPoint to = dockOf(bench.window, "viewDock").mapTo(&bench.window, QPoint(300, 40));
         for (int i = 0; i < 20; ++i) {
             QTest::mouseMove(screen, to + QPoint(i, 0));
@@ -677,14 +678,14 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(QApplication::activeWindow(), &panel, 60'000);
         tiltStick(bench);
         bench.cell.advanceMs(300);
-        QVERIFY2(!standsStill(bench.cell), "the stick moves it");
+        QVERIFY2(!standsStill(bench.cell), "the stick does not move the arm");
         auto* table = bench.window.waypoints().findChild<QTableView*>();
         QVERIFY(table != nullptr && panel.isAncestorOf(table));
         QTest::keyClick(table, Qt::Key(key));
         const int ms = timeToStandstill(bench.cell);
         QVERIFY2(ms >= 0 && ms <= kReleaseToStandstillMs, qPrintable(QString::number(ms)));
         bench.cell.advanceMs(500);
-        QVERIFY2(standsStill(bench.cell), "the stick has to come back to the middle first");
+        QVERIFY2(standsStill(bench.cell), "the arm moves before the stick was neutral");
         QVERIFY(panel.isVisible());
     }
 

@@ -175,7 +175,7 @@ private Q_SLOTS:
     void initTestCase() {
         const QString folder = qEnvironmentVariable("TILLER_PICTURES");
         if (folder.isEmpty()) {
-            QSKIP("TILLER_PICTURES names no folder");
+            QSKIP("TILLER_PICTURES is not set to a folder");
         }
         folder_ = QDir(folder);
         QVERIFY2(folder_.mkpath(QStringLiteral(".")), qPrintable(folder));

@@ -237,7 +237,8 @@ private Q_SLOTS:
         };
         QVERIFY2(line(doctor::Condition::ServicePort).contains("Robot API 3.1.4"),
                  qPrintable(line(doctor::Condition::ServicePort)));
-        QVERIFY2(line(doctor::Condition::ServicePort).contains("teach pendant"), "what it has not");
+        QVERIFY2(line(doctor::Condition::ServicePort).contains("teach pendant"),
+                 "the line does not name the functions that require the teach pendant");
         QVERIFY(line(doctor::Condition::RemoteControl).contains("Remote"));
         keepPicture(*page, "polyscope-x");
 

@@ -145,7 +145,7 @@ private Q_SLOTS:
         QTest::mouseClick(key, Qt::LeftButton);
         action("control.take")->trigger();
         QTest::qWait(200);
-        QVERIFY2(!wasInControl, "a robot in Local was controlled");
+        QVERIFY2(!wasInControl, "control was taken of a robot in Local");
         robot_->setRemoteControl(true);
         QTRY_VERIFY_WITH_TIMEOUT(key->isVisible() && key->isEnabled(), 20'000);
         QTest::mouseClick(key, Qt::LeftButton);
@@ -224,11 +224,11 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(card->isVisible(), 20'000);
         QCOMPARE(card->findChild<QLabel*>("robotPopup.text")->text(), QString("Put the part in"));
         QCOMPARE(card->findChild<QLabel*>("robotPopup.heading")->text(), QString("Message"));
-        QVERIFY2(QApplication::focusWidget() == focus, "it takes the focus from nobody");
-        QVERIFY2(window_->rect().contains(card->geometry()), "whole in the window");
+        QVERIFY2(QApplication::focusWidget() == focus, "the card changed the focus");
+        QVERIFY2(window_->rect().contains(card->geometry()), "the card extends beyond the window");
         const auto* jog = window_->findChild<JogColumn*>();
         QVERIFY2(!card->geometry().intersects(QRect(jog->mapTo(window_.get(), QPoint()), jog->size())),
-                 "beside the keys that move the arm");
+                 "the card covers the jog column");
 
         // A second popup covers the first one, as on the pendant.
         QVERIFY(robot_->inject("popup Close the door").ok());
@@ -272,13 +272,13 @@ private Q_SLOTS:
         // Exceed the time for which Space keeps its stop function after a motion.
         for (int i = 0; i < 15; ++i) {
             QTest::keyClick(key, Qt::Key_Space);
-            QVERIFY2(key->isEnabled() && !key->isDown(), "the robot was asked to close it");
+            QVERIFY2(key->isEnabled() && !key->isDown(), "Space closed the popup");
             QTest::qWait(100);
         }
         QCOMPARE(card->count(), 1);
         QVERIFY(card->isVisible());
         sendKey(*key, QEvent::KeyPress, 0, Qt::Key_Return, {.repeat = true});
-        QVERIFY2(key->isEnabled(), "a key held since before");
+        QVERIFY2(key->isEnabled(), "a repeat of a key that was already held closed the popup");
         QTest::keyClick(key, Qt::Key_Return);
         QTRY_VERIFY_WITH_TIMEOUT(!card->isVisible(), 20'000);
     }
@@ -322,14 +322,14 @@ private Q_SLOTS:
         window_->session().refresh();
         auto* key = card->findChild<QPushButton*>("robotPopup.close");
         QVERIFY(!key->isEnabled());
-        QVERIFY2(!close->isEnabled(), "a command was accepted that the button refuses");
+        QVERIFY2(!close->isEnabled(), "the command is enabled while the button is disabled");
         QVERIFY(!app::ActionTable::obstacleOf(*close).isEmpty());
         QTRY_VERIFY_WITH_TIMEOUT(key->isEnabled(), 20'000);
         QTRY_VERIFY_WITH_TIMEOUT(close->isEnabled(), 20'000);
         close->trigger();
-        QVERIFY2(!key->isEnabled(), "the card does not know that the popup is being closed");
+        QVERIFY2(!key->isEnabled(), "the button of the card is enabled while the popup is being closed");
         window_->session().refresh();
-        QVERIFY2(!close->isEnabled(), "the popup below would be closed too");
+        QVERIFY2(!close->isEnabled(), "the command is enabled and would also close the next popup");
         QVERIFY2(app::ActionTable::obstacleOf(*close).contains("being closed"),
                  qPrintable(app::ActionTable::obstacleOf(*close)));
         card->closeNewest();

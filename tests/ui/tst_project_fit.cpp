@@ -168,7 +168,7 @@ private Q_SLOTS:
         open(taughtWith(RobotModelId::UR10e));
         if (!connectedFirst) {
             QVERIFY2(document().reach(0).ok(),
-                     "without a robot the places are those of the project's own arm");
+                     "without a robot, the reach is not that of the arm of the project");
             bringUp();
         }
         QVERIFY(until([this] { return question() != nullptr; }));
@@ -176,7 +176,7 @@ private Q_SLOTS:
                  qPrintable(question()->text()));
         answer("projectFit.cancel");
         for (int row = 0; row < 2; ++row) {
-            QVERIFY2(!document().reach(row).ok(), "not marked as reachable");
+            QVERIFY2(!document().reach(row).ok(), "a waypoint of the other arm is marked as reachable");
         }
         nothingMovesToThem();
         // Positions of the two arm models must not be mixed either.
@@ -231,7 +231,8 @@ private Q_SLOTS:
         goTo(0);
         QVERIFY((cell().truth().q.values - before.waypoints.at(0).joints.values).cwiseAbs().maxCoeff() <
                 0.002);
-        QVERIFY2(offFrom(document().waypoints().at(0).pose) < 0.001, "the pose is that of this arm");
+        QVERIFY2(offFrom(document().waypoints().at(0).pose) < 0.001,
+                 "the pose was not computed for this arm");
     }
 
     void unreachableWaypointsAreNamed() {
@@ -278,7 +279,7 @@ private Q_SLOTS:
         project.tooling.activeTool = project.tooling.tools.at(0).id;
         open(project);
         cell().advanceMs(200);
-        QVERIFY2(question() == nullptr, "not before");
+        QVERIFY2(question() == nullptr, "the question appeared before a motion was requested");
         QVERIFY(movedBy("waypoint.goTo") < 1e-4);
         QVERIFY(until([this] { return question() != nullptr; }));
         QVERIFY2(question()->text().contains("gripper"), qPrintable(question()->text()));

@@ -121,7 +121,7 @@ struct Keys {
         far->setGeometry(450, 300, 100, 30);
         window.show();
         if (!QTest::qWaitForWindowExposed(&window)) {
-            qFatal("the window did not come");
+            qFatal("the window did not appear");
         }
         watch.begin(window, first->geometry().center());
     }
@@ -182,7 +182,7 @@ private Q_SLOTS:
         initResources();
         applyTheme(*qApp, Theme::light());
         StepLog::printOnCrash();
-        QVERIFY2(QDir::homePath() == QDir::currentPath(), "files would be written to somebody's home");
+        QVERIFY2(QDir::homePath() == QDir::currentPath(), "files would be written to the user's home folder");
     }
 
     // ---- tests of PlacesWatch -----------------------------------------------------------------------------------
@@ -193,7 +193,7 @@ private Q_SLOTS:
         QCOMPARE(keys.watch.controlsAtPointer(), 1);
         QVERIFY(keys.watch.moved().isEmpty());
         keys.first->move(50, 51);
-        QVERIFY2(keys.watch.moved().isEmpty(), "still under the finger");
+        QVERIFY2(keys.watch.moved().isEmpty(), "a move within the tolerance was reported");
         keys.first->move(50, 63);
         QCOMPARE(keys.watch.moved().size(), 1);
         QVERIFY2(keys.watch.moved().first().contains("first"), qPrintable(keys.watch.moved().first()));
@@ -351,10 +351,10 @@ private Q_SLOTS:
         board.truth.digitalOutputs = 0b111;
         QCOMPARE(board.lies().size(), 1);
         board.io.output(1)->setState(IoChannel::State::PendingOn);
-        QVERIFY2(board.lies().isEmpty(), "pending says that it is not known");
+        QVERIFY2(board.lies().isEmpty(), "a pending output was reported as wrong");
         board.io.output(1)->setState(IoChannel::State::Off);
         board.io.output(1)->setStale(true);
-        QVERIFY2(board.lies().isEmpty(), "old data say so");
+        QVERIFY2(board.lies().isEmpty(), "an output with outdated data was reported as wrong");
     }
 
     void valuesMarkedAsUnknownPass() {
@@ -366,7 +366,7 @@ private Q_SLOTS:
         board.show();
         const int compared = board.check.compared();
         QVERIFY2(board.lies().isEmpty(), qPrintable(board.lies().join("; ")));
-        QVERIFY2(board.check.compared() == compared, "and nothing was compared");
+        QVERIFY2(board.check.compared() == compared, "values marked as unknown were counted as compared");
     }
 
     void aWindowWithoutItsWidgetsIsReported() {
@@ -442,17 +442,18 @@ private Q_SLOTS:
             }
         }
         QVERIFY2(failure.isEmpty(), qPrintable(failure));
-        QVERIFY2(warned.isEmpty(), qPrintable(QStringLiteral("warned of: %1").arg(warned.join("; "))));
+        QVERIFY2(warned.isEmpty(),
+                 qPrintable(QStringLiteral("unexpected warnings: %1").arg(warned.join("; "))));
     }
 
     // If its actions have no effect, the random user cannot find any errors.
     void randomActionsWereEffective() {
         if (steps_ < 3 * kRowSteps) {
-            QSKIP("too few steps to tell");
+            QSKIP("too few steps for a meaningful result");
         }
-        QVERIFY2(watchedClicks_ > steps_ / 20, "hardly anything was clicked");
-        QVERIFY2(comparedValues_ > steps_ / 4, "the window hardly ever said anything");
-        QVERIFY2(stepsInMotion_ > steps_ / 500, "the arm hardly ever moved");
+        QVERIFY2(watchedClicks_ > steps_ / 20, "too few clicks were checked");
+        QVERIFY2(comparedValues_ > steps_ / 4, "too few displayed values were checked");
+        QVERIFY2(stepsInMotion_ > steps_ / 500, "the arm moved in too few steps");
     }
 };
 

@@ -63,7 +63,7 @@ private:
         QTest::mouseClick(&record(), Qt::LeftButton);
         cell().advanceMs(40);
         if (!record().text().contains("REC")) {
-            qFatal("nothing is recorded");
+            qFatal("no path was recorded");
         }
         const project::Demonstration seen = lead();
         QTest::mouseClick(&record(), Qt::LeftButton);
@@ -106,7 +106,7 @@ private Q_SLOTS:
     void demonstratedPathIsKeptWithinTheTolerance() {
         const Eigen::Vector3d start = tcp();
         const project::Demonstration seen = recordByHand();
-        QVERIFY2((tcp() - start).norm() > 0.01, "the hand led it somewhere");
+        QVERIFY2((tcp() - start).norm() > 0.01, "the external force did not move the arm");
         const int count = document().waypoints().size();
         QVERIFY2(count >= 2 && count * 4 < static_cast<int>(seen.size()), qPrintable(QString::number(count)));
         const project::PathTolerance tolerance = paths().recorder().tolerance();
@@ -200,7 +200,8 @@ private Q_SLOTS:
         WaypointsTab narrow(window().session(), document(), policy);
         narrow.resize(narrow.minimumSizeHint().width(), 600);
         narrow.show();
-        QVERIFY2(!narrow.findChild<QAbstractButton*>("waypoint.recordPath")->isVisible(), "the button fits");
+        QVERIFY2(!narrow.findChild<QAbstractButton*>("waypoint.recordPath")->isVisible(),
+                 "the panel is wide enough for the button");
         auto* more = narrow.findChild<QAbstractButton*>("waypoint.more");
         const QString usual = more->text();
         const int width = more->width();
@@ -208,7 +209,8 @@ private Q_SLOTS:
         cell().advanceMs(2100);
         QVERIFY2(more->text().contains(QChar(0x25cf)), qPrintable(more->text()));
         QVERIFY2(more->toolTip().contains("REC 00:02"), qPrintable(more->toolTip()));
-        QVERIFY2(more->accessibleDescription().contains("REC"), "it is not visible to all");
+        QVERIFY2(more->accessibleDescription().contains("REC"),
+                 "the recording is not announced to screen readers");
         QCOMPARE(more->width(), width);
         narrow.findChild<QAction*>("waypoint.action.recordPath")->trigger();
         QTRY_COMPARE_WITH_TIMEOUT(more->text(), usual, 60'000);
@@ -349,9 +351,9 @@ private Q_SLOTS:
         release(key("backKey"));
         cell().advanceMs(100);
         QVERIFY2((cell().truth().q.values - start.values).cwiseAbs().maxCoeff() < 0.01,
-                 "to where the motion began");
+                 "Back did not return to the start of the motion");
         QVERIFY2(furthest < 0.010, qPrintable(QString::number(furthest)));
-        QVERIFY2(told > 3, "the view is told of the way that is left");
+        QVERIFY2(told > 3, "the view was not updated with the remaining path");
         QVERIFY(window().jogColumn().retracePath().size() <= 2);
     }
 };

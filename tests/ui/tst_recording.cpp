@@ -81,7 +81,7 @@ private Q_SLOTS:
         auto* page = bench.window.findChild<app::SettingsPage*>();
         QVERIFY(page != nullptr);
         auto* recording = page->findChild<app::RecordingSettings*>();
-        QVERIFY2(recording->isVisible(), "the page comes up where it is meant");
+        QVERIFY2(recording->isVisible(), "the page does not open at the recording settings");
         typeInto(*page->findChild<QLineEdit*>("settings.recording.folder"), folder);
         typeInto(*page->findChild<QLineEdit*>("settings.recording.pattern"), "run {number}");
         QVERIFY(page->findChild<QLabel*>("settings.recording.example")->text().contains("run 001.csv"));
@@ -96,7 +96,7 @@ private Q_SLOTS:
                 tick(*list, field);
             }
         }
-        QVERIFY2(page->isVisible(), "no key of the page has closed it");
+        QVERIFY2(page->isVisible(), "a key closed the page");
         QCOMPARE(recording->choice().fields.size(), 2);
         page->close();
 

@@ -146,7 +146,7 @@ private Q_SLOTS:
         const QList<StopPlot*> plots = bench.page()->findChildren<StopPlot*>();
         QCOMPARE(plots.size(), 3);
         for (const StopPlot* plot : plots) {
-            QVERIFY2(plot->curve().size() > 2000, "five seconds at the full rate");
+            QVERIFY2(plot->curve().size() > 2000, "the curve has fewer than 2000 points");
             QVERIFY(plot->curve().first().x() < -4.9 && plot->curve().last().x() >= 0);
         }
         bench.keepPicture("protective");
@@ -176,7 +176,7 @@ private Q_SLOTS:
         QVERIFY(bench.until([&] { return bench.window.session().state().canMove(); }));
         const Pose at = bench.cell.truth().tcpPose;
         bench.cell.advanceMs(500);
-        QVERIFY2(distanceMm(at, bench.cell.truth().tcpPose) < 0.05, "nothing moves by itself");
+        QVERIFY2(distanceMm(at, bench.cell.truth().tcpPose) < 0.05, "the arm moved without a command");
         QVERIFY(bench.takes(RecoveryStep::Done));
         QTRY_VERIFY_WITH_TIMEOUT(bench.page() == nullptr, 60'000);
     }

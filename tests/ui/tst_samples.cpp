@@ -125,7 +125,8 @@ private Q_SLOTS:
             QVERIFY2(document.reach(row).ok(), qPrintable(document.waypoints().at(row).name));
         }
         QVERIFY(bench.store().path().isEmpty() && !bench.store().isModified());
-        QVERIFY2(app::Settings(bench.file).recentProjects().isEmpty(), "a copy is no file to come back to");
+        QVERIFY2(app::Settings(bench.file).recentProjects().isEmpty(),
+                 "a copy of a sample was added to the recent projects");
         // An unchanged sample is closed without a question.
         const QuestionAnswer answer("unsavedCopy.stay");
         QVERIFY(bench.window.close());
@@ -145,7 +146,8 @@ private Q_SLOTS:
         // Opened again, the sample is unchanged.
         QVERIFY(bench.open("gluing"));
         QCOMPARE(bench.window.document().waypoints().at(0).name, QString("start"));
-        QVERIFY2(!QFile::exists(bench.folder.filePath("gluing.tiller")), "nothing was saved by itself");
+        QVERIFY2(!QFile::exists(bench.folder.filePath("gluing.tiller")),
+                 "the sample was saved automatically");
     }
 
     void closingAChangedCopyAsksFirst() {

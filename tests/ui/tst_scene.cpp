@@ -167,7 +167,7 @@ private Q_SLOTS:
         QVERIFY(!isInThePicture(window().session().state().q));
         bench_->cell.advanceMs(100);
         view().grab();
-        QVERIFY2(!isInThePicture(window().session().state().q), "the operator's choice stays");
+        QVERIFY2(!isInThePicture(window().session().state().q), "the view changed by itself");
         QTest::keyClick(&window(), Qt::Key_F9);
         QVERIFY(isInThePicture(window().session().state().q));
     }
@@ -236,7 +236,7 @@ private Q_SLOTS:
         const QImage with = view().grab().toImage();
         keepPicture(view(), QStringLiteral("scene-way-back"));
         view().setPaths({});
-        QVERIFY2(view().grab().toImage() != with, "it can be seen");
+        QVERIFY2(view().grab().toImage() != with, "the path is not drawn");
         auto& back = bench_->find<HoldToRunButton>("backKey");
         press(back);
         QVERIFY(bench_->cell.advanceUntil([&] { return !back.isHolding(); }, 60'000));
@@ -281,7 +281,7 @@ private Q_SLOTS:
         keepPicture(window(), QStringLiteral("scene-touch-up"));
         const QImage two = view().grab().toImage();
         view().setSecondGhost(std::nullopt);
-        QVERIFY2(view().grab().toImage() != two, "the second one can be seen");
+        QVERIFY2(view().grab().toImage() != two, "the second position is not drawn");
         const auto click = [this](const char* name) {
             QTest::mouseClick(window().waypoints().findChild<QAbstractButton*>(name), Qt::LeftButton);
         };

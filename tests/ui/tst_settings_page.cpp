@@ -138,7 +138,7 @@ private Q_SLOTS:
         QCOMPARE(page->preferences().speedCap, 0.5);
         QVERIFY(page->findChild<QLabel*>("settings.speedCapNote")->text().contains("enabling device"));
         keepPicture(*page, "settings-cap");
-        QVERIFY2(banner->isVisible(), "at once");
+        QVERIFY2(banner->isVisible(), "the banner is not shown immediately");
         page->close();
         QCOMPARE(bench.window.session().limits().tcpSpeed, 0.5);
         QVERIFY(banner->isVisible());
@@ -162,10 +162,10 @@ private Q_SLOTS:
         // Applied in the same way as by the page. Opening the page would stop the arm.
         bench.window.applyPreferences(lower);
         bench.cell.advanceMs(200);
-        QVERIFY2(standsStill(bench.cell), "the key is still held");
+        QVERIFY2(standsStill(bench.cell), "the lower speed cap did not stop the jog");
         QVERIFY(!key->isHolding());
         bench.cell.advanceMs(300);
-        QVERIFY2(standsStill(bench.cell), "a stopped jog needs a new press");
+        QVERIFY2(standsStill(bench.cell), "the stopped jog resumed without a new press");
         release(*key);
         press(*key);
         bench.cell.advanceMs(500);
@@ -188,7 +188,7 @@ private Q_SLOTS:
         QTest::keyClick(longest, Qt::Key_Return);
         QCOMPARE(page->preferences().longestHold, 6);
         QVERIFY2(page->findChild<QLabel*>("settings.holdNote")->text().contains("Key-state check"),
-                 "there is none on this screen");
+                 "the note does not state that the key-state check is unavailable");
         page->close();
         QCOMPARE(app::Settings(bench.file).preferences().longestHold, 6);
         QVERIFY(bench.window.findChild<QWidget*>("lastStopChip")->toolTip().contains("Key-state check"));
@@ -278,7 +278,7 @@ private Q_SLOTS:
             QVERIFY(tuning.exponent >= 1);
         }
         QVERIFY(static_cast<int>(read.notation.rotation) <= 1);
-        QVERIFY2(read.shortcuts.isEmpty(), "Space and Esc stop the arm and nothing else");
+        QVERIFY2(read.shortcuts.isEmpty(), "Space or Esc was accepted as a shortcut");
     }
 
     void aShortcutIsChangedRemovedAndNeverAssignedTwice() {
@@ -333,7 +333,7 @@ private Q_SLOTS:
         QVERIFY(app::Settings(bench.file).preferences().devices.value(kGamepadKind) ==
                 (DeviceTuning{0.2, 2.2, true}));
 
-        QVERIFY2(bench.window.devices().used() == nullptr, "never by itself");
+        QVERIFY2(bench.window.devices().used() == nullptr, "a device was selected automatically");
         choose(*page, "settings.device", Qt::Key_Down);
         QVERIFY(bench.window.devices().used() == &pad);
         choose(*page, "settings.device", Qt::Key_Up);
@@ -353,7 +353,7 @@ private Q_SLOTS:
         app::MainWindow next(app::Settings(bench.file), clock);
         next.devices().addSource(std::make_unique<TestPad>());
         QCOMPARE(next.devices().shape(*next.devices().devices().front()).deadZone, 0.2);
-        QVERIFY2(next.devices().used() == nullptr, "never after a start");
+        QVERIFY2(next.devices().used() == nullptr, "a device was selected automatically after the start");
     }
 
     void jogColumnValuesCanBeEnteredByCommand() {
@@ -392,7 +392,7 @@ private Q_SLOTS:
         QCOMPARE(bench->window.actions().find("app.help")->shortcut(), before);
         QVERIFY(app::Settings(bench->file).preferences().shortcuts.isEmpty());
         bench.reset();
-        QVERIFY2(page.isNull(), "the page goes with its window");
+        QVERIFY2(page.isNull(), "the page still exists after its window was destroyed");
     }
 
     void allShortcutsCanBeResetTogether() {

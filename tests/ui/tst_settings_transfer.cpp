@@ -124,7 +124,7 @@ private Q_SLOTS:
         const Result<app::SettingsBundle> read = app::readSettingsFile(path);
         QVERIFY2(read.ok(), qPrintable(read.error().toString()));
         QCOMPARE(read->values.value("robots/1/host").toString(), QString("10.0.0.7"));
-        QVERIFY2(!read->part(SettingsPart::Layout).isEmpty(), "the layout as it is now");
+        QVERIFY2(!read->part(SettingsPart::Layout).isEmpty(), "the current layout is not in the file");
         QVERIFY(!said.isEmpty() && said.last().text.contains(path));
     }
 
@@ -147,7 +147,7 @@ private Q_SLOTS:
                  qPrintable(robots->text()));
         const QStringList found = stillClipped(*dialog);
         QVERIFY2(found.isEmpty(), qPrintable(found.join('\n')));
-        QVERIFY2(!Theme::current().isDark(), "not before the key is pressed");
+        QVERIFY2(!Theme::current().isDark(), "the settings changed before the button was pressed");
 
         const test::EventSpy said(bench.window.session().journal());
         QTest::mouseClick(dialog->findChild<QPushButton*>("importSettings.replace"), Qt::LeftButton);
@@ -164,7 +164,7 @@ private Q_SLOTS:
         const bool told = std::any_of(said.begin(), said.end(), [&kept](const JournalEvent& message) {
             return message.text.contains(kept.first());
         });
-        QVERIFY2(told, "where the copy is");
+        QVERIFY2(told, "no message names the file of the backup");
 
         // The settings are the same at the next start, and the backup restores the previous state.
         VirtualClock clock;
@@ -256,7 +256,7 @@ private Q_SLOTS:
                 QTest::keyClick(box, Qt::Key_Space);
             }
         }
-        QVERIFY2(!replace->isEnabled(), "nothing is left to replace");
+        QVERIFY2(!replace->isEnabled(), "the button is enabled although there is nothing to replace");
         auto* look = dialog->findChild<QCheckBox*>(
             QStringLiteral("importSettings.part.%1").arg(static_cast<int>(SettingsPart::Look)));
         look->setFocus();

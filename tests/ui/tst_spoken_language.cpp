@@ -119,7 +119,7 @@ struct Bench : WindowBench {
         QTest::keyClick(&window, Qt::Key_Comma, Qt::ControlModifier);
         auto* page = window.findChild<SettingsPage*>();
         if (page == nullptr) {
-            qFatal("there is no page of settings");
+            qFatal("the settings page did not open");
         }
         return *page;
     }

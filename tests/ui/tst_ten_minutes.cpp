@@ -157,7 +157,7 @@ private Q_SLOTS:
                 QTest::qWait(bench.between(1, 60));
                 recorded = bench.state().robotTime - begin;
             }
-            QVERIFY2(bench.jogs > 0, "the arm was jogged meanwhile");
+            QVERIFY2(bench.jogs > 0, "the arm was not jogged during the recording");
             QTest::mouseClick(&key, Qt::LeftButton);
             QVERIFY(QTest::qWaitFor([&] { return !bench.state().recording.active; }, kWaitTimeoutMs));
             QVERIFY2(bench.state().recording.error.isEmpty(), qPrintable(bench.state().recording.error));

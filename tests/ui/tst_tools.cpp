@@ -112,7 +112,7 @@ private Q_SLOTS:
             if (n > 0) {
                 const JointPositions from = window().session().state().q;
                 press(next);
-                QVERIFY2(next.isHolding(), "the next pose is driven to while the key is held");
+                QVERIFY2(next.isHolding(), "the hold ended before the arm reached the next pose");
                 QVERIFY(cell().advanceUntil([&] { return !next.isHolding(); }, 60'000));
                 release(next);
                 QVERIFY(cell().advanceUntil([&] { return standsStill(cell()); }, 3000));
@@ -130,7 +130,7 @@ private Q_SLOTS:
         QVERIFY2(find<QAbstractButton>("payload.estimator.keep").isEnabled(), qPrintable(feedback));
         click("payload.estimator.keep");
         const project::Payload found = tooling().payloads.at(0);
-        qInfo("weighed %.4f kg at %.4f %.4f %.4f m", found.mass, found.centre.x(), found.centre.y(),
+        qInfo("measured %.4f kg at %.4f %.4f %.4f m", found.mass, found.centre.x(), found.centre.y(),
               found.centre.z());
         QVERIFY(std::abs(found.mass - 2.0) < 0.05);
         QVERIFY((found.centre - Eigen::Vector3d(0.02, -0.03, 0.09)).norm() < 0.005);

@@ -249,7 +249,7 @@ private Q_SLOTS:
         teach({setOutput(3, true), waitTime(0.5), setOutput(3, false), setOutput(4, true)}, 0.02);
         hold(through());
         QVERIFY(until([&] { return output(3); }));
-        QVERIFY2(isAt(0), "a blend does not carry the arm past what is to be done");
+        QVERIFY2(isAt(0), "the arm passed the waypoint of the action");
         const double setAt = window().session().state().robotTime;
         QVERIFY(until([&] { return doing().contains("Wait 0.5 s"); }));
         QVERIFY2(doing().contains("point 1"), qPrintable(doing()));
@@ -384,7 +384,7 @@ private Q_SLOTS:
         cell().robot.setDigitalInput(5, true);
         hold(through());
         QVERIFY(until([&] { return output(2); }));
-        QVERIFY2(isAt(0), "it is done where it belongs");
+        QVERIFY2(isAt(0), "the action was executed away from its waypoint");
         release(through());
     }
 
@@ -404,7 +404,7 @@ private Q_SLOTS:
     void theGripperOfOutputsClosesAndOpens() {
         teach({gripper(true), waitTime(0.2), gripper(false)});
         press(through());
-        QVERIFY2(!through().isHolding(), "there is no gripper yet");
+        QVERIFY2(!through().isHolding(), "the route started without a gripper");
         release(through());
         QVERIFY2(wasSaid("No gripper"), qPrintable(said_.join('\n')));
         window().showTab("gripper");
@@ -465,7 +465,7 @@ private Q_SLOTS:
         hold(through());
         QVERIFY(until([&] { return output(2) && doing().contains("DO 2"); }));
         pass(500);
-        QVERIFY2(output(2), "it lasts while the key is held");
+        QVERIFY2(output(2), "the output was switched off during the hold");
         int hung = 0;
         for (; output(2) && hung < 20'000; hung += 20) {
             cell().advanceWithFrozenInterface(20);

@@ -92,7 +92,7 @@ private Q_SLOTS:
         const auto jog = cell.motions().startJog(linearJog(0, 0, -speed));
         QVERIFY(jog.ok());
         for (int ms = 0; cell.hold(*jog, 20); ms += 20) {
-            QVERIFY2(ms < 20000, "it ends");
+            QVERIFY2(ms < 20000, "the jog does not end");
             QVERIFY2(bench.clearance() > -kAllowedBelow,
                      qPrintable(QString::number(bench.clearance() * 1e3)));
         }
@@ -197,7 +197,7 @@ private Q_SLOTS:
         const auto jog = cell.motions().startJog(jointJog(2, -30 * kDeg));
         QVERIFY(jog.ok());
         for (int ms = 0; cell.hold(*jog, 20); ms += 20) {
-            QVERIFY2(ms < 10000, "it ends");
+            QVERIFY2(ms < 10000, "the jog does not end");
         }
         QCOMPARE(jog->state().cause, StopCause::LimitReached);
         const Limiter limiter = cell.controller->status().limiter;
@@ -229,10 +229,10 @@ private Q_SLOTS:
         QVERIFY(cell.hold(*jog, 1600));
         QVERIFY2(bench.clearance() < -0.005, qPrintable(QString::number(bench.clearance() * 1e3)));
         for (int ms = 0; cell.hold(*jog, 20); ms += 20) {
-            QVERIFY2(ms < 20000, "it ends");
+            QVERIFY2(ms < 20000, "the jog does not end");
         }
         QCOMPARE(jog->state().cause, StopCause::LimitReached);
-        QVERIFY2(cell.controller->status().limiter.link < 6, "another part than wrist 3");
+        QVERIFY2(cell.controller->status().limiter.link < 6, "the limiter names wrist 3");
     }
 
     // The distance displayed on a button before a jog must equal the actual distance of the jog.

@@ -293,10 +293,10 @@ private Q_SLOTS:
     void everyCodeIsProvoked() {
         QFETCH(int, code);
         const auto found = provocations().find(static_cast<ErrorCode>(code));
-        QVERIFY2(found != provocations().end(), "nothing provokes this code");
+        QVERIFY2(found != provocations().end(), "no test provokes this code");
         const Error error = found->second();
         QVERIFY2(error.code == found->first, qPrintable(error.toString()));
-        QVERIFY2(!error.context.isEmpty(), "it says nothing of what was being done");
+        QVERIFY2(!error.context.isEmpty(), "the error does not name the failed operation");
     }
 
     void internalIsTheLastCode() {

@@ -124,7 +124,7 @@ private Q_SLOTS:
         QVERIFY(speed() > 0.19);
         QVERIFY(cell.controller->setSpeedCap(0.05).ok());
         QCOMPARE(cell.controller->limits().tcpSpeed, 0.05);
-        QVERIFY2(!jog->refresh(), "it takes a new press");
+        QVERIFY2(!jog->refresh(), "a stopped jog can be refreshed");
         QCOMPARE(jog->state().cause, StopCause::SelectionChanged);
         QVERIFY(cell.ticksToStandstill(1000) >= 0);
 
@@ -190,7 +190,7 @@ private Q_SLOTS:
                 jog->refresh();  // the button is still held
                 QVERIFY(++ticks < 500);
             }
-            qInfo("link silent to standstill at 250 mm/s or 30 deg/s: %d ms", 2 * ticks);
+            qInfo("loss of data to standstill at 250 mm/s or 30 deg/s: %d ms", 2 * ticks);
             QVERIFY(ticks * 2 <= 250);
             QTRY_COMPARE_WITH_TIMEOUT(jog->state().phase, MotionPhase::Ended, 60'000);
             QCOMPARE(jog->state().cause, StopCause::DataStale);
@@ -224,7 +224,8 @@ private Q_SLOTS:
         QVERIFY(cell.robot.inject(fault).ok());
         cell.stepAlone(55);
         ControllerStatus status = cell.controller->status();
-        QVERIFY2(!status.inControl && !status.fresh, "data of 110 ms ago count as control");
+        QVERIFY2(!status.inControl && !status.fresh,
+                 "the controller counts as in control although the data are 110 ms old");
         QCOMPARE(status.loss, ControlLoss::DataStale);
         QCOMPARE(cell.motions().startJog(linearJog(0, 0, 0.05)).error().code, ErrorCode::LinkLost);
         cell.stepAlone(185);  // 480 ms in total; the thread may be slow

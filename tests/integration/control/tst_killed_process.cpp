@@ -172,7 +172,7 @@ private Q_SLOTS:
             return robot.truth().timestamp;
         };
         const double began = timeOf(1, true, 60);
-        QVERIFY2(began > 0, "the helper switched nothing on");
+        QVERIFY2(began > 0, "the helper did not switch on an output");
         QVERIFY(isOn(2));
         const double lost = robot.truth().timestamp;
         switch (static_cast<Loss>(loss)) {
@@ -187,7 +187,7 @@ private Q_SLOTS:
                 break;
         }
         const double held = timeOf(2, false, 2);
-        QVERIFY2(held > 0, "the held pulse went on");
+        QVERIFY2(held > 0, "the held pulse did not end");
         const double timed = timeOf(1, false, 3);
         QVERIFY2(timed > 0, "the output stayed on");
         qInfo("%s: held pulse off after %.0f ms, pulse of 1500 ms off after %.0f ms", QTest::currentDataTag(),

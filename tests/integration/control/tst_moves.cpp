@@ -80,7 +80,7 @@ private Q_SLOTS:
             QCOMPARE(back->state().cause, StopCause::Completed);
         }
         QVERIFY2(fastest < cap * 1.02, qPrintable(QString::number(fastest)));
-        QVERIFY2(fastest > cap * 0.5, "it was not slowed down more than needed");
+        QVERIFY2(fastest > cap * 0.5, "the speed was reduced more than necessary");
     }
 
     void aHeldMoveLReachesItsPoseOnAStraightLine() {
@@ -349,14 +349,15 @@ private Q_SLOTS:
         QCOMPARE(first->state().cause, StopCause::Completed);
         QCOMPARE(cell.controller->stops(), stops);
         const auto second = armed.moveJ(start, {0.5, 1.4, Holding::Held});
-        QVERIFY2(second.ok(), "one motion after the other is no stop");
+        QVERIFY2(second.ok(), "the end of the first motion counts as a stop");
         QVERIFY(second->cancel(StopCause::Released));
         QVERIFY(cell.standsWithinMs(200));
         cell.controller->stop(StopCause::Space);
         QCOMPARE(armed.moveJ(start, {0.5, 1.4, Holding::Held}).error().code, ErrorCode::Stopped);
         QCOMPARE(armed.moveL(cell.tcp(), {0.1, 1.0, Holding::Held}).error().code, ErrorCode::Stopped);
         QCOMPARE(armed.startJog({.twist = {{0, 0, 0.1}, {0, 0, 0}}}).error().code, ErrorCode::Stopped);
-        QVERIFY2(cell.motions().moveJ(start, {0.5, 1.4, Holding::Held}).ok(), "another press");
+        QVERIFY2(cell.motions().moveJ(start, {0.5, 1.4, Holding::Held}).ok(),
+                 "a new motion after the stop was refused");
     }
 
     static MotionPath slowPath(const Cell& cell) {

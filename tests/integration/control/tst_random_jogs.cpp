@@ -101,7 +101,8 @@ private Q_SLOTS:
             QVERIFY(jog->state().phase == MotionPhase::Ended);
         }
         QVERIFY(cell.controller->status().inControl);
-        qInfo("%d sequences moved; worst after-run %.0f %% of its bound", moved, worst * 100);
+        qInfo("%d sequences moved; maximum motion after the release: %.0f %% of the limit", moved,
+              worst * 100);
         QVERIFY(moved > 300);
     }
 };

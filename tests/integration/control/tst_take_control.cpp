@@ -184,7 +184,7 @@ private Q_SLOTS:
 
     void theControlThreadStaysOnItsCpus() {
 #ifndef __linux__
-        QSKIP("how to ask where a thread may run is written for Linux only");
+        QSKIP("the CPU affinity of a thread can be read only on Linux");
 #else
         const int cpu = ::sched_getcpu();
         QVERIFY(cpu >= 0);

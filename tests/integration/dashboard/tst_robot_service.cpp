@@ -144,7 +144,8 @@ private Q_SLOTS:
             Robot robot({10, 11, 0, 0});
             const auto report = robot.service->look(patience());
             QVERIFY(report.ok());
-            QVERIFY2(!report->remoteControl, "it has no such question");
+            QVERIFY2(!report->remoteControl,
+                     "a remote control state is reported although this software cannot be queried for it");
         }
         {
             Robot robot({3, 15, 8, 0});

@@ -77,7 +77,7 @@ private Q_SLOTS:
             [](const RobotiqState& state) { return state.activation == RobotiqActivation::Activating; }));
         QVERIFY(bench.until(
             [](const RobotiqState& state) { return state.activation == RobotiqActivation::Active; }));
-        QVERIFY2(!bench.look().goTo, "nothing was asked for yet");
+        QVERIFY2(!bench.look().goTo, "the gripper reports a motion before any request");
 
         RobotiqState state = bench.move(kRobotiqMost);
         QCOMPARE(state.position, kClosed);

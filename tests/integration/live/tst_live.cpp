@@ -214,7 +214,8 @@ void TestLive::aViewerInNodeGetsEveryPackage() {
     const QString node = QStandardPaths::findExecutable("node");
     if (node.isEmpty() || !QFileInfo::exists(modules + "/ws") ||
         !QFileInfo::exists(modules + "/@foxglove/rosmsg")) {
-        QSKIP("node or its packages are not there: packaging/test puts them into build/npm");
+        QSKIP(
+            "Node.js or its packages are not installed (packaging/test installs the packages in build/npm)");
     }
     Bench bench;
     bench.peer.set("actual_TCP_pose", {0.4, -0.2, 0.3, 0, 3.14, 0});

@@ -108,7 +108,7 @@ void TestLiveLimits::aFrameThatIsTooLargeIsRefusedByItsHeader() {
         open = viewer.write(chunk);
         ++taken;
     }
-    QVERIFY2(!open, "64 MiB of one frame were accepted");
+    QVERIFY2(!open, "64 MiB of a single frame were accepted");
     WAIT_COMPARE(bench.output.progress().viewers, 0);
 }
 
@@ -263,7 +263,7 @@ void TestLiveLimits::answersAreBounded() {
     while (viewer.write(many) && written < 256'000'000) {
         written += many.size();
     }
-    QVERIFY2(written < 256'000'000, "256 MB of requests were answered into the memory");
+    QVERIFY2(written < 256'000'000, "the replies to 256 MB of requests were buffered in memory");
     WAIT_COMPARE(bench.output.progress().viewers, 0);
 }
 
@@ -276,7 +276,7 @@ void TestLiveLimits::aFloodOfRequestsEndsTheConnection() {
     while (viewer.write(many) && written < 512'000'000) {
         written += many.size();
     }
-    QVERIFY2(written < 512'000'000, "512 MB of needless frames were served");
+    QVERIFY2(written < 512'000'000, "512 MB of unnecessary frames were processed");
     WAIT_VERIFY(bench.output.progress().disconnected >= 1);
 }
 

@@ -230,12 +230,12 @@ private Q_SLOTS:
         const quint32 seed = qEnvironmentVariableIsSet("TILLER_TEST_SEED")
                                  ? static_cast<quint32>(qEnvironmentVariableIntValue("TILLER_TEST_SEED"))
                                  : QRandomGenerator::global()->generate();
-        qInfo("seed %u, %d kills and full-disk moments", seed, rounds);
+        qInfo("seed %u, %d kills and full-disk events", seed, rounds);
         QRandomGenerator random(seed);
         const SmallDisk disk(SmallDisk::Kind::Tmpfs, 1024);
         const bool canFill = disk.problem().isEmpty();
         if (!canFill) {
-            qInfo("no full-disk moments: %s", qPrintable(disk.problem()));
+            qInfo("no full-disk events: %s", qPrintable(disk.problem()));
         }
         const QTemporaryDir folder;
         file_ = canFill ? disk.filePath("cell.tiller") : folder.filePath("cell.tiller");
@@ -293,9 +293,9 @@ private Q_SLOTS:
             }
         }
         check(windows);
-        qInfo("%d kills, %d full-disk moments, %d saves reported; A %d, B %d", kills, full, saves(),
+        qInfo("%d kills, %d full-disk events, %d saves reported; A %d, B %d", kills, full, saves(),
               windows[0].saved(), windows[1].saved());
-        QVERIFY2(saves() > rounds / 5, "the windows saved too rarely for this test to show anything");
+        QVERIFY2(saves() > rounds / 5, "the windows saved too rarely for a meaningful test");
     }
 
 private:

@@ -64,7 +64,8 @@ void TestOthersRead::officialLibraryReadsMcap() {
     const QString node = QStandardPaths::findExecutable("node");
     if (node.isEmpty() || !QFileInfo::exists(modules + "/@mcap/core") ||
         !QFileInfo::exists(modules + "/@foxglove/rosmsg2-serialization")) {
-        QSKIP("node or its packages are not there: packaging/test puts them into build/npm");
+        QSKIP(
+            "Node.js or its packages are not installed (packaging/test installs the packages in build/npm)");
     }
     McapFormatOptions options;
     options.facts = {{"model", "UR5e"}};

@@ -22,7 +22,7 @@ struct Cell {
         options.time = simulator::Time::Real;
         QFile file(folder.filePath("camera.txt"));
         if (!file.open(QIODevice::WriteOnly) || file.write(table) != table.size()) {
-            qFatal("the table");
+            qFatal("cannot write the device table");
         }
         options.devices = {{QStringLiteral("camera"), file.fileName()}};
         return options;

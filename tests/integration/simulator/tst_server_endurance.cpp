@@ -57,7 +57,7 @@ bool servesAsBefore(VirtualRobot& robot) {
         rtde.setupOutputs(500, "timestamp") != QByteArray("\x01"
                                                           "DOUBLE") ||
         !rtde.start()) {
-        qWarning("a proper client is refused");
+        qWarning("a valid client was refused");
         return false;
     }
     const quint64 before = robot.controller.truth().tick;

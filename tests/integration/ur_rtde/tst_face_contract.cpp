@@ -200,7 +200,7 @@ private Q_SLOTS:
         }
         if (end == "leave" && moving.finishes) {
             QVERIFY(watcher.lookUntil(endedAt + 0.5));
-            QVERIFY2(!watcher.stands, "a move is left to come to its end");
+            QVERIFY2(!watcher.stands, "the unattended move did not continue");
             cell.robot.pressHand({});
             return;
         }

@@ -148,7 +148,7 @@ private Q_SLOTS:
         // The error names the field that was not requested.
         try {
             receive.getActualQ();
-            QFAIL("no exception");
+            QFAIL("no exception was thrown");
         } catch (const std::runtime_error& error) {
             QVERIFY(QByteArray(error.what()).contains("actual_q"));
         }

@@ -153,7 +153,7 @@ private Q_SLOTS:
         QFETCH(QByteArray, bytes);
         const Result<SettingsBundle> read = settingsFromJson(bytes);
         QCOMPARE(read.error().code, ErrorCode::FileCorrupt);
-        QVERIFY2(read.error().context.size() > 10, "it says what is wrong");
+        QVERIFY2(read.error().context.size() > 10, "the error does not describe the problem");
     }
 
     void everyTruncatedFileIsRefused() {
@@ -206,7 +206,7 @@ private Q_SLOTS:
                 return;
             }
         }
-        QVERIFY2(accepted > 0 && accepted < 5000, "some of the changes do no harm, some do");
+        QVERIFY2(accepted > 0 && accepted < 5000, "the changes were all accepted or all refused");
     }
 
     void importReplacesWholeSectionsAndKeepsACopy() {

@@ -517,9 +517,10 @@ private Q_SLOTS:
             }
         }
         const QSet<QString> parts(kParts.begin(), kParts.end());
-        QVERIFY2(without == parts,
-                 qPrintable("without a row: " + QStringList((without - parts).values()).join(' ') +
-                            "; with one, or gone: " + QStringList((parts - without).values()).join(' ')));
+        QVERIFY2(
+            without == parts,
+            qPrintable("without a row: " + QStringList((without - parts).values()).join(' ') +
+                       "; with a row, or removed: " + QStringList((parts - without).values()).join(' ')));
     }
 
     void rowsPermitOnlyRowsAbove() {
@@ -556,7 +557,7 @@ private Q_SLOTS:
                 }
             }
         }
-        QVERIFY2(includes > 100, "no include lines found: is TILLER_SOURCE_DIR right?");
+        QVERIFY2(includes > 100, "no include lines found: check TILLER_SOURCE_DIR");
         QVERIFY2(violations.isEmpty(), qPrintable(violations.join('\n')));
     }
 
@@ -579,9 +580,10 @@ private Q_SLOTS:
         QVERIFY(units > 100);
         const QStringList table = withoutDisplay().keys();
         const QSet<QString> expected(table.begin(), table.end());
-        QVERIFY2(found == expected,
-                 qPrintable("not in the table: " + QStringList((found - expected).values()).join(' ') +
-                            "; in it without need: " + QStringList((expected - found).values()).join(' ')));
+        QVERIFY2(
+            found == expected,
+            qPrintable("not in the table: " + QStringList((found - expected).values()).join(' ') +
+                       "; unnecessary in the table: " + QStringList((expected - found).values()).join(' ')));
     }
 
     // Headers in detail/ are not installed, so a public header that includes one would not compile for a

@@ -98,7 +98,7 @@ private Q_SLOTS:
                              [&](const project::Waypoint& point) {
                                  return project::movesWith(point, sample.frames.at(0).id);
                              }),
-                 "a sample shows what a frame is for");
+                 "no waypoint of the sample uses its frame");
     }
 
     void everyWaypointIsReachableAndItsJointsAgreeWithItsPose_data() { everySample(); }

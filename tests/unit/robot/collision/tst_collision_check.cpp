@@ -184,7 +184,7 @@ private Q_SLOTS:
         down[1] = 0.6;
         const auto contact = check.at(down);
         QVERIFY2(contact && contact->with == Contact::With::Border && contact->link == 2,
-                 "the upper arm still meets the floor");
+                 "no contact of the upper arm with the floor");
     }
     void ordinaryPosturesAreCollisionFree() {
         for (const RobotModel& model : robotModels()) {

@@ -59,7 +59,8 @@ private Q_SLOTS:
         robot.pace = pace;
         robot.alone = 0.11;
         robot.go(0.3);
-        QVERIFY2(!robot.program.isRunning(), "its client may still be in control");
+        QVERIFY2(!robot.program.isRunning(),
+                 "a program whose client may still be in control counts as abandoned");
         robot.go(0.2);
         QVERIFY(robot.program.isRunning());
         for (int i = 0; i < 40; ++i) {

@@ -106,7 +106,7 @@ private Q_SLOTS:
         }
         QVERIFY2(std::abs(frames - 10) <= 1, qPrintable(QString::number(frames)));
         QVERIFY(!bench.host.pins[9]);
-        QVERIFY2(bench.host.pins[16], "this one was switched off for the time");
+        QVERIFY2(bench.host.pins[16], "the inverted pulse did not end");
         for (std::size_t pin = 0; pin < 18; ++pin) {
             QCOMPARE(bool(bench.host.pins[pin]), pin == 16);
         }
@@ -136,7 +136,7 @@ private Q_SLOTS:
         bench.host.pins[4] = true;
         bench.ask(RequestKind::EndPulses, 1 << 3 | 1 << 4);
         QVERIFY(!bench.host.pins[3]);
-        QVERIFY2(bench.host.pins[4], "no pulse was under way there");
+        QVERIFY2(bench.host.pins[4], "an output without a pulse was switched off");
     }
 
     // All pulses end with the program, whether it ends on request or because it received no data for five

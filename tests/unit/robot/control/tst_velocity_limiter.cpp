@@ -213,7 +213,8 @@ private Q_SLOTS:
                     limiter = limitAt(target, q);
                     blocked = limiter.scale == 0;
                     const double next = 30 * kDeg * limiter.scale;
-                    QVERIFY2((speed - next) / 0.002 < 4.0 || blocked, "braking harder than a stop");
+                    QVERIFY2((speed - next) / 0.002 < 4.0 || blocked,
+                             "the deceleration exceeds that of a stop");
                     speed = next;
                     q[number] += direction * speed * 0.002;
                 }

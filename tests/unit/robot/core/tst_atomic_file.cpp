@@ -225,7 +225,7 @@ private Q_SLOTS:
 
     void aReadOnlyFileIsNotReplaced() {
         if (::geteuid() == 0) {
-            QSKIP("root may write every file");
+            QSKIP("root can write to read-only files");
         }
         QVERIFY(writeFileAtomically(path_, "old").ok());
         QVERIFY(QFile::setPermissions(path_, QFile::ReadOwner));

@@ -49,7 +49,7 @@ private Q_SLOTS:
                  static_cast<int>(native_socket::kPeerTimeout.count()));
         native_socket::close(*socket);
 #else
-        QSKIP("how soon is up to this system");
+        QSKIP("the keep-alive times cannot be read on this system");
 #endif
     }
 

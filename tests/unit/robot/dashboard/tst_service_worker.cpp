@@ -151,10 +151,11 @@ private Q_SLOTS:
         api.reset();
         QVERIFY(ask());
         QCOMPARE(answer->error().code, ErrorCode::ConnectionRefused);
-        QVERIFY2(answer->error().context.contains(QString::number(apiPort)), "the way it went was the API's");
+        QVERIFY2(answer->error().context.contains(QString::number(apiPort)),
+                 "the command was not sent to the Robot API");
         QVERIFY(ask());
         QVERIFY2(!answer->error().context.contains(QString::number(apiPort)),
-                 "it looked for the dashboard anew");
+                 "the service was not selected again after the failure");
     }
 
     void reportsWhyItCouldNotConnect() {

@@ -138,7 +138,7 @@ private Q_SLOTS:
         const auto look = bench.client.look(briefly());
         QCOMPARE(look.error().code, ErrorCode::Timeout);
         QVERIFY2(look.error().context.contains("GET STA"), why(look).constData());
-        QVERIFY2(!bench.client.isConnected(), "a late answer would be taken for the next one");
+        QVERIFY2(!bench.client.isConnected(), "a late reply would be used as the next reply");
         QCOMPARE(bench.client.get("POS", briefly()).error().code, ErrorCode::NotConnected);
         QVERIFY(bench.client.connect(patience()).ok());
     }
@@ -161,7 +161,8 @@ private Q_SLOTS:
         QCOMPARE(got.error().code, ErrorCode::ProtocolError);
         QVERIFY(got.error().controllerMessage.startsWith("xxx"));
         QVERIFY(got.error().controllerMessage.size() < 200);
-        QVERIFY2(!bench.client.isConnected(), "nobody knows where the next answer begins");
+        QVERIFY2(!bench.client.isConnected(),
+                 "the start of the next reply is unknown, so the client must disconnect");
     }
 
     void aContinuousSenderDoesNotExceedTheDeadline() {

@@ -105,7 +105,7 @@ private Q_SLOTS:
     void aWakerEndsTheWaitOfAnotherThread() {
         const native_socket::EventFd waker;
         if (waker.descriptor() < 0) {
-            QSKIP("this system has no waker");
+            QSKIP("not supported on this system");
         }
         QVERIFY(!waker.take());
         std::thread other([&waker] {

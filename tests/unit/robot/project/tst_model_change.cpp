@@ -91,7 +91,8 @@ private Q_SLOTS:
         const Project project = projectOfUr5e();
         QVERIFY(isOfOtherModel(project, RobotModelId::UR10e));
         QVERIFY(!isOfOtherModel(project, RobotModelId::UR5e));
-        QVERIFY2(!isOfOtherModel(project, RobotModelId::UR7e), "the arm of the UR7e is that of the UR5e");
+        QVERIFY2(!isOfOtherModel(project, RobotModelId::UR7e),
+                 "the UR7e counts as a different arm, although its arm is that of the UR5e");
         Project unknown = project;
         unknown.robot.reset();
         QVERIFY(!isOfOtherModel(unknown, RobotModelId::UR10e));
@@ -114,7 +115,7 @@ private Q_SLOTS:
             QCOMPARE(now.ruling, was.ruling);
             QVERIFY((now.joints.values - was.joints.values).norm() > 0.05);
             QVERIFY2(off(now, before.frames, ur10e(), was) < 1e-6, qPrintable(was.name));
-            QVERIFY2(poseDifference(now.pose, was.pose).distance < 1e-9, "the pose is the same place");
+            QVERIFY2(poseDifference(now.pose, was.pose).distance < 1e-9, "the pose has changed");
         }
         for (std::size_t i = 0; i < before.positions.list.size(); ++i) {
             const Pose was = kinematics::forwardTcp(ur5e().dh, before.positions.list.at(i).joints);

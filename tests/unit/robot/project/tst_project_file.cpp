@@ -367,7 +367,7 @@ private Q_SLOTS:
         QCOMPARE(contentOf(path_), before);
         QCOMPARE(QDir(directory_->path()).entryList(QDir::Files).size(), 1);
 #else
-        QSKIP("needs a file size limit");
+        QSKIP("requires a file size limit");
 #endif
     }
 

@@ -241,7 +241,7 @@ private Q_SLOTS:
 
     void sinksShareThreads() {
 #ifndef Q_OS_LINUX
-        QSKIP("counts threads in /proc");
+        QSKIP("requires /proc to count threads");
 #endif
         Bench bench;
         QCOMPARE(threadsNamed("tiller-publish"), 0);
@@ -267,7 +267,7 @@ private Q_SLOTS:
 
     void aPublisherOfOneSinkNeedsOneThread() {
 #ifndef Q_OS_LINUX
-        QSKIP("counts threads in /proc");
+        QSKIP("requires /proc to count threads");
 #endif
         Bench bench;
         Publisher publisher(Publisher::Sinks::One);

@@ -21,7 +21,7 @@ Sample sampleOf(const std::vector<std::pair<std::string, std::vector<double>>>& 
     for (const auto& [name, values] : fields) {
         const auto* entry = sample.layout->find(name);
         if (entry == nullptr) {
-            qFatal("not in the default fields");
+            qFatal("the field is not one of the default fields");
         }
         std::copy(values.begin(), values.end(),
                   sample.values.begin() + static_cast<std::ptrdiff_t>(entry->first));

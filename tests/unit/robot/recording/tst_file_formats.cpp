@@ -28,7 +28,7 @@ private Q_SLOTS:
             }
             others += format.magic.isEmpty() ? 1 : 0;
         }
-        QVERIFY2(others == 1, "one format opens the files without the first bytes of another");
+        QVERIFY2(others == 1, "exactly one format must be without magic bytes");
     }
 
     void recordedFilesCanBeOpened() {

@@ -221,7 +221,7 @@ void TestLossyLink::fullDiskKeepsWrittenData() {
     const QTemporaryDir folder;
     const QByteArray where = folder.path().toLocal8Bit();
     if (::mount("tmpfs", where.constData(), "tmpfs", 0, "size=128k") != 0) {
-        QSKIP("needs the right to mount a small file system");
+        QSKIP("requires permission to mount a small file system");
     }
     const auto unmount = qScopeGuard([&] { ::umount2(where.constData(), MNT_DETACH); });
     Bench bench;
@@ -244,7 +244,7 @@ void TestLossyLink::fullDiskKeepsWrittenData() {
     QVERIFY((*opened)->rows() + kHalfASecond >= recorder.progress().rows);
     verifyBeginningOf(bench, **opened);
 #else
-    QSKIP("needs a small file system");
+    QSKIP("requires a small file system");
 #endif
 }
 

@@ -247,7 +247,7 @@ void TestRecorder::everyNthPackageBecomesARow() {
     RecorderOptions options{bench.path(), {"actual_q"}};
     options.every = 0;
     QCOMPARE(recorder.start(options, bench.receiver).error().code, ErrorCode::InvalidArgument);
-    QVERIFY2(!QFileInfo::exists(bench.path()), "no file is made");
+    QVERIFY2(!QFileInfo::exists(bench.path()), "a file was created");
     options.every = 5;
     QVERIFY(recorder.start(options, bench.receiver).ok());
     bench.send(1, 21);
@@ -456,7 +456,7 @@ void TestRecorder::unwritablePathsAreErrors() {
 
 void TestRecorder::fullDiskAtTheStartIsAnError() {
     if (!QFile::exists(QStringLiteral("/dev/full"))) {
-        QSKIP("no /dev/full here");
+        QSKIP("this system has no /dev/full");
     }
     Bench bench;
     Recorder recorder;
@@ -554,7 +554,7 @@ void TestRecorder::fullDiskKeepsRecordedData() {
     const QTemporaryDir folder;
     const QByteArray where = folder.path().toLocal8Bit();
     if (::mount("tmpfs", where.constData(), "tmpfs", 0, "size=64k") != 0) {
-        QSKIP("needs the right to mount a small file system");
+        QSKIP("requires permission to mount a small file system");
     }
     const auto unmount = qScopeGuard([&] { ::umount2(where.constData(), MNT_DETACH); });
     Bench bench;
@@ -595,7 +595,7 @@ void TestRecorder::fullDiskKeepsRecordedData() {
     QVERIFY(recorder.start({bench.path(), {"timestamp"}}, bench.receiver).ok());
     QCOMPARE(recorder.error().code, ErrorCode::None);
 #else
-    QSKIP("needs a small file system");
+    QSKIP("requires a small file system");
 #endif
 }
 
@@ -630,7 +630,7 @@ void TestRecorder::killedWriterLeavesAReadableFile() {
         QCOMPARE(table->values[0][i], static_cast<double>(i + 1) * 0.002);
     }
 #else
-    QSKIP("needs a signal that kills");
+    QSKIP("requires a signal that kills a process");
 #endif
 }
 
@@ -711,7 +711,7 @@ void TestRecorder::aDeletedFileFailsTheRecording() {
 
 void TestRecorder::anUnsupportedFlushIsNotAnError() {
     if (!QFile::exists(QStringLiteral("/dev/null"))) {
-        QSKIP("no /dev/null here");
+        QSKIP("this system has no /dev/null");
     }
     Bench bench;
     Recorder recorder;

@@ -33,7 +33,7 @@ struct Taken {
 Taken only(const Bytes& stream) {
     PackageSplitter splitter;
     if (splitter.feed(stream) != stream.size()) {
-        qFatal("not taken");
+        qFatal("no package was extracted");
     }
     const auto package = splitter.next();
     if (!package || splitter.hasNext()) {

@@ -269,14 +269,15 @@ private Q_SLOTS:
         QVERIFY(readme.open(QIODevice::ReadWrite));
         const QString text = QString::fromUtf8(readme.readAll());
         const qsizetype at = text.indexOf(QLatin1String(kBegin));
-        QVERIFY2(at >= 0, "the README has lost its marker");
+        QVERIFY2(at >= 0, "the README does not contain the marker");
         const QString wanted = text.left(at) + QLatin1String(kBegin) + table();
         if (qEnvironmentVariableIsSet("TILLER_UPDATE")) {
             readme.resize(0);
             readme.write(wanted.toUtf8());
             return;
         }
-        QVERIFY2(text == wanted, "run it again with TILLER_UPDATE=1 and look at the change");
+        QVERIFY2(text == wanted,
+                 "the table is not up to date: run with TILLER_UPDATE=1 and check the change");
     }
 
     // Compiles each version switch of each series.

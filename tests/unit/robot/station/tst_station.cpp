@@ -49,7 +49,7 @@ private Q_SLOTS:
         QVERIFY(!segments.empty() && segments.back().kind != LaneKind::NoData);
         QVERIFY2(std::abs(bench.station.history().plotTime(bench.station.session().state().robotTime) -
                           segments.back().end) < 1e-6,
-                 "the lane ends at the newest sample");
+                 "the lane does not end at the newest sample");
     }
 
     void displayedFieldsAreRequestedFromTheRobot() {

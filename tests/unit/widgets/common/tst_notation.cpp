@@ -64,11 +64,11 @@ private Q_SLOTS:
         };
         QVERIFY(!isMarked());
         type("500");
-        QVERIFY2(!isMarked(), "while typing");
+        QVERIFY2(!isMarked(), "the box is marked while the user types");
         other->setFocus();
         QCOMPARE(box->text(), QString("500"));
         QCOMPARE(box->value(), 20.0);
-        QVERIFY2(isMarked(), "500 is shown, 20 applies");
+        QVERIFY2(isMarked(), "the box is not marked although it shows 500 and the value is 20");
         QVERIFY2(box->toolTip().contains("20.00"), qPrintable(box->toolTip()));
         type("50");
         QVERIFY(!isMarked());
@@ -79,7 +79,7 @@ private Q_SLOTS:
         QTest::keyClick(box, Qt::Key_Return);
         QVERIFY(isMarked());
         QTest::keyClick(box, Qt::Key_Escape);
-        QVERIFY2(!isMarked(), "the last value is shown again");
+        QVERIFY2(!isMarked(), "the box is marked although it shows the value again");
         QCOMPARE(box->text(), QString("50.00"));
         // A value set by the program replaces the text, even if the value is unchanged.
         for (const double value : {30.0, 30.0}) {

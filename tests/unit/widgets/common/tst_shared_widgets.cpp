@@ -227,7 +227,7 @@ private Q_SLOTS:
         QWidget* there = notice.childAt(at);
         QTest::mouseClick(there != nullptr ? there : &notice, Qt::LeftButton, {},
                           there != nullptr ? QPoint() : at);
-        QVERIFY2(notice.isVisible(), "closed by the second click");
+        QVERIFY2(notice.isVisible(), "the second click closed the notice");
     }
 };
 

@@ -155,7 +155,8 @@ private Q_SLOTS:
         QCOMPARE(wish[0], 0.0);
         QCOMPARE(wish[1], 1.0);
         QCOMPARE(wish[2], -1.0);
-        QVERIFY2(std::abs(wish[3] - std::pow(0.5, 2.2)) < 1e-9, "half way beyond the dead zone");
+        QVERIFY2(std::abs(wish[3] - std::pow(0.5, 2.2)) < 1e-9,
+                 "wrong speed halfway between the dead zone and full deflection");
         QCOMPARE(wish[4], -wish[3]);
         QCOMPARE(wish[5], 1.0);
         raw << 0.5, -0.9, 0.3, 0, 0, 0;
@@ -180,9 +181,10 @@ private Q_SLOTS:
         b.devices.use(b.device());
         b.push(2, 0.0);
         b.push(2, 1.0, false);
-        QVERIFY2(b.targets.isEmpty(), "no dead-man");
+        QVERIFY2(b.targets.isEmpty(), "the stick moved the arm without the enabling button");
         b.push(2, 1.0);
-        QVERIFY2(b.targets.isEmpty(), "the dead-man came after the stick");
+        QVERIFY2(b.targets.isEmpty(),
+                 "the arm moved although the stick was deflected before the enabling button was pressed");
         b.push(2, 0.0);
         b.push(2, 1.0);
         QCOMPARE(b.targets.size(), 1);
@@ -226,7 +228,7 @@ private Q_SLOTS:
         b.push(0, 0.0);
         b.push(0, 1.0);
         b.run(500);
-        QVERIFY2(b.ends.isEmpty(), "it reports all the time");
+        QVERIFY2(b.ends.isEmpty(), "the motion ended although the device kept reporting");
         // From now on, the driver reports no changes, and the last reading is kept.
         b.stick.reading.fresh = false;
         b.run(90);
@@ -237,7 +239,7 @@ private Q_SLOTS:
         b.run(1000);
         QCOMPARE(b.next, 1U);
         QCOMPARE(silent.count(), 1);
-        QVERIFY2(b.devices.used() == b.device(), "it is still there");
+        QVERIFY2(b.devices.used() == b.device(), "the device is no longer selected");
         // When the driver responds again, the stick must be released first.
         b.stick.reading.fresh = true;
         b.run(100);
@@ -315,13 +317,13 @@ private Q_SLOTS:
         b.push(0, 0.3);
         QCOMPARE(b.next, 1U);
         b.devices.tune(kSpaceMouseKind, {0.2, 1, true});
-        QVERIFY2(b.ends.isEmpty(), "of another kind");
+        QVERIFY2(b.ends.isEmpty(), "tuning another kind of device ended the motion");
         b.devices.tune(kGamepadKind, {0.4, 1, false});
         QCOMPARE(b.ends, QList<StopCause>{StopCause::SelectionChanged});
         QCOMPARE(tuned.count(), 2);
         b.push(0, 0.0);
         b.push(0, 0.3);
-        QVERIFY2(b.next == 1U, "inside the new dead zone");
+        QVERIFY2(b.next == 1U, "a deflection inside the new dead zone started a motion");
         b.push(0, 0.7);
         QCOMPARE(b.next, 2U);
         QVERIFY(std::abs(b.targets.last().twist.linear.x() - 0.025) < 1e-9);
@@ -370,7 +372,7 @@ private Q_SLOTS:
         b.push(5, 1.0);
         trainer.refresh();
         QCOMPARE(trainer.directionText(), QStringLiteral("Rz+ 15.0 °/s in Tool"));
-        QVERIFY2(b.targets.isEmpty(), "trying out moves nothing");
+        QVERIFY2(b.targets.isEmpty(), "testing the device moved the arm");
         b.push(5, 0.05);
         trainer.refresh();
         QVERIFY(trainer.directionText().contains("neutral"));
@@ -434,7 +436,7 @@ private Q_SLOTS:
         auto found = source.appeared();
         std::unique_ptr<InputDevice> pad;
         SDL_Joystick* joystick = SDL_JoystickFromInstanceID(id);
-        QVERIFY2(joystick != nullptr, "it was opened");
+        QVERIFY2(joystick != nullptr, "the virtual joystick could not be opened");
         QVERIFY(!found.empty());
         pad = std::move(found.back());
         QVERIFY2(source.appeared().empty(), "once");
@@ -448,7 +450,7 @@ private Q_SLOTS:
         std::optional<DeviceReading> now = pad->read();
         QVERIFY(now.has_value() && now->fresh);
         now = pad->read();
-        QVERIFY2(now && !now->fresh, "nothing new was said");
+        QVERIFY2(now && !now->fresh, "an unchanged reading is marked as fresh");
         QCOMPARE(now->axes[0], 1.0);
         QCOMPARE(now->axes[1], 1.0);
         QVERIFY(now->deadMan && !now->stop);

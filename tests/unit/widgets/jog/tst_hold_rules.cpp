@@ -386,16 +386,16 @@ private Q_SLOTS:
         const WId window = h.window.winId();
         for (const quint8 mode : {kXGrab, kXUngrab}) {
             fromServer(kXFocusOut, kXNonlinear, mode, window);
-            QVERIFY2(h.arm.moves(), "a grab moves no focus");
+            QVERIFY2(h.arm.moves(), "a keyboard grab ended the hold");
         }
         fromServer(kXFocusOut, kXInferior, kXNormal, window);
-        QVERIFY2(h.arm.moves(), "a child window has the focus");
+        QVERIFY2(h.arm.moves(), "a focus change to a child window ended the hold");
         fromServer(kXFocusOut, kXPointer, kXNormal, window);
-        QVERIFY2(h.arm.moves(), "the window had no focus, only the pointer");
+        QVERIFY2(h.arm.moves(), "the event of a window without the focus ended the hold");
         fromServer(kXUnmapNotify, 0, 0, window + 1);
-        QVERIFY2(h.arm.moves(), "another window, such as a tooltip, is hidden");
+        QVERIFY2(h.arm.moves(), "hiding another window, e.g. a tooltip, ended the hold");
         fromServer(kXFocusOut, kXNonlinear, kXWhileGrabbed, window);
-        QVERIFY2(!h.arm.moves(), "the focus moved while another program had a grab");
+        QVERIFY2(!h.arm.moves(), "a focus loss during a grab of another program did not end the hold");
     }
 
     void everyHoldMethodEndsByEveryRule_data() {
@@ -417,7 +417,7 @@ private Q_SLOTS:
         holder.prepare();
         holder.press();
         holder.hold(200);
-        QVERIFY2(hands.arm.moves(), "the way moves the arm, and nothing ends it");
+        QVERIFY2(hands.arm.moves(), "the input does not move the arm, or the hold ended early");
         QVERIFY(hands.arm.ends.isEmpty());
         provoke(kTrials[trial].rule, holder);
         if (QTest::currentTestFailed()) {
@@ -477,7 +477,7 @@ private Q_SLOTS:
         QVERIFY(!said().startsWith("Ends in"));
         holder.letGo();
         holder.press();
-        QVERIFY2(hands.arm.moves(), "a new press moves");
+        QVERIFY2(hands.arm.moves(), "a new press did not move the arm");
     }
 
     void nothingStartsInAnInactiveWindow_data() { aLongHoldContinuesUntilItsLimit_data(); }
@@ -537,7 +537,7 @@ private Q_SLOTS:
         holder.letGo();
         hands.advance(40);
         holder.press();
-        QVERIFY2(hands.arm.moves(), "a new press moves again");
+        QVERIFY2(hands.arm.moves(), "a new press did not move the arm");
     }
 
     void aSecondInputEndsTheHeldMotion_data() {
@@ -572,7 +572,7 @@ private Q_SLOTS:
         one.hold(100);
         QVERIFY(hands.arm.moves());
         other.press();
-        QVERIFY2(!hands.arm.moves(), "two hands at once are no plain holding");
+        QVERIFY2(!hands.arm.moves(), "a second input did not end the hold");
         QCOMPARE(hands.arm.ends, QList<StopCause>{StopCause::SecondButton});
         hands.advance(100);
         // Neither of the two inputs alone continues the motion.
@@ -583,7 +583,7 @@ private Q_SLOTS:
         QVERIFY(!hands.arm.moves());
         QCOMPARE(hands.arm.next, 1U);
         one.press();
-        QVERIFY2(hands.arm.moves(), "a new press moves again");
+        QVERIFY2(hands.arm.moves(), "a new press did not move the arm");
     }
 
     void aSecondInputStartsNothing() {
@@ -632,13 +632,13 @@ private Q_SLOTS:
         hands.mouse(*late, QEvent::MouseButtonRelease, Qt::LeftButton, false);
         hands.advance(20);
         late->guard().pump();
-        QVERIFY2(!hands.arm.moves(), "the release is known from the display server");
+        QVERIFY2(!hands.arm.moves(), "the release registered by the display server did not end the hold");
         QCOMPARE(hands.arm.ends, QList<StopCause>{StopCause::Released});
         // Only one hold is active at a time, including buttons created later.
         pad.press();
         QVERIFY(hands.arm.moves());
         hands.mouse(*late, QEvent::MouseButtonPress);
-        QVERIFY2(!hands.arm.moves(), "a second button ends the first hold");
+        QVERIFY2(!hands.arm.moves(), "a second button did not end the first hold");
     }
 
     void motionsContinueWithoutAKeyStateProbe_data() { aLongHoldContinuesUntilItsLimit_data(); }
@@ -663,7 +663,7 @@ private Q_SLOTS:
         holder.prepare();
         hands.witness.freeze(true);
         holder.press();
-        QVERIFY2(hands.arm.moves(), "at once");
+        QVERIFY2(hands.arm.moves(), "the motion did not start immediately");
         hands.advance(80);
         QVERIFY(hands.arm.moves());
         hands.witness.freeze(false);
@@ -685,7 +685,7 @@ private Q_SLOTS:
         hands.advance(200);
         QVERIFY(hands.arm.moves());
         sendKey(hands.window, QEvent::KeyPress, 9, Qt::Key_Escape);
-        QVERIFY2(!hands.arm.moves(), "any stop ends it");
+        QVERIFY2(!hands.arm.moves(), "a stop did not end the step");
     }
 
     void aMotionlessFingerMovesTheArmABoundedDistance_data() {

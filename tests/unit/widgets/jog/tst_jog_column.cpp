@@ -221,7 +221,7 @@ private Q_SLOTS:
         QEnterEvent enter(QPointF(5, 5), QPointF(5, 5), QPointF(5, 5));
         QApplication::sendEvent(s.key("jog.Z+"), &enter);
         QCOMPARE(wanted.count(), 1);
-        QVERIFY2(s.session.moves.isEmpty(), "seen before it moves");
+        QVERIFY2(s.session.moves.isEmpty(), "a motion started before the press");
         s.press("jog.Z+");
         QCOMPARE(s.session.moves.size(), 1);
         QVERIFY(std::abs(s.session.moves.first().pose.position.z() - 0.25) < 1e-12);

@@ -79,7 +79,7 @@ private Q_SLOTS:
         QCOMPARE(b.ends.size(), 1);
         // The key is known to be released: the next press starts a motion, and the next release ends it.
         b.down(scan::kPlusDe, Qt::Key_Plus);
-        QVERIFY2(!b.moves(), "the sign alone");
+        QVERIFY2(!b.moves(), "the sign key alone started a motion");
         b.down(scan::k1, Qt::Key_1);
         QVERIFY(b.moves());
         b.up(scan::k1, Qt::Key_1);
@@ -111,7 +111,7 @@ private Q_SLOTS:
         QVERIFY(!b.moves());
         QCOMPARE(b.ends, QList<StopCause>{StopCause::Released});
         b.down(code, pressed);
-        QVERIFY2(b.moves(), "nothing counts as held any more");
+        QVERIFY2(b.moves(), "a key still counts as held");
         b.up(code, pressed);
         QVERIFY(!b.moves());
     }
@@ -121,7 +121,7 @@ private Q_SLOTS:
         b.down(scan::kAlt, Qt::Key_Alt, kWithAlt);
         b.down(scan::kRight, Qt::Key_Right, kWithAlt);
         QVERIFY(b.moves());
-        QVERIFY2(b.targets.last().twist.angular.x() > 0, "Alt turns");
+        QVERIFY2(b.targets.last().twist.angular.x() > 0, "Alt does not select the rotation");
         b.down(scan::kShift, Qt::Key_Shift, {Qt::AltModifier | Qt::ShiftModifier});
         b.up(scan::kAlt, Qt::Key_Meta, kWithShift);
         b.up(scan::kRight, Qt::Key_Right, kWithShift);
@@ -214,7 +214,7 @@ private Q_SLOTS:
         if (direction != 0) {
             const double qd = b.targets.last().qd[0];
             QCOMPARE(qd > 0, direction > 0);
-            QVERIFY2(std::abs(std::abs(qd) - 0.17453292519943) < 1e-9, "Shift only writes the sign");
+            QVERIFY2(std::abs(std::abs(qd) - 0.17453292519943) < 1e-9, "Shift changed the speed");
         }
         b.up(scan::kEqualUs, key);
         QVERIFY(!b.moves());
@@ -260,7 +260,7 @@ private Q_SLOTS:
         b.up(scan::kRight, Qt::Key_Right);
         QVERIFY(!b.moves());
         b.down(scan::kUp, Qt::Key_Up, {{}, true});
-        QVERIFY2(!b.moves(), "a repeat is no press");
+        QVERIFY2(!b.moves(), "a key repeat started a motion");
     }
 
     void autoRepeatInPairsStartsNothing() {
@@ -271,7 +271,7 @@ private Q_SLOTS:
         b.up(scan::kRight, Qt::Key_Right, {{}, false, 1500});
         QVERIFY(!b.moves());
         b.down(scan::kRight, Qt::Key_Right, {{}, false, 1500});
-        QVERIFY2(!b.moves(), "a stopped jog needs a new press");
+        QVERIFY2(!b.moves(), "the stopped jog resumed without a new press");
         b.up(scan::kRight, Qt::Key_Right, {{}, false, 1530});
         b.down(scan::kRight, Qt::Key_Right, {{}, false, 1530});
         b.up(scan::kRight, Qt::Key_Right, {{}, false, 1550});
@@ -288,7 +288,7 @@ private Q_SLOTS:
         b.down(scan::kLeft, Qt::Key_Left);
         QCOMPARE(b.ends, QList<StopCause>{StopCause::SecondButton});
         b.up(scan::kRight, Qt::Key_Right);
-        QVERIFY2(!b.moves(), "the left key was not pressed anew");
+        QVERIFY2(!b.moves(), "a motion started without a new press of the left key");
         b.up(scan::kLeft, Qt::Key_Left);
         b.down(scan::kLeft, Qt::Key_Left);
         QVERIFY(b.moves());
@@ -302,7 +302,7 @@ private Q_SLOTS:
         b.down(scan::kPlusDe, Qt::Key_Plus);
         QCOMPARE(b.ends, QList<StopCause>{StopCause::SecondButton});
         b.up(scan::kRight, Qt::Key_Right);
-        QVERIFY2(!b.moves(), "letting go begins nothing");
+        QVERIFY2(!b.moves(), "a release started a motion");
     }
 
     void aHoldKeyAndAnyOtherKeyStop() {
@@ -365,7 +365,7 @@ private Q_SLOTS:
         menu.popup(b.window.mapToGlobal(QPoint(0, 0)));
         QVERIFY(menu.isVisible());
         keyDown(menu, scan::kUp, Qt::Key_Up);
-        QVERIFY2(!b.moves(), "the arrow is the menu's");
+        QVERIFY2(!b.moves(), "an arrow key for the menu started a motion");
         QVERIFY(menu.activeAction() != nullptr);
         menu.close();
     }

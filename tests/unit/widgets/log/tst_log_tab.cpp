@@ -150,7 +150,7 @@ private Q_SLOTS:
 
     void filtersWithoutMatchesAreReported() {
         const auto* nothing = tab_->findChild<EmptyState*>("log.table.nothingFound");
-        QVERIFY2(!nothing->isVisible(), "an empty log has not been searched");
+        QVERIFY2(!nothing->isVisible(), "an empty log shows that nothing was found");
         journal_->add(Severity::Info, "Jog stopped: released");
         auto* severity = tab_->findChild<SegmentedControl*>("log.severity");
         QTest::mouseClick(severity->segment(2), Qt::LeftButton);

@@ -358,8 +358,7 @@ private Q_SLOTS:
         QTest::mouseMove(viewport, to);
         QTest::mouseRelease(viewport, Qt::LeftButton, {}, to);
         QVERIFY(!b.view().window().follows());
-        QVERIFY2(near(b.view().timeAt(to.x()), held, 0.1),
-                 "the moment taken hold of is still under the pointer");
+        QVERIFY2(near(b.view().timeAt(to.x()), held, 0.1), "the dragged time is no longer under the pointer");
         QVERIFY(!b.view().cursor(PlotView::Cursor::A));  // a drag is not a click
     }
 
@@ -453,7 +452,7 @@ private Q_SLOTS:
                  qPrintable(QDebug::toString(b.forces().legendEntry(b.id("actual_TCP_force_2")))));
         QVERIFY(!b.curve(b.id("actual_TCP_force_2")).isVisible());
         QVERIFY(b.curve(b.id("actual_TCP_force_0")).isVisible());
-        QVERIFY2(b.forces().range().max() < wide, "the scale is that of the curves that are shown");
+        QVERIFY2(b.forces().range().max() < wide, "the scale includes hidden curves");
         b.clickLegend(b.id("actual_current_1"));
         QVERIFY(!b.curve(b.id("actual_current_1")).isVisible());
         QVERIFY(!b.view().cursor(PlotView::Cursor::A));  // not a click in the plot
@@ -522,7 +521,7 @@ private Q_SLOTS:
         QVERIFY2(b.readout().contains("Fz (zeroed) +0.1 N"), qPrintable(b.readout()));
         QVERIFY(b.view().zeroText().contains("Fz +59.9"));
         QVERIFY(b.forces().range().max() < 20);
-        QVERIFY2(b.view().grab().toImage() != plain, "the plot carries a mark");
+        QVERIFY2(b.view().grab().toImage() != plain, "the plot has no mark for the offset");
         // Measured values are unchanged.
         QVERIFY(near(b.dock.store().valueAt(b.id("actual_TCP_force_2"), 50).value(), 50, 0.01));
         b.runTo(70);
@@ -744,7 +743,7 @@ private Q_SLOTS:
         const QImage before = outside();
         b.dock.addNote(45, QStringLiteral("here it slipped"));
         b.dock.addNote(b.view().window().end(), QStringLiteral("at the edge"));
-        QVERIFY2(outside() == before, "a note");
+        QVERIFY2(outside() == before, "a note was drawn outside the plots");
         for (const bool above : {true, false}) {
             for (const double y : {b.forces().area().top() + 2, b.forces().area().bottom() - 2}) {
                 b.dock.marks().setThresholds({{"actual_TCP_force_2", b.forces().valueAt(y), above}});
@@ -843,11 +842,11 @@ private Q_SLOTS:
                 unit);
         }
         QVERIFY(svg.contains("<path") || svg.contains("<polyline"));
-        QVERIFY2(!svg.contains("<image"), "curves are drawn as pixels");
+        QVERIFY2(!svg.contains("<image"), "curves were exported as pixels");
         QVERIFY(!svg.contains("Record"));
         const QByteArray pdf = bytesOf("a.pdf");
         QVERIFY(pdf.startsWith("%PDF"));
-        QVERIFY2(!pdf.contains("/Subtype /Image"), "curves are drawn as pixels");
+        QVERIFY2(!pdf.contains("/Subtype /Image"), "curves were exported as pixels");
         QVERIFY(Theme::current().isDark());
     }
 
@@ -1236,7 +1235,7 @@ private Q_SLOTS:
         QTest::keyClick(tree, Qt::Key_Return);
         QVERIFY(b.forces().shows(b.id("actual_q_1")));
         QVERIFY(!b.curve(b.id("actual_q_1")).range().isEmpty());
-        QVERIFY2(b.forces().unit().isEmpty(), "newtons and radians");
+        QVERIFY2(b.forces().unit().isEmpty(), "a plot with newtons and radians shows a unit");
     }
 
     void listFindsWordsInAnyOrderAndReportsEmptyResults() {
@@ -1821,7 +1820,7 @@ private Q_SLOTS:
         QVERIFY(near(b.view().window().end(), end, 0.01));
         QVERIFY(near(b.view().window().span(), 11.998, 0.01));
         QVERIFY(near(store.valueAt(force, end).value(), 49.99, 1e-3));
-        QVERIFY2(!store.valueAt(force, end - 3).has_value(), "a gap of two seconds");
+        QVERIFY2(!store.valueAt(force, end - 3).has_value(), "there is a value inside the gap");
         QVERIFY(!b.curve(force).range().isEmpty());
         // Live data are displayed next to the recording on the same axes, and bits of the recording as lanes.
         b.drop(b.view().panes()[0]->area().center(),
@@ -2214,7 +2213,7 @@ private Q_SLOTS:
         QTest::mouseDClick(viewport, Qt::LeftButton, {}, from);
         QVERIFY(!b.forces().isZoomed());
         QVERIFY(b.view().window().span() > 59.9);
-        QVERIFY2(!b.view().cursor(PlotView::Cursor::A), "its first click placed no cursor");
+        QVERIFY2(!b.view().cursor(PlotView::Cursor::A), "the first click of a double click placed a cursor");
     }
 
     void contextMenuHasTheColoursOfTheScheme() {

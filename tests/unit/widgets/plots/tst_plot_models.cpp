@@ -134,7 +134,7 @@ private Q_SLOTS:
             const double first = std::ceil(range.min() / range.step());
             const double last = std::floor(range.max() / range.step());
             QVERIFY2(last - first >= 1, "fewer than two grid lines");
-            QVERIFY2(last - first < lines, "more grid lines than there is room for");
+            QVERIFY2(last - first < lines, "too many grid lines");
             const double mantissa = range.step() / std::pow(10, std::floor(std::log10(range.step()) + 1e-9));
             QVERIFY(std::abs(mantissa - 1) < 1e-6 || std::abs(mantissa - 2) < 1e-6 ||
                     std::abs(mantissa - 5) < 1e-6);
@@ -504,7 +504,7 @@ private Q_SLOTS:
         QVERIFY(segments[1].kind == LaneKind::High);
         QCOMPARE(segments[1].label, QString("on"));
         QVERIFY(std::abs(segments[1].start - 40.0) < 0.11 && std::abs(segments[1].end - 60.0) < 0.11);
-        QVERIFY2(segments[3].kind == LaneKind::Varied, "on for one sample");
+        QVERIFY2(segments[3].kind == LaneKind::Varied, "a pulse of one sample is not shown");
         QVERIFY(std::abs(segments[3].start - 80.0) < 0.11);
         const auto changes = store.changes(bit, 0, store.live().end());
         QCOMPARE(changes, (std::vector<std::int64_t>{20'000, 30'000, 40'000, 40'001}));
@@ -528,7 +528,7 @@ private Q_SLOTS:
         QCOMPARE(segments[1].label, store.info(mode).stateName(7));
         QVERIFY(segments[0].label != segments[1].label);
         QVERIFY(std::abs(segments[1].start - 1.0) < 0.001);
-        QVERIFY2(segments.back().kind == LaneKind::NoData, "behind the newest sample");
+        QVERIFY2(segments.back().kind == LaneKind::NoData, "the lane shows data after the newest sample");
     }
 
     // ---- layout

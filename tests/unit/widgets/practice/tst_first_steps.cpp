@@ -82,7 +82,7 @@ private Q_SLOTS:
         show(state);
         state.robotMode = RobotMode::PowerOn;
         show(state);
-        QVERIFY2(!isDone(FirstStep::PowerOn), "it is still on its way");
+        QVERIFY2(!isDone(FirstStep::PowerOn), "the item is completed before the arm is powered on");
         state.robotMode = RobotMode::Idle;
         show(state);
         QVERIFY(isDone(FirstStep::PowerOn) && !isDone(FirstStep::ReleaseBrakes));
@@ -96,7 +96,7 @@ private Q_SLOTS:
         SessionState state = liveState();
         state.motionActive = state.jogActive = true;
         show(state);
-        QVERIFY2(!isDone(FirstStep::Jog), "asked for is not moving");
+        QVERIFY2(!isDone(FirstStep::Jog), "a request without a motion completed the item");
         state.moving = true;
         show(state);
         QVERIFY(isDone(FirstStep::Jog));
@@ -106,11 +106,11 @@ private Q_SLOTS:
     void teachingTicksButPastingDoesNot() {
         show(liveState());
         document_->insertWaypoints(0, {taughtAt(moved(1, 0.3))}, "Paste");
-        QVERIFY2(!isDone(FirstStep::Teach), "the arm stands elsewhere");
+        QVERIFY2(!isDone(FirstStep::Teach), "a waypoint away from the arm completed the item");
         project::Project opened;
         opened.waypoints.append(taughtAt(kReadyJoints));
         document_->setProject(opened);
-        QVERIFY2(!isDone(FirstStep::Teach), "a project was opened");
+        QVERIFY2(!isDone(FirstStep::Teach), "opening a project completed the item");
         document_->insertWaypoints(0, {taughtAt(kReadyJoints)}, "Teach");
         QVERIFY(isDone(FirstStep::Teach));
     }
@@ -118,7 +118,7 @@ private Q_SLOTS:
     void goToIsTickedWhenTheArmReachesAWaypoint() {
         document_->insertWaypoints(0, {taughtAt(moved(0, 0.5))}, "Teach");
         move(kReadyJoints, moved(0, 0.2));
-        QVERIFY2(!isDone(FirstStep::GoTo), "let go on the way");
+        QVERIFY2(!isDone(FirstStep::GoTo), "a move that did not reach the waypoint completed the item");
         move(moved(0, 0.2), moved(0, 0.5));
         QVERIFY(isDone(FirstStep::GoTo));
     }
@@ -177,7 +177,7 @@ private Q_SLOTS:
         card.open();
         QCoreApplication::processEvents();
         QVERIFY(card.isVisible() && !card.isFolded());
-        QVERIFY2(view.rect().contains(card.geometry()), "inside the view");
+        QVERIFY2(view.rect().contains(card.geometry()), "the card extends beyond the view");
         const QList<QWidget*> parts = card.findChildren<QWidget*>();
         QVector<QRect> places;
         for (const QWidget* part : parts) {
@@ -243,8 +243,7 @@ private Q_SLOTS:
             QTest::mouseClick(fold, Qt::LeftButton);
             QCoreApplication::processEvents();
             QCOMPARE(fold->mapTo(&view, QPoint()), at);
-            QVERIFY2(view.height() - card.geometry().bottom() < 16,
-                     "it lies at the lower edge, clear of the arm");
+            QVERIFY2(view.height() - card.geometry().bottom() < 16, "the card is not at the lower edge");
         }
         QVERIFY(!card.isFolded());
     }

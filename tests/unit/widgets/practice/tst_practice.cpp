@@ -151,7 +151,7 @@ private Q_SLOTS:
         project::Waypoint point = document_->waypoints().at(0);
         point.pose = there.tcpPose;
         document_->changeWaypoint(0, point, "Touch up");
-        QVERIFY2(practice_->passed(), "an edit is looked at at once");
+        QVERIFY2(practice_->passed(), "the edit was not checked immediately");
         document_->undoStack().undo();
         document_->undoStack().undo();
         QVERIFY(document_->waypoints().isEmpty());
@@ -228,7 +228,7 @@ private Q_SLOTS:
         }
         answer->selectAll();
         QTest::keyClicks(answer, "-41.0");
-        QVERIFY2(!practice_->passed(), "not entered yet");
+        QVERIFY2(!practice_->passed(), "the check passed before Return was pressed");
         QTest::keyClick(answer, Qt::Key_Return);
         QVERIFY(practice_->passed());
         // When the task is completed, the field disappears. The focus then moves to the view, not to the next

@@ -85,7 +85,7 @@ private Q_SLOTS:
     void recoverNeedsTheStopRecoveryAndControl() {
         const auto check = practiceCheck(PracticeTask::Recover, project_);
         check->follow(liveState(), project_);
-        QVERIFY2(!check->passed(), "there was no stop yet");
+        QVERIFY2(!check->passed(), "the check passed without a stop");
         check->follow(stoppedState(), project_);
         QVERIFY(check->text().contains("protective stop"));
         SessionState state = liveState();
@@ -99,7 +99,7 @@ private Q_SLOTS:
         check->follow(liveState(), project_);
         QVERIFY(check->passed());
         check->follow(stoppedState(), project_);
-        QVERIFY2(check->passed(), "what was done stays done");
+        QVERIFY2(check->passed(), "the check failed after it had passed");
     }
 
     void lostDataDoNotCountAsRecovery() {
@@ -169,7 +169,7 @@ private Q_SLOTS:
         SessionState there = liveState();
         there.tcpPose.position.x() += kPartMoved + 0.0005;
         check->follow(there, project_);
-        QVERIFY2(!check->passed(), "the arm is there, the waypoint is not");
+        QVERIFY2(!check->passed(), "the check passed without a change of the waypoint");
         project::Waypoint point = project_.waypoints.at(0);
         point.pose = there.tcpPose;
         project_.waypoints.replace(0, point);
@@ -231,7 +231,7 @@ private Q_SLOTS:
         check->follow(jogging(at, limiter, 0.4), project_);
         QVERIFY(!check->passed());
         check->follow(jogging(at + Eigen::Vector3d(0, 0.03, 0), control::LimiterKind::None, 1), project_);
-        QVERIFY2(!check->passed(), "not out of it yet");
+        QVERIFY2(!check->passed(), "the check passed too close to the limit");
         check->follow(jogging(at + Eigen::Vector3d(0, 0.06, 0), control::LimiterKind::None, 1), project_);
         QVERIFY(check->passed());
     }
@@ -260,7 +260,7 @@ private Q_SLOTS:
         const auto check = practiceCheck(PracticeTask::Measure, project_);
         check->follow(pressed(-37, false, 0), project_);
         check->setAnswer(answer);
-        QVERIFY2(!check->passed(), "nothing was recorded");
+        QVERIFY2(!check->passed(), "the check passed without a recording");
         check->setAnswer(std::nullopt);
         record(*check, -37, 4);
         QVERIFY(!check->passed());

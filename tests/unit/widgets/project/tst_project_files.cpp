@@ -110,7 +110,7 @@ private Q_SLOTS:
         QVERIFY(files_->store().saveNow().ok());
         QVERIFY(content().contains("\"tiller-project\""));
         QCOMPARE(project::loadProject(path_)->waypoints.size(), 2);
-        QVERIFY2(!QFile::exists(path_ + ".damaged-1"), "the old file was whole");
+        QVERIFY2(!QFile::exists(path_ + ".damaged-1"), "an intact file was kept as damaged");
     }
 
     void replacedProjectFileIsReported() {
@@ -395,13 +395,13 @@ private Q_SLOTS:
             discard();
         }
         QCOMPARE(project::keptCopies(folder).size(), 1);
-        QVERIFY2(project::keptCopies(folder).first().name != offered, "the other one was removed");
+        QVERIFY2(project::keptCopies(folder).first().name != offered, "the other copy was removed");
         QVERIFY2(notice_->text.contains(project::keptCopies(folder).first().name), qPrintable(notice_->text));
         const Answer answer("discardKept.drop");
         const auto discardOther = notice_->otherAccepted;
         discardOther();
         QVERIFY(project::keptCopies(folder).isEmpty());
-        QVERIFY2(document_->waypoints().isEmpty(), "nothing was opened");
+        QVERIFY2(document_->waypoints().isEmpty(), "a project was opened");
     }
 
     void aRefusedProjectLosesNoUnsavedWork() {
@@ -413,7 +413,7 @@ private Q_SLOTS:
         files_->askForNew(nullptr);
         files_->open(path_);
         files_->startNew(path_, nullptr);
-        QVERIFY2(!answer.wasAsked(), "a question about unsaved work for a project that is not opened");
+        QVERIFY2(!answer.wasAsked(), "the user was asked about unsaved work although no project is opened");
         QCOMPARE(document_->waypoints().size(), 1);
         QVERIFY(notice_);
         QCOMPARE(notice_->text, QStringLiteral("A program is running."));

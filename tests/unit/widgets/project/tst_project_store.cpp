@@ -47,7 +47,8 @@ private Q_SLOTS:
     void changesAreSavedAutomatically() {
         QVERIFY(store_->openOrStart(path_).ok());
         QVERIFY(!QFile::exists(path_));
-        QVERIFY2(!store_->statusText().contains("saved"), "there is no file");
+        QVERIFY2(!store_->statusText().contains("saved"),
+                 "the status says “saved” although there is no file");
         QCOMPARE(store_->statusText(), QString("cell-7.tiller — new"));
         document_->insertWaypoints(0, {named("home")}, "Teach");
         QCOMPARE(store_->statusText(), QString("cell-7.tiller — saving…"));
@@ -371,7 +372,7 @@ private Q_SLOTS:
         QVERIFY(isRefused(store_->openKept({})));
         QVERIFY(isRefused(store_->reload()));
         QVERIFY(isRefused(store_->takeOver()));
-        QVERIFY2(store_->saveNow().ok(), "saving is still possible");
+        QVERIFY2(store_->saveNow().ok(), "the project can no longer be saved");
         store_->setReplaceGuard([] { return QString(); });
         QVERIFY(store_->open(other).ok());
         QCOMPARE(document_->waypoints().at(0).name, QString("other"));

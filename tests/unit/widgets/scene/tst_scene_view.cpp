@@ -175,7 +175,7 @@ private Q_SLOTS:
         view.setReplay(mark);
         QCOMPARE(view.replayHeadline(), QStringLiteral("LIVE ARM"));
         view.setState(SessionState());
-        QVERIFY2(view.replayHeadline().isEmpty(), "no arm is shown");
+        QVERIFY2(view.replayHeadline().isEmpty(), "the headline is shown without an arm");
     }
 
     void theReplayBandReportsMissingJointPositions() {
@@ -207,7 +207,7 @@ private Q_SLOTS:
         QVERIFY(camera.project(target + 0.1 * R.col(1)).point.y() < middle.point.y() - 10);
         QVERIFY(camera.project(target + 0.1 * R.col(2)).depth < middle.depth);
         QVERIFY(R.col(1).z() > 0.5);
-        QVERIFY2(R.col(0).x() > 0.5, "base X goes to the right at first");
+        QVERIFY2(R.col(0).x() > 0.5, "X of the base does not point right in the initial view");
     }
 
     void pointsBehindTheCameraAreNotDrawn() {
@@ -406,7 +406,7 @@ private Q_SLOTS:
         const Eigen::Vector3d base = Eigen::Vector3d::Zero();
         QCOMPARE(view.camera().azimuth(), before.azimuth());
         const QPointF moved = onScreen(view, base) - before.project(base).point;
-        QVERIFY2(moved.x() > 70 && moved.y() > 35, "the picture goes with the pointer");
+        QVERIFY2(moved.x() > 70 && moved.y() > 35, "the image does not follow the pointer");
         QTest::mousePress(&view, Qt::LeftButton, Qt::ShiftModifier, {300, 200});
         QTest::mouseMove(&view, {200, 150});
         QTest::mouseRelease(&view, Qt::LeftButton, Qt::ShiftModifier, {200, 150});

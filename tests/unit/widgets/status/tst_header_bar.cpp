@@ -313,7 +313,8 @@ private Q_SLOTS:
         header.applyState(state);
         auto* button = header.findChild<QPushButton*>(QStringLiteral("nextStepButton"));
         QVERIFY2(button->isEnabled(),
-                 "remote control may be switched off altogether: Local takes commands then");
+                 "the button is disabled, although remote control may be disabled on the robot and Local "
+                 "then accepts commands");
         state.remoteNeeded = true;
         header.applyState(state);
         QVERIFY(button->isVisible() && !button->isEnabled());
@@ -543,7 +544,7 @@ private Q_SLOTS:
         QVERIFY(header.focusWidget() == nullptr);
         state.control = ControlState::None;
         header.applyState(state);
-        QTRY_VERIFY2_WITH_TIMEOUT(button->hasFocus(), "who walks by keyboard goes on where he was", 60'000);
+        QTRY_VERIFY2_WITH_TIMEOUT(button->hasFocus(), "the focus was not restored", 60'000);
     }
 
     void draggingTakesPrecedenceOverReceivedValues() {
@@ -730,7 +731,7 @@ private Q_SLOTS:
         const QString shown = header.findChild<StateChip*>("linkChip")->shownCaption();
         QVERIFY2(shown.endsWith("JOG MAY STOP"), qPrintable(shown));
         QVERIFY2(header.rect().contains(header.findChild<QWidget*>("stopButton")->geometry()),
-                 "STOP is whole");
+                 "STOP is clipped");
     }
 
     void showsTheStateOfASession() {

@@ -85,7 +85,8 @@ private Q_SLOTS:
         line.applyState(state);
         line.showMessage(Severity::Warning, QStringLiteral("Protective stop"));
         line.applyState(state);
-        QVERIFY2(line.messageText().contains("Protective stop"), "the robot's word comes a moment later");
+        QVERIFY2(line.messageText().contains("Protective stop"),
+                 "the message disappeared before the robot reported the stop");
         state.safetyMode = SafetyMode::ProtectiveStop;
         line.applyState(state);
         line.showMessage(Severity::Error, QStringLiteral("Control lost"));

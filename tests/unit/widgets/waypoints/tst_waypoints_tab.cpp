@@ -346,10 +346,11 @@ private Q_SLOTS:
         const QRect below(table()->mapTo(tab_.get(), QPoint(0, 0)), table()->size());
         QCOMPARE(below.topLeft(), list.topLeft());
         QCOMPARE(below.width(), list.width());
-        QVERIFY2(!below.intersects(notice()->geometry()), "it covers the table");
+        QVERIFY2(!below.intersects(notice()->geometry()), "the notice covers the table");
         QCOMPARE(table()->visualRect(second), row);
-        QVERIFY2(tab_->rect().contains(notice()->geometry()), "whole on the page");
-        QVERIFY2(notice()->height() >= notice()->heightForWidth(notice()->width()), "with all its words");
+        QVERIFY2(tab_->rect().contains(notice()->geometry()), "the notice extends beyond the page");
+        QVERIFY2(notice()->height() >= notice()->heightForWidth(notice()->width()),
+                 "the text of the notice is clipped");
         for (const QPushButton* key : tab_->findChildren<QPushButton*>()) {
             const QRect place(key->mapTo(tab_.get(), QPoint(0, 0)), key->size());
             QVERIFY2(

@@ -269,7 +269,7 @@ void TestArmBlends::aPauseInTheCornerResumes() {
         }
         if (arm == &held) {
             QVERIFY2(std::abs(nearest - (corner - kB.position).norm()) < 1e-4,
-                     "another path after the pause");
+                     "the path after the pause is different");
         }
         QVERIFY2(arm->withinBounds(), arm->worst().c_str());
     }

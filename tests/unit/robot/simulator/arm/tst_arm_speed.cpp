@@ -234,7 +234,7 @@ void TestArmSpeed::jogIntoASingularitySlowsAndStops() {
         arm->motion().speedL(twist(0, 0.1, 0), 0.5, kTick);
         arm.step();
     }
-    QVERIFY2(!arm->protectiveStop(), "cannot be jogged back");
+    QVERIFY2(!arm->protectiveStop(), "the arm cannot be jogged back");
     QVERIFY(arm.tcp().y() > there.y() + 0.05);
 }
 

@@ -90,7 +90,7 @@ void TestArmStepCost::nothingAllocates() {
     Pose pose = arm.state().targetTcpPose;
     arm.run(0.1);
     void* probe = std::malloc(16);
-    QVERIFY2(g_allocations > 0, "the counter does not count");
+    QVERIFY2(g_allocations > 0, "allocations are not counted");
     std::free(probe);
     const long before = g_allocations;
     Motion& motion = arm->motion();
@@ -122,7 +122,7 @@ void TestArmStepCost::nothingAllocates() {
     QCOMPARE(g_allocations - before, 0L);
     QVERIFY(!arm->protectiveStop());
 #else
-    QSKIP("allocations are not counted under a sanitizer");
+    QSKIP("allocations are not counted with a sanitizer");
 #endif
 }
 

@@ -69,7 +69,7 @@ private Q_SLOTS:
         const MinMax all = history.minMax(opened.store.column(opened.signal), 0, history.end());
         QCOMPARE(all.min, -kSpike);
         QCOMPARE(all.max, kSpike);
-        QVERIFY2(opened.store.memoryBytes() < kRows, "a byte a row would be too much");
+        QVERIFY2(opened.store.memoryBytes() < kRows, "the file needs more than one byte of memory per row");
         QVERIFY(history.gapBefore(static_cast<std::int64_t>(kGap)));
         QVERIFY(!history.gapBefore(static_cast<std::int64_t>(kGap) + 1));
     }
@@ -134,7 +134,7 @@ private Q_SLOTS:
                              qPrintable(QStringLiteral("span %1, column %2").arg(span).arg(c)));
                 }
             }
-            QVERIFY2(!more, "it comes to an end");
+            QVERIFY2(!more, "the refinement does not end");
             QVERIFY(!opened.store.sharpen(opened.history(), grid.edges.front() - 1, grid.edges.back() + 1,
                                           kColumns, HistoryFile::Effort::Draft));
             if (grid.edges.back() - grid.edges.front() <= 60'000) {
@@ -217,7 +217,7 @@ private Q_SLOTS:
             QVERIFY(std::abs(opened.store.value(*slope, static_cast<std::int64_t>(row)) - expected) < 1e-3);
         }
         QVERIFY2(std::isnan(opened.store.value(*slope, static_cast<std::int64_t>(kGap))),
-                 "nothing is computed across a gap");
+                 "a value was computed across a gap");
         // The whole signal, after it was computed completely.
         QTRY_COMPARE_WITH_TIMEOUT(opened.store.computedPart(*slope), 1.0, 60'000);
         QCOMPARE(opened.store.computedPart(*made), 1.0);

@@ -219,7 +219,7 @@ private Q_SLOTS:
         const double raw = 24.0 * 4 * 1000 * kRounds;
         const double ratio = static_cast<double>(buffer.memoryBytes()) / raw;
         QVERIFY2(ratio <= 1.2, qPrintable(QString::number(ratio)));
-        QVERIFY2(ratio > 1.0, "the numbers are in it");
+        QVERIFY2(ratio > 1.0, "the buffer uses less memory than the values");
     }
 
     void theOldestSamplesAreDroppedByAgeAndMemory() {

@@ -110,7 +110,7 @@ private Q_SLOTS:
         QCOMPARE(store.valueAt(force, 10).value(), 1.0);
         QCOMPARE(store.valueAt(force, 10.0019).value(), 1.0);
         QCOMPARE(store.valueAt(force, 10.002).value(), 2.0);
-        QVERIFY2(!store.valueAt(force, 11), "in a gap");
+        QVERIFY2(!store.valueAt(force, 11), "there is a value inside a gap");
         QCOMPARE(store.valueAt(force, 12.0015).value(), 3.0);
         QCOMPARE(store.valueAt(force, 12.01).value(), 4.0);
         QVERIFY(!store.valueAt(force, 13));

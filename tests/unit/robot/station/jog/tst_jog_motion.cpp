@@ -135,7 +135,7 @@ private Q_SLOTS:
         QVERIFY(close(jointStep(selection, 0, -1, 1, stretched, model, {}, limits_).speed, base));
         QVERIFY2(
             close(jointKeySpeed(selection, 5, 1, stretched, model, {}, limits_), speedClasses()[0].joint),
-            "the TCP is on the axis of wrist 3");
+            "wrong speed with the TCP on the axis of wrist 3");
     }
     void homeKeepsTheTcpBelowTheCap() {
         const RobotModel& model = robotModel(RobotModelId::UR5e);

@@ -75,7 +75,7 @@ private Q_SLOTS:
         arm.comeTo(0, 0);
         arm.comeTo(0, 0.5);
         const auto id = arm.motion.begin();
-        QVERIFY2(id.ok(), "the newest part is free");
+        QVERIFY2(id.ok(), "the newest part of the path is obstructed");
         while (arm.go(*id)) {
             QVERIFY(arm.q[0] < 0.6);
         }
@@ -100,7 +100,7 @@ private Q_SLOTS:
         arm.comeTo(0.5, 0.5);
         const auto id = arm.motion.begin();
         QVERIFY(id.ok());
-        QVERIFY2(arm.target.qd[1] < 0, "first back along the second half");
+        QVERIFY2(arm.target.qd[1] < 0, "the motion does not start along the second segment");
         double corner = 1;
         int turns = 0;
         for (; turns < 5000 && arm.go(*id); ++turns) {
@@ -110,12 +110,12 @@ private Q_SLOTS:
             QVERIFY2(off < 0.045, qPrintable(QString::number(off)));
             corner = std::min(corner, std::hypot(arm.q[0] - 0.5, arm.q[1]));
         }
-        QVERIFY2(corner < 0.045, "it went round the corner");
+        QVERIFY2(corner < 0.045, "the motion does not pass the corner");
         QVERIFY2(std::abs(arm.q[0]) < 0.003 && std::abs(arm.q[1]) < 0.003,
                  qPrintable(QString::number(arm.q[0])));
         QCOMPARE(arm.ends, QList<StopCause>{StopCause::Completed});
         QVERIFY(arm.track.isEmpty());
-        QVERIFY2(!arm.motion.begin().ok(), "the beginning is the end");
+        QVERIFY2(!arm.motion.begin().ok(), "the motion can start again at the start of the path");
     }
 
     void aStopIsFinal() {

@@ -58,10 +58,11 @@ private Q_SLOTS:
         Pose there = start;
         there.position.z() += up.distance;
         QVERIFY2(kinematics::inverseNearest(dh(), there, {}, kMiddle).has_value(),
-                 "what is promised can be reached");
+                 "the predicted position is out of reach");
         Pose beyond = start;
         beyond.position.z() += up.distance + 0.1;
-        QVERIFY2(!kinematics::inverseNearest(dh(), beyond, {}, kMiddle), "and not much more");
+        QVERIFY2(!kinematics::inverseNearest(dh(), beyond, {}, kMiddle),
+                 "the arm can move much further than predicted");
     }
 
     // Only limits end the jog. The mounting plane is not a limit, but a floor of the cell is.
@@ -69,7 +70,7 @@ private Q_SLOTS:
         const control::JogReach open = travelLeft(armAt(kMiddle), along(2, -1));
         QVERIFY(open.end.kind != control::LimiterKind::Border);
         const double height = kinematics::forwardTcp(dh(), kMiddle).position.z();
-        QVERIFY2(open.distance > height, "below the base without a stop");
+        QVERIFY2(open.distance > height, "the mounting plane limits the travel");
 
         const Pose tool(0, 0, 0.08, 0, 0, 0);
         const double radius = 0.02;
@@ -189,9 +190,9 @@ private Q_SLOTS:
         QVERIFY((z - Eigen::Vector3d(0, 0, -1)).norm() < 1e-9);
         const Eigen::AngleAxisd turn(rotationMatrix(from.rotation).transpose() *
                                      rotationMatrix(request.pose.rotation));
-        QVERIFY2(std::abs(turn.angle() - 10 * kDeg) < 1e-9, "no more than the ten degrees");
+        QVERIFY2(std::abs(turn.angle() - 10 * kDeg) < 1e-9, "the tilt is not corrected by ten degrees");
         QVERIFY2(std::abs(request.speed - chosenSpeed(selection).rotation * 0.25) < 1e-12,
-                 "as fast as a turn is chosen");
+                 "the speed is not the selected rotation speed");
         // The measured position of a robot at standstill fluctuates. This must not count as a slow linear
         // path.
         const JointPositions q = kMiddle;
@@ -209,10 +210,10 @@ private Q_SLOTS:
         selection.motion = MotionChoice::CoarseStep;
         QVERIFY(stepRunsToEnd(selection, false) && stepRunsToEnd(selection, true));
         selection.step = StepSize{0.05, 15 * kDeg};
-        QVERIFY2(!stepRunsToEnd(selection, false), "above 10 mm only while held");
-        QVERIFY2(!stepRunsToEnd(selection, true), "above 10° too");
+        QVERIFY2(!stepRunsToEnd(selection, false), "a step above 10 mm continues after the release");
+        QVERIFY2(!stepRunsToEnd(selection, true), "a step above 10° continues after the release");
         selection.step = StepSize{0.05, 1 * kDeg};
-        QVERIFY2(stepRunsToEnd(selection, true), "a turn is judged by its angle");
+        QVERIFY2(stepRunsToEnd(selection, true), "a step of 1° is judged by its length");
         QCOMPARE(chosenStep(selection).length, 0.05);
         selection.motion = MotionChoice::FineStep;
         QCOMPARE(chosenStep(selection).length, 0.0001);

@@ -103,8 +103,9 @@ private Q_SLOTS:
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         const auto change = [] {};
         QVERIFY2(bench.sendMovingProgram() && bench.within([&] { return bench.state().moving; }),
-                 "the program does not run");
-        QVERIFY2(!bench.session.asksBeforeChange("DO 3", change), "nothing can show the question");
+                 "the program is not running");
+        QVERIFY2(!bench.session.asksBeforeChange("DO 3", change),
+                 "confirmation is required although nothing can show the question");
         QStringList asked;
         QObject::connect(&bench.session, &RobotSession::changeQuestion, &bench.session,
                          [&](const QString& what) { asked << what; });
@@ -117,7 +118,8 @@ private Q_SLOTS:
         bench.session.confirmChanges();
         QVERIFY(bench.cell.robot.inject("script-error").ok());
         QVERIFY(bench.within([&] { return !bench.state().hasForeignProgram(); }));
-        QVERIFY2(!bench.session.asksBeforeChange("DO 4", change), "no program is running");
+        QVERIFY2(!bench.session.asksBeforeChange("DO 4", change),
+                 "confirmation is required although no program is running");
         QVERIFY(bench.sendMovingProgram() && bench.within([&] { return bench.state().moving; }));
         QVERIFY(bench.session.asksBeforeChange("DO 5", change));
         QCOMPARE(asked.size(), 3);
@@ -133,7 +135,8 @@ private Q_SLOTS:
         QVERIFY(bench.cell.robot.inject("link lost").ok());
         QVERIFY(bench.withoutData([&] { return bench.state().link == LinkState::Lost; }));
         bench.session.stop(StopCause::StopButton);
-        QVERIFY2(!messages.filter("may not reach the robot").isEmpty(), "at once, not after the timeouts");
+        QVERIFY2(!messages.filter("may not reach the robot").isEmpty(),
+                 "the failure is not reported immediately");
         QVERIFY(bench.withoutData([&] { return !messages.filter("could not be stopped").isEmpty(); }));
         QVERIFY(bench.runs());
         // Wait until the threads that expect replies have reset their connections.
@@ -247,9 +250,9 @@ private Q_SLOTS:
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         QVERIFY(bench.sendMovingProgram());
         QVERIFY(bench.within([&] { return bench.moves(); }));
-        QVERIFY2(bench.isInControl(), "the loss of control is already known");
+        QVERIFY2(bench.isInControl(), "the loss of control has already been detected");
         bench.press(12, 20);  // less than the 500 ms after which the loss is detected
-        QVERIFY2(!bench.runs(), "the program goes on");
+        QVERIFY2(!bench.runs(), "the program did not stop");
     }
 
     // The robot's data confirm each stop, so Tiller's own program is not ended.

@@ -75,7 +75,7 @@ private Q_SLOTS:
         QVERIFY(first.isWhole());
         QCOMPARE(first.framesBehind, 0);
         QVERIFY2(first.batches * 2 < static_cast<int>(first.sequences.size()),
-                 "a frame brings several samples");
+                 "fewer than two samples per frame");
         QVERIFY(second.sequences == first.sequences);
     }
 

@@ -300,7 +300,7 @@ private Q_SLOTS:
         QVERIFY(bench.runOtherProgram());
         bench.cell.robot.protectiveStop();
         QVERIFY(bench.cell.advanceUntil([&] { return !allowsMotion(bench.state().safety()); }, 100));
-        QVERIFY2(bench.state().moving, "the arm stopped before the data end");
+        QVERIFY2(bench.state().moving, "the arm stopped before the data ended");
         QVERIFY(bench.cell.robot.inject("link lost").ok());
         bench.passWithoutData(500);
         QVERIFY(bench.state().link != LinkState::Live);

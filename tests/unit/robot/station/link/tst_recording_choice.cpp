@@ -118,7 +118,8 @@ private Q_SLOTS:
         QCOMPARE(choice.fields, QStringList("actual_q"));
         QCOMPARE(choice.every, 1);
         QCOMPARE((RecordingChoice{.every = 100'000}.sane().every), RecordingChoice::kMaxDecimation);
-        QVERIFY2(RecordingChoice{.fields = all}.sane().fields.isEmpty(), "all of them is no choice");
+        QVERIFY2(RecordingChoice{.fields = all}.sane().fields.isEmpty(),
+                 "a selection of all fields is stored as a list");
         QVERIFY(!recordingFolder().isEmpty());
     }
 };

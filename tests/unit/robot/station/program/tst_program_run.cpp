@@ -528,7 +528,7 @@ private Q_SLOTS:
             return script.steps.at(static_cast<std::size_t>(number - 1)).step;
         };
         QVERIFY(script.canPauseBefore(id(3)) && script.canPauseBefore(id(4)));
-        QVERIFY2(!script.canPauseBefore(id(6)), "in the force section");
+        QVERIFY2(!script.canPauseBefore(id(6)), "a pause is permitted in the force section");
         bench.runner.setBreakpoints({id(3), id(4), id(6)});
         QVERIFY(bench.begin(Holding::Free));
         const auto reach = [&](int number) {
@@ -641,7 +641,8 @@ private Q_SLOTS:
              step("while", {{"condition", "count > 2 and done and depth == -2.5"}}, {bench.move("place")}),
              step("setOutput", {{"output", 1}})});
         const ProgramScript script = bench.plan().script;
-        QVERIFY2(!script.text.contains("tiller_take_change"), "an exported script runs without a PC");
+        QVERIFY2(!script.text.contains("tiller_take_change"),
+                 "the exported script waits for changes from a PC");
         bench.runner.setBreakpoints({script.steps.at(5).step, script.steps.at(6).step});
         QVERIFY(bench.begin(Holding::Free));
         QVERIFY(bench.reachWaiting());

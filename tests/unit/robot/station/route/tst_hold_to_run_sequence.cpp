@@ -126,7 +126,7 @@ private Q_SLOTS:
         Bench first;
         first.planned = {{"a", 0, State::Done, {ErrorCode::NotInControl, {}, {}}}};
         QVERIFY(!first.motion.begin().ok());
-        QVERIFY2(first.failures.isEmpty(), "the key tells of a press that began nothing");
+        QVERIFY2(first.failures.isEmpty(), "the failure was reported twice");
     }
 
     void anEarlierStopIsNotReportedAsAFailure() {

@@ -74,7 +74,7 @@ private Q_SLOTS:
         route.setLoop(true);
         route.setWaypoints(someIds(2));
         route.headOnTo(0);
-        QVERIFY2(!route.before(), "in the first round nothing was gone before the first");
+        QVERIFY2(!route.before(), "there is a previous waypoint before the first one was reached");
         route.reach(0);
         route.headOnTo(1);
         route.reach(1);
@@ -109,7 +109,7 @@ private Q_SLOTS:
         QCOMPARE(route.before(), Place(2));
         ids.removeOne(coming);
         route.follow(ids);
-        QVERIFY2(!route.isUnderWay(), "the coming one has gone");
+        QVERIFY2(!route.isUnderWay(), "the route is still running without its next waypoint");
         QCOMPARE(route.coming(), Place(0));
     }
 };
