@@ -68,8 +68,8 @@ def measure(command, environment=None):
 
 
 def watch(command, environment, least, patience=900):
-    """The same for a program with a window. The program is finished when it has used `least` memory [MB], which it needs
-    to read the file, and its processor time has not increased for 10 s. Returns None if it has not read the file."""
+    """Like measure(), for a program with a window. The program is finished when it has used `least` memory [MB], which it
+    needs to read the file, and its processor time has not increased for 10 s. Returns None if it has not read the file."""
     process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
                                env={**os.environ, **environment})
     spent, most, still = 0.0, 0.0, time.monotonic()

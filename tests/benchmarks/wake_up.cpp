@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Measures the accuracy and cost of the wake-ups of three 2 ms loops: one that only waits actively, one that
-// only sleeps, and Tiller's loop, which waits actively for the measured wake-up delay. The loops alternate,
+// Measures the accuracy and cost of the wake-ups of three 2 ms loops: one that only busy-waits, one that
+// only sleeps, and Tiller's loop, which busy-waits for the measured wake-up delay. The loops alternate,
 // so that load on the computer affects all of them.
 //
 //     wake_up [seconds per loop and round, 3 by default] [rounds, 3 by default] [priority, 0 by default]
 //
 // The first run is without load. In the second run, threads of the normal scheduler keep all CPUs but one
-// busy. A wake-up more than 2.5 ms after the previous one is late. Target: not more late wake-ups than the
-// active loop at less than half its cost.
+// busy. A wake-up more than 2.5 ms after the previous one is late. Target: no more late wake-ups than the
+// busy-waiting loop at less than half its cost.
 
 #include <atomic>
 #include <chrono>

@@ -18,7 +18,7 @@ namespace tiller::test {
 namespace {
 
 /// Number of further runs of a cell. A busy machine may be late once, but not twice, and may refuse some
-/// presses, so that there is no result. An arm that keeps moving fails at once.
+/// presses, so that there is no result. An arm that keeps moving fails immediately.
 int furtherRuns(const CellOutcome& outcome) {
     switch (outcome.kind) {
         case CellOutcome::Kind::Late:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// STOP while a dialog of Tiller is open. Qt discards clicks on the window behind a dialog, so a button of its own
-// covers STOP. It must work at the first click, and must not cover the window of another program, which can be
-// Tiller for another robot: a click on STOP there would stop the wrong robot.
+// STOP while a dialog of Tiller is open. Qt discards clicks on the window behind a dialog, so a button in a
+// separate window covers STOP. The button must work at the first click, and must not cover the window of
+// another program. That program can be a second Tiller, and a click on its STOP would stop the wrong robot.
 
 #include <QTcpSocket>
 

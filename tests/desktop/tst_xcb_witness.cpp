@@ -116,7 +116,7 @@ private Q_SLOTS:
         QVERIFY(fresh(witness, 0).askedNs > 0);
     }
 
-    // Otherwise, every press is refused until the window is restarted.
+    // After a lost reply, every press would be refused until the window is restarted.
     void repliesThatArriveBetweenTwoReadsAreNotLost() {
         XcbKeyStateProbe probe;
         QVERIFY(QTest::qWaitFor([&] { return probe.isThere(); }, kWaitTimeoutMs));

@@ -361,7 +361,7 @@ def attempt(row, end):
             if time.monotonic() > patience or mover.process.poll() is not None:
                 return None
             if row.hand:
-                # Not earlier, because an external force at the start of freedrive causes a protective stop.
+                # Apply the force only now, because a force at the start of freedrive causes a protective stop.
                 moving_since = moving_since or time.monotonic()
                 if time.monotonic() > moving_since + 1.5:
                     robot.tell("push")

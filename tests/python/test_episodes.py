@@ -28,7 +28,7 @@ class TestEpisodes(unittest.TestCase):
         return module
 
     def test_the_primitive_follows_the_demonstrated_path(self):
-        """Uses a path to the goal and half the way back, which a spring alone cannot produce."""
+        """Uses a path to the goal and half of the way back, which a spring alone cannot produce."""
         primitive = self.example().MovementPrimitive()
         t = np.linspace(0, 1, 501)[:, None]
         bend = np.sin(np.pi * t ** 2) ** 4 * [0.5, 0, 0, 0.2, 0, -0.1]

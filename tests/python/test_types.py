@@ -66,7 +66,7 @@ print(tiller.Robot("127.0.0.1").status["moving"])
 
 
 def yield_to_others():
-    """Other tests that run in parallel measure time."""
+    """Lowers the priority, because other tests that run in parallel measure time."""
     os.nice(10)
 
 

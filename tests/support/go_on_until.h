@@ -11,7 +11,7 @@
 namespace tiller::test {
 
 /// Advances the cell until the condition is true, while real time passes as well, because workers and other
-/// threads need real time. Returns false after a minute of real time, which no busy machine needs.
+/// threads need real time. Returns false after a minute of real time; even a busy machine needs less.
 inline bool goOnUntil(VirtualCell& cell, const std::function<bool()>& condition, int stepMs = 4) {
     const QDeadlineTimer hangs(std::chrono::minutes(1));
     while (!condition()) {

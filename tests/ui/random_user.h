@@ -31,10 +31,10 @@ namespace tiller::test {
 class Patience {
 public:
     explicit Patience(const simulator::Simulator& robot);
-    /// Processes events for a moment.
+    /// Processes events for a few milliseconds.
     void wait();
     double ms() const;  ///< time so far
-    /// True if the time exceeds that of every possible operation, so that the window must be hanging.
+    /// True if no operation can take this time, so the window must be hanging.
     bool isHopeless() const;
 
 private:

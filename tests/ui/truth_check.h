@@ -32,7 +32,7 @@ public:
 
     /// standing  true after the arm has stopped; the header must then not show motion
     QList<Lie> lies(const simulator::SimulatedState& truth, bool standing);
-    /// Number of displayed values compared so far. Without this check, a window that marks every value as
+    /// Number of displayed values compared so far. Without this count, a window that marks every value as
     /// unknown would pass.
     int compared() const { return compared_; }
 

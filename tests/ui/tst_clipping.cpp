@@ -99,7 +99,7 @@ private:
         return currentDensity() == Density::Touch ? QStringLiteral("touch") : QStringLiteral("mouse");
     }
     static void look(QWidget& window, const QString& name) {
-        // The layouts are complete only some time after the texts have been set.
+        // Layouts are updated in later iterations of the event loop after the texts have been set.
         QTest::qWait(50);
         keepPicture(window, name + '-' + densityName());
         const QStringList found = stillClipped(window);

@@ -258,7 +258,7 @@ private Q_SLOTS:
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         QVERIFY(bench.startForeignProgram());
         QVERIFY(bench.within([&] { return bench.state().control == ControlState::None; }));
-        bench.goOn(4000);  // no doubt remains about the control program
+        bench.goOn(4000);  // control is no longer in doubt
         bench.said->clear();
         bench.inject("half-open");
         QVERIFY(bench.within([&] { return !bench.state().isFresh(); }));

@@ -349,7 +349,7 @@ private Q_SLOTS:
         QVERIFY(bench.comesToRest());
         QVERIFY(dialog.isVisible() && dialog.isActiveWindow());
         // The button above the dialog covers STOP after every change of the layout. Otherwise, a part of STOP would
-        // be visible but dead.
+        // be visible but would not respond.
         const auto covers = [&] {
             const auto* above = bench.window.findChild<StopButton*>("stopAboveDialog");
             return above != nullptr && above->pos() == stop.mapToGlobal(QPoint(0, 0)) &&
@@ -517,7 +517,7 @@ private Q_SLOTS:
         QVERIFY(question() == nullptr);
         QVERIFY(bench.within([&] { return isOn(3); }));
         QVERIFY(bench.runs());
-        // The confirmation does not apply to a program that replaces this one without a stop.
+        // The confirmation does not apply to a program that replaces the confirmed program without a stop.
         QVERIFY(
             bench.pendant->send("def second():\nwhile True:\nsync()\nend\nend\n", Deadline::never()).ok());
         QVERIFY(bench.within([&] { return bench.state().runningProgram == QLatin1String("second"); }));
@@ -527,7 +527,7 @@ private Q_SLOTS:
         QVERIFY(!isOn(4));
     }
 
-    // A program that is loaded and stopped is not the one that runs.
+    // The loaded program may be stopped while another program is running.
     void questionsNameTheRunningProgram() {
         Bench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));

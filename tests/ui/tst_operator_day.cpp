@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What operators do all day in the real window: they run a program of the project, teach, edit, and restart
-// Tiller. With a simulated robot in virtual time.
+// Typical operator tasks in the real window: running a program of the project, teaching, editing, and
+// restarting Tiller. Uses a simulated robot in virtual time.
 
 #include <QAction>
 #include <QApplication>
@@ -346,7 +346,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(x.value() - 1000 * before.pose.position.x()) < 0.01);
         QTest::keyClick(&x, Qt::Key_Y, Qt::ControlModifier);
         QVERIFY(std::abs(now().position.x() - 0.1235) < 1e-9);
-        // Leaving the field must not enter an old text.
+        // Leaving the field must not apply text that has been undone.
         bench.window.setFocus();
         QVERIFY(std::abs(now().position.x() - 0.1235) < 1e-9);
     }

@@ -311,7 +311,7 @@ private Q_SLOTS:
         QVERIFY(tree().viewport()->width() >= 150);
     }
 
-    // In a narrow panel, palette and fields are shown alternately, and the tree keeps its position.
+    // In a narrow panel, either the palette or the fields are shown, and the tree keeps its position.
     void aNarrowPanelShowsOneSide() {
         openTray();
         window().resize(1280, 720);
@@ -463,7 +463,7 @@ private Q_SLOTS:
         QCOMPARE(tree().selectedIds(), QSet<QUuid>{steps()[1].id});
     }
 
-    // An endless program is simulated for one hour of program time. An edit ends the simulation at once.
+    // An endless program is simulated for one hour of program time. An edit ends the simulation immediately.
     void anEditEndsThePreview() {
         document().setProject(program::sampleProject());
         project::ProgramList programs;

@@ -5,8 +5,8 @@
 //
 // TILLER_STEPS  total number of steps; default 10 000; a row has at most 1000
 // TILLER_SEED   seed of the first row; each further row uses the next number
-// A failure prints the settings that repeat the row. The steps are then the same as far as the timing of the
-// computer allows, because robot, sockets and timers are real.
+// A failure prints the settings that repeat the row. Robot, sockets and timers run in real time, so the steps
+// may still differ because of the timing of the computer.
 
 #include <QApplication>
 #include <QDialog>

@@ -178,7 +178,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(bench.window.findChild<QMessageBox*>("endQuestion") == nullptr, 60'000);
         QVERIFY(bench.window.isVisible() && active());
 
-        // A change of the connection asks as well.
+        // Changing the connection also requires a confirmation.
         for (const char* action : {"robot.disconnect", "robot.simulator"}) {
             (void)bench.window.close();  // replaced by the next question
             bench.window.actions().find(QLatin1String(action))->trigger();

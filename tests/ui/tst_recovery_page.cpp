@@ -181,7 +181,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(bench.page() == nullptr, 60'000);
     }
 
-    // The values after the stop are not shown as those before it.
+    // Values recorded after the stop must not be shown as values before the stop.
     void aStopBeforeTheConnectionHasNoCurves() {
         Bench bench;
         QVERIFY2(bench.bringUp(), qPrintable(bench.cell.what()));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A problem report contains exactly what the page shows, no names and addresses unless the user selects them,
+// A problem report contains exactly what the page shows, no names or addresses unless the user selects them,
 // and a crash report. The crash is a real crash of this test program, which is started again as a child
 // process.
 

@@ -79,7 +79,7 @@ public:
             thread.join();
         }
         std::this_thread::sleep_for(
-            1s);  // the simulated controllers free a connection when they notice its end
+            1s);  // the simulated controllers free a connection when they detect its end
         return done;
     }
 

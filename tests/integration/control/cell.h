@@ -119,8 +119,8 @@ public:
             if (everyTick) {
                 everyTick();
             }
-            // In control, the controller replies to each package. Watchdogs use robot time, which must not run ahead
-            // of a late control thread.
+            // While in control, the controller replies to each package. Watchdogs use robot time, which must not
+            // run ahead of a late control thread.
             const bool answers = controller->status().inControl;
             robot.waitForInputPackages(inputs + 1,
                                        Deadline::after(std::chrono::milliseconds(answers ? 100 : 20)));

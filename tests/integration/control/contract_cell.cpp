@@ -266,7 +266,7 @@ const std::vector<ContractEvent>& contractEvents() {
          kReleaseMs,
          [](ContractCell& c) {
              c.holding = false;
-             // Send the stop at once. A stop does not wait for data, so bunched data must not delay it in
+             // Send the stop immediately. A stop does not wait for data, so bunched data must not delay it in
              // this test either.
              const std::uint64_t packages = c.robot.inputPackages();
              c.clock.pretendToRun(true);
@@ -471,7 +471,7 @@ ContractOutcome ContractCell::run(const ContractMotion& what, const ContractEven
     double waited = 0;
     while (robot.truth().tcpSpeed.linear.norm() < fast && waited < atMost) {
         step();
-        // Not before 60 ms, because an external force at the start of freedrive causes a protective stop.
+        // Apply the force after 60 ms, because a force at the start of freedrive causes a protective stop.
         if (what.byOperator && waited <= 60 && waited + stepTimeMs() > 60) {
             robot.pressHand({{0, 0, 12}, {0, 0, 0}});
         }

@@ -85,7 +85,7 @@ struct ContractEvent {
     const char* name;
     double limitMs;  ///< maximum time to standstill
     std::function<void(ContractCell&)> happen;
-    /// Actions after the event, in order, each with some time. None of them may move the arm.
+    /// Actions after the event, in order, with a pause after each. None of them may move the arm.
     std::vector<std::function<void(ContractCell&)>> after;
     bool robotBrakes = false;  ///< true if the duration depends only on the robot
     bool losesBoth = false;    ///< true if the process is killed while the program is paused

@@ -99,7 +99,7 @@ private Q_SLOTS:
         while (watcher.speed < fast) {
             QVERIFY(watcher.look());
             QVERIFY2(watcher.time - begin < patience, "the helper never moved the arm");
-            // Not earlier, because an external force at the start of freedrive causes a protective stop.
+            // Apply the force only now, because a force at the start of freedrive causes a protective stop.
             if (hand && watcher.state == ScriptState::Executing) {
                 robot.pressHand({{0, 0, 12}, {0, 0, 0}});
             }

@@ -241,7 +241,7 @@ private Q_SLOTS:
         QVERIFY(jogged.ok());
         QVERIFY(speed->motion().stop(patience()).ok());
         QVERIFY(jogged->isActive());
-        // The call also waits for a stop in between.
+        // The call also waits for a stop that another call has requested.
         QVERIFY(ToolSpeed(*jogged).send(up).ok());
         QVERIFY(cell.stepMs(400));
         cell.controller->stop();

@@ -104,7 +104,7 @@ private Q_SLOTS:
         TRY_COMPARE(output.progress().datagrams, kPackets);
         QCOMPARE(output.progress().missed, std::uint64_t(0));
 #ifdef Q_OS_LINUX
-        // A busy machine may need more threads for files for a while.
+        // On a busy machine, there may temporarily be more file threads.
         TRY_COMPARE(ownThreads(), (QStringList{"tiller-files", "tiller-publish", "tiller-receive"}));
 #endif
         csv.stop();

@@ -244,7 +244,7 @@ void TestMotionAcceptance::blendsPassWithinTheirRadius() {
             slowest = std::min(slowest, (p - robot.samples[i - 1].target()).norm() / robot.dt());
         }
         if (toCorner > radius * 1.001) {
-            // Outside the blend zone, the path is that of the moves.
+            // Outside the blend zone, the path is that of the moves without a blend.
             const bool beforeCorner = !inside;
             const bool straight = beforeCorner ? first != "movej" : second != "movej";
             if (straight) {

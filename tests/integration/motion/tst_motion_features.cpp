@@ -179,7 +179,7 @@ private Q_SLOTS:
             const double speed = (on[i].target() - on[i - 1].target()).y() / (on[i].time - on[i - 1].time);
             QVERIFY2(std::abs(speed + 0.1) < 1e-3, qPrintable(QString::number(speed)));
         }
-        // The distance that the arm followed equals the encoder count.
+        // The distance that the arm followed the conveyor corresponds to the encoder count.
         QVERIFY(std::abs(on.front().targetPose[2] - on.back().targetPose[2]) < 1e-3);
         QVERIFY(std::abs(start - now().targetPose[1] - now().value[0] / 10000) < 0.03);
         QVERIFY(robot_->marked(3).front().speed() < 1e-6);

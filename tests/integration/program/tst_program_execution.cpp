@@ -151,7 +151,7 @@ private Q_SLOTS:
         QVERIFY2(checked.obstacles.front().contains("TCP"), qPrintable(checked.obstacles.front()));
     }
 
-    // A halt resets the state of the program on the robot like its own end.
+    // A halt resets the state of the program on the robot in the same way as its normal end.
     void aHaltWithoutSamplesIsNotTheEndOfTheProgram() {
         ExecutionBench bench;
         const auto up = bench.bringUp();

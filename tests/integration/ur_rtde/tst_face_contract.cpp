@@ -169,7 +169,7 @@ private Q_SLOTS:
                 mover.tell("again");
                 begin = watcher.time;
             }
-            // Not earlier, because an external force at the start of freedrive causes a protective stop.
+            // Apply the force only now, because a force at the start of freedrive causes a protective stop.
             if (moving.hand && watcher.time > begin + 0.2) {
                 cell.robot.pressHand({{0, 0, 12}, {0, 0, 0}});
             }

@@ -4,7 +4,7 @@
 
     structure.py --picture    prints the picture of packaging/reference/architecture.md
     structure.py --classes    prints the classes of widgets/ that neither derive from nor own a widget
-    structure.py              checks both: the picture is up to date, each of these classes has a reason below
+    structure.py              checks that the picture is up to date, and that each of these classes has a reason below
 """
 import collections
 import os
@@ -15,7 +15,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 PAGE = ROOT / "packaging/reference/architecture.md"
 GROUPS = ["app", "widgets", "robot/python", "robot/station", "robot"]
-INNER = "robot/simulator"  # a folder of a group, shown with its own folders
+INNER = "robot/simulator"  # a folder of a group, shown with its subfolders
 WIDTH = 100
 MARGIN = 17
 
@@ -27,7 +27,7 @@ DEVICE = "reads an input device"
 PROBE = "asks the display server which keys are down"
 VIEW = "values of the 3D view"
 TUTORIAL = "the tutorial of the window"
-# Classes of widgets/ that neither derive from nor own a widget, and why they are there.
+# Classes of widgets/ that neither derive from nor own a widget, and why they are in widgets/.
 REASONS = {
     "AxisRange": PLOT, "Camera": VIEW, "DeviceSource": DEVICE, "Filter": FILTER, "FirstSteps": TUTORIAL,
     "FrameCheck": TUTORIAL, "FrameModel": MODEL, "Gamepad": DEVICE, "GamepadSource": DEVICE, "HoverKeeper": EVENTS,
@@ -50,7 +50,7 @@ def sources(top):
 # ---- the picture ----------------------------------------------------------------------------------------
 
 def part_of(file):
-    """Group and folder of a source file, e.g. ("robot/station", "link"); None outside of the groups."""
+    """Group and folder of a source file, e.g. ("robot/station", "link"); None outside the groups."""
     for group in GROUPS:
         if file.startswith(group + "/"):
             rest = file[len(group) + 1:].split("/")
@@ -59,7 +59,7 @@ def part_of(file):
 
 
 def inner_part_of(file):
-    """The same for the folders inside of INNER."""
+    """Like part_of(), for the folders inside INNER."""
     if not file.startswith(INNER + "/"):
         return None
     folder = file[len(INNER) + 1:].rpartition("/")[0]

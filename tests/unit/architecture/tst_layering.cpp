@@ -307,7 +307,7 @@ bool isAllowed(const Folder& folder, const QString& included) {
     if (row == &folder) {
         return true;
     }
-    // The rows are in the order of their layers: no include points upwards, and rows have no cycle.
+    // The rows are in the order of their layers: includes only refer to rows above, so there are no cycles.
     if (row > &folder) {
         return false;
     }

@@ -157,8 +157,8 @@ class TestCollisionCheck : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    // The floor may be at any height below the shoulder, because the shoulder housing cannot get any closer
-    // to it.
+    // The shoulder housing cannot move closer to the floor, so the floor may be at any height below the
+    // shoulder.
     void bodiesThatCannotApproachTheFloorAreNotChecked_data() {
         QTest::addColumn<RobotModelId>("id");
         for (const RobotModel& model : robotModels()) {
@@ -247,8 +247,8 @@ private Q_SLOTS:
         QVERIFY(!check.along({}).has_value());
     }
 
-    // A distance below the safety distance is refused. From inside the safety distance, the arm can move away
-    // but not closer.
+    // A path that comes closer than the safety distance is obstructed. From a position within the safety
+    // distance, the arm can move away from the obstacle, but not closer to it.
     void aPathIsObstructedAtTheSafetyDistance() {
         const RobotModel& model = robotModel(RobotModelId::UR5e);
         const auto shifted = [&](double z) {
@@ -281,7 +281,7 @@ private Q_SLOTS:
         }
     }
 
-    // Pairs of bodies that no motion can bring together have no safety distance that could stop a motion. A
+    // Bodies that no motion can bring into contact must not stop a motion, however close they are. A
     // cache shared by several cells, arms and tools must find the same pairs as a check without a cache.
     void nonCollidingPairsAreCachedPerArm() {
         NeverMeeting known;

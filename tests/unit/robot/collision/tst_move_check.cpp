@@ -16,7 +16,7 @@ const RobotModel& ur5e() {
     return robotModel(RobotModelId::UR5e);
 }
 
-/// Joint positions near `from` that move the TCP sideways by this distance.
+/// Joint positions near `from` for which the TCP is shifted by `by` [m].
 JointPositions shifted(const JointPositions& from, const Eigen::Vector3d& by) {
     Pose pose = kinematics::forwardTcp(ur5e().dh, from);
     pose.position += by;

@@ -249,7 +249,7 @@ private Q_SLOTS:
         bench.tick(2);
         Command out;
         if (delay == QStringLiteral("data") || delay == QStringLiteral("silence")) {
-            while (bench.mailbox.epoch().isActive(id)) {  // the thread looks every 4 ms
+            while (bench.mailbox.epoch().isActive(id)) {  // the thread polls every 4 ms
                 bench.clock.advanceNs(4 * kNsPerMs);
                 bench.loop.fallback(bench.now(), out);
             }
@@ -304,7 +304,7 @@ private Q_SLOTS:
         QCOMPARE(bench.tick().kind, ScriptCommand::Idle);
     }
 
-    // A release without data: the stop is sent before the stream resumes.
+    // If no data arrive after a release, the stop is sent without waiting for them.
     void aStopDoesNotWaitForALatePackage() {
         Bench bench;
         bench.takeControl();

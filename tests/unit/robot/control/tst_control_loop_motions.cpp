@@ -40,7 +40,7 @@ private Q_SLOTS:
 
     void aJogUntilContactIgnoresASingleNoisyPackage() {
         Bench bench;
-        bench.data.tcpForce = Eigen::Vector3d(0, 0, 30);  // a permanent load at the tool does not count
+        bench.data.tcpForce = Eigen::Vector3d(0, 0, 30);  // a permanent load at the tool is not a contact
         bench.takeControl();
         const auto begin = [&] {
             MotionCommand jog;
@@ -386,13 +386,13 @@ private Q_SLOTS:
         }
     }
 
-    // With a round trip of more than 100 ms, a stop would be delayed by the same time.
+    // A round trip of more than 100 ms would also delay a stop too much.
     void aLateLinkEndsTheMotionAndPreventsNewOnes() {
         Bench bench;
         bench.takeControl();
         const MotionId jog = bench.startJog(0.1);
         bench.tick(2);
-        // From here on, the answers of the robot become older: 60 packages, 120 ms.
+        // From here on, the delay of the robot's replies increases by one package in every fourth period.
         std::vector<Command> sent{bench.command};
         bench.answering = false;
         MotionState state = bench.mailbox.epoch().state(jog);

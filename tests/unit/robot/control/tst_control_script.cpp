@@ -90,7 +90,7 @@ private Q_SLOTS:
         QCOMPARE(bench.count<urscript::Move>(), 1);
         const auto target = [](const urscript::Move& move) { return std::get<JointPositions>(move.target); };
         QCOMPARE(target(*bench.last<urscript::Move>()), there);
-        // A second move directly follows the first one and uses the parameters of its package.
+        // A second move directly follows the first one and uses the parameters of its own package.
         const JointPositions elsewhere(-0.2, -0.9, 1.1, -1.2, -1.4, 0.5);
         bench.hold(ScriptCommand::MoveJ, 3, 60, elsewhere.array());
         QCOMPARE(bench.count<urscript::Move>(), 2);
@@ -126,7 +126,7 @@ private Q_SLOTS:
             const auto* servoed = std::get_if<urscript::ServoJ>(&motion.command);
             QVERIFY(servoed == nullptr || (servoed->q == bench.host.q && servoed->lookahead >= 0.03));
         }
-        // A request uses the parameters of its package.
+        // A request uses the parameters of its own package.
         bench.idleEpoch = 9;
         QCOMPARE(bench.ask(RequestKind::SetPayload, 1, {1.5, 0, 0, 0.1, 0, 0}).outcome, Outcome::Done);
         QCOMPARE(bench.host.load.mass, 1.5);
@@ -192,7 +192,7 @@ private Q_SLOTS:
         QCOMPARE(bench.state(), ScriptState::Done);
     }
 
-    // The arm is at standstill, but program time may resume at the previous speed.
+    // Even if the arm is at standstill, program time may resume at the previous speed.
     void theArmIsStoppedHardAfterAPause() {
         for (const bool moves : {false, true}) {
             for (const auto kind : {ScriptCommand::JogJoints, ScriptCommand::JogCartesian}) {
@@ -252,7 +252,7 @@ private Q_SLOTS:
             bench.host.qd[1] = 0;
             record.insert(record.end(), 60, bench.host.q);
             hold(ScriptCommand::JogJoints, 2);
-            // Without a position record, a standstill without braking distance might have been commanded.
+            // Without a position record, a standstill without a braking distance does not reveal a pause.
             const bool shows = hasRecord || slowingDown > 0;
             QCOMPARE(bench.state(), shows ? ScriptState::Braking : ScriptState::Executing);
         }

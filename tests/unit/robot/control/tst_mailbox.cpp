@@ -142,7 +142,7 @@ private Q_SLOTS:
             }
             QVERIFY(!box.refresh(motion, 0));
         }
-        // Wait until the threads have been refused by stops.
+        // Wait until stops have refused many calls of the threads.
         QTRY_VERIFY_WITH_TIMEOUT(refused > 1000, 60'000);
         quit = true;
         for (auto& thread : threads) {

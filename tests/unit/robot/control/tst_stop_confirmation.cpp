@@ -92,7 +92,7 @@ private Q_SLOTS:
         QCOMPARE(seen, Verdict::EveryRoute);
         QCOMPARE(ms, 100);
     }
-    // Stopping from a high speed takes longer, without a loss of control.
+    // Stopping from a high speed takes longer. This alone must not end control.
     void aBrakingArmNeedsNoFurtherStop() {
         Scene fast;
         fast.evidence.tcpSpeed = 0.8;

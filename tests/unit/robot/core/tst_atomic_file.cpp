@@ -111,7 +111,7 @@ private Q_SLOTS:
     }
 
 #ifdef Q_OS_UNIX
-    // A child process that was forked while the guard was held has a copy of its descriptor.
+    // A child process that was forked while the guard was held has a copy of the lock's descriptor.
     void aForkedChildDoesNotInheritTheSaveLock() {
         auto guard = SaveGuard::acquire(path_);
         QVERIFY(guard.ok());

@@ -15,7 +15,7 @@
 
 namespace tiller::test {
 
-/// A table that contains the model of its arm.
+/// A recording in memory that also contains the model of its arm.
 class MadeRecording : public recording::TableRecording {
 public:
     MadeRecording(recording::RecordedTable table, std::string model) : TableRecording(std::move(table)) {

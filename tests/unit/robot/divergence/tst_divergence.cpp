@@ -172,7 +172,7 @@ void TestDivergence::aJointThatDoesNotFollowIsNamed() {
     QVERIFY2(found.row >= 450 && found.row <= 453, qPrintable(QString::number(found.row)));
     QVERIFY(found.amount > 5 * kDegree);
     QCOMPARE(report.first()->row, found.row);
-    // With another limit, the arm deviates at another row; without a limit, it never deviates.
+    // With another limit, the first deviation is at another row; without a limit, there is none.
     Choice choice;
     choice.limits.jointPosition = 1 * kDegree;
     const std::uint64_t later =

@@ -292,7 +292,7 @@ private Q_SLOTS:
     void nearestStaysInsideTheJointRange() {
         const DhParameters& dh = robotModel(RobotModelId::UR5e).dh;
         const JointPositions q(3.0, -1.2, 1.4, -1.7, -1.5, 0.3);
-        // The solution for wrist 3 that is nearest to 6.5 rad exceeds the permitted range of pi.
+        // The solution for wrist 3 that is nearest to 6.5 rad is outside the permitted range of +-pi.
         const auto found = inverseNearest(dh, forwardTcp(dh, q), {}, {3.0, -1.2, 1.4, -1.7, -1.5, 6.5}, kPi);
         QVERIFY(found.has_value());
         for (int i = 0; i < 6; ++i) {

@@ -58,7 +58,7 @@ private Q_SLOTS:
         QVERIFY(first.open(QIODevice::ReadWrite) && second.open(QIODevice::ReadWrite));
         QVERIFY(file_system::lock(first.handle()));
         QVERIFY(!file_system::lock(second.handle()));
-        // Others can read what is written.
+        // Other processes can read the written data.
         QCOMPARE(first.write("rows"), 4);
         QVERIFY(first.flush());
         QCOMPARE(second.readAll(), QByteArray("rows"));

@@ -234,7 +234,7 @@ private Q_SLOTS:
     }
 
     // Checks the independent calculation itself. It must accept poses generated from joints and reject the
-    // same poses after they were moved out of reach. It would detect an arm that is slightly too long.
+    // same poses after they were moved out of reach. An error of the arm length would be detected.
     void theReferenceGeometryKnowsTheReach() {
         Dice dice(99);
         for (const RobotModel& arm : robotModels()) {

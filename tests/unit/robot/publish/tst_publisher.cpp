@@ -261,7 +261,7 @@ private Q_SLOTS:
             QVERIFY(sinks[static_cast<std::size_t>(i + 4)]->thread() != sinks.front()->thread());
         }
         QCOMPARE(threadsNamed("tiller-publish"), 1);
-        // A busy machine may need more of them for a while. They end if they have nothing to do.
+        // On a busy machine, there may temporarily be more file threads. Idle threads end.
         TRY_COMPARE(threadsNamed("tiller-files"), 1);
     }
 

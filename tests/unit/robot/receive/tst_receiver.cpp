@@ -297,8 +297,8 @@ void TestReceiver::samplesCarryTheClocksTime() {
     QVERIFY(!receiver.isFresh(299ms));
 }
 
-// After the host was suspended or the connection was blocked, the age of the samples counts from their
-// arrival.
+// After the host was suspended or the connection was blocked, the age of a sample counts from its controller
+// time, not from its arrival.
 void TestReceiver::backlogSamplesAreNotFresh() {
     VirtualClock clock;
     RtdePeer peer;

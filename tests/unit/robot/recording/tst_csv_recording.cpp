@@ -289,7 +289,7 @@ void TestCsvRecording::datesGiveTheStart() {
         QCOMPARE(recording->times({1, 1}).value().front(), 0.5);
     }
     QVERIFY(!open("time,a\n2024-05-29T08:00:00,1\n2024-05-29T08:00:01,2\n").value()->startUtcNs());
-    // The first number with a decimal sign decides: 1.234 is not read as another number than 1,234.
+    // The first number with a decimal separator selects the separator: with a comma, 1.234 is not a number.
     const auto mixed = open("t;a\n0,25;1.234\n0,50;1,5\n").value();
     QVERIFY(mixed->problems().join(' ').contains("1 cells are not numbers"));
 }
@@ -383,7 +383,7 @@ void TestCsvRecording::metadataIsAboveTheHeader() {
     test::writeFile(path_, text);
     QCOMPARE(readCsv(path_).value().rows(), std::size_t(20));
 
-    // Rows of a part that was written incompletely, without the lines above them.
+    // A part without the header that was written incompletely. Only its complete rows are kept.
     test::MadeSamples samples;
     const auto encoder = format->encoder({samples.layout, {"actual_q"}, false});
     QVERIFY(encoder->take(RecordingEncoder::Close::WhenDue).bytes.empty());

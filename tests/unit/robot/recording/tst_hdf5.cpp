@@ -85,7 +85,7 @@ void TestHdf5::exportedDataAreReadBack() {
     }
     QCOMPARE(back->times({0, kRows}).value(), source->times({0, kRows}).value());
     QCOMPARE(back->rowAt(1.0).value(), std::uint64_t(500));
-    // The notes, also of a part of the recording, and of the part of a part.
+    // The notes of the recording, of a part of it, and of a part of this part.
     const auto noteIn = [&](const Recording& recording, double from, double until, const char* name) {
         const QString to = path(name);
         const auto exported = exportHdf5(recording, {.path = to, .from = from, .until = until});
@@ -125,7 +125,7 @@ void TestHdf5::logNotesAndMetadataAreExported() {
     QCOMPARE(event.source, QStringLiteral("operator"));
     QCOMPARE(event.text, QStringLiteral("half way"));
 
-    // A part has the events of its rows, on its own time axis.
+    // A part contains the events of its rows, relative to the start of the part.
     exportHdf5(*source, {.path = path("part.h5"), .from = 0.5}).value();
     back = openRecording(path("part.h5")).value();
     QCOMPARE(*back->startUtcNs(), *source->startUtcNs() + 500'000'000);

@@ -47,7 +47,7 @@ struct Bench {
         return to;
     }
     /// Sends the packets of a range, except those dropped by the link, and waits for their arrival. Returns
-    /// false if they have not arrived in time.
+    /// false on timeout.
     bool send(int from, int to, std::mt19937* drops) {
         std::bernoulli_distribution isDropped(0.01);
         std::uniform_int_distribution<int> burst(1, 4);

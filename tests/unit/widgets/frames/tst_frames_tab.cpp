@@ -213,7 +213,7 @@ private Q_SLOTS:
         QVERIFY(frame(0).T_base_frame == nextTo(0.07, 0));
     }
 
-    // The reach of many waypoints takes too long for each update of the question.
+    // Checking the reach of many waypoints takes too long to be repeated at every update of the question.
     void touchUpChecksTheReachOncePerPose() {
         teachWithWaypoints(1500);
         feed(nextTo(0.03, 0));

@@ -227,7 +227,7 @@ private Q_SLOTS:
         clock.advanceNs(kNsPerMs);
         probe.reply(false);
         repeat.poll();
-        // Events are not delayed any more.
+        // Events are no longer delayed.
         QKeyEvent press(QEvent::KeyPress, Qt::Key_Right, Qt::NoModifier, scan::kRight, 0, 0);
         QWindow other;
         QVERIFY(!repeat.intercepts(other, press));

@@ -119,7 +119,7 @@ private:
     }
     void goesUp(quint32 what) {
         down_.erase(what);
-        look();  // a motion that began since then is held by all inputs pressed until now
+        look();  // if a motion has begun, every input that is still pressed may hold it
         if (holders_.erase(what) > 0 && holders_.empty()) {
             letGoNs_ = h.clock.nowNs();
         }

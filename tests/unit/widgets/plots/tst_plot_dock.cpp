@@ -1562,7 +1562,7 @@ private Q_SLOTS:
                  b.dock.store().timesOf(QStringLiteral("one.csv"))->firstTime());
     }
 
-    // The menu belongs to the curve under the pointer, also if another signal is shown at the cursors.
+    // The menu belongs to the curve under the pointer, even if another signal is shown at the cursors.
     void theMenuOfACurveIsForThisCurve() {
         Bench b;
         b.view().setReadoutSignal(b.id("actual_TCP_force_0"));
@@ -1738,7 +1738,7 @@ private Q_SLOTS:
         QCOMPARE(back->events()[0].text, QString("slipped"));
         QCOMPARE(back->events()[0].source, QString(recording::kNoteSource));
         QVERIFY(near(back->events()[0].seconds, 5, 0.003));
-        // An export without notes leaves none of an earlier export.
+        // If the range contains no notes, the notes of an earlier export to the same file are removed.
         b.view().setCursor(PlotView::Cursor::A, 46.0);
         QVERIFY(b.dock.exportTo(path, PlotDock::ExportRange::BetweenCursors));
         QVERIFY(recording::openRecording(path).value()->events().empty());
@@ -1906,7 +1906,7 @@ private Q_SLOTS:
         b.view().setSpan(b.view().window().span());
         b.runTo(300);
         QCOMPARE(unchanged("later data"), QString());
-        // Nothing beyond its end can be shown, also after the live page.
+        // The page cannot be scrolled beyond the end of the recording, even after the live page was shown.
         b.view().scrollBy(1e3);
         QCOMPARE(b.view().window().end(), end);
         b.dock.pages().setCurrent(0);

@@ -382,7 +382,7 @@ private Q_SLOTS:
         QVERIFY(bench.awaitEnd());
         QCOMPARE(bench.runner().end(), ProgramRunner::End::Completed);
         QCOMPARE(bench.run().text(), QStringLiteral("Run"));
-        // The arm is not at the start position any more.
+        // The arm is no longer at the start position.
         QVERIFY(!bench.run().isEnabled());
         // An edit makes the preview stale.
         QVERIFY(bench.moveToStart());
@@ -506,7 +506,7 @@ private Q_SLOTS:
             list.setFocus();
             list.setCurrentIndex(index(row));
         };
-        // A text is shown only, with the reason.
+        // A text variable is read-only, and the reason is shown.
         select(2);
         QVERIFY(index(2).data(Qt::ToolTipRole).toString().contains("Only numbers"));
         Q_EMIT list.activated(index(2));
@@ -529,7 +529,7 @@ private Q_SLOTS:
         QVERIFY(type(0, "2.5"));
         QVERIFY2(bench.status().contains("not a whole number"), qPrintable(bench.status()));
         QCOMPARE(text(0, 2), QStringLiteral("2"));
-        // The change is shown as such until the robot confirms it.
+        // The variable is marked as changing until the robot confirms the change.
         QVERIFY(type(0, "7"));
         QCOMPARE(text(0, 2), QStringLiteral("2 (changing…)"));
         QVERIFY(!bench.pause().isEnabled() && !bench.step().isEnabled());
@@ -538,7 +538,7 @@ private Q_SLOTS:
         QVERIFY(log.contains("Variable “count”: 2 → 7"));
         QVERIFY(bench.status().contains("2 → 7"));
         QVERIFY(bench.pause().isEnabled() && bench.step().isEnabled() && bench.isStill());
-        // A flag is chosen.
+        // A Boolean value is selected from a list.
         select(1);
         list.edit(index(1));
         auto* flag = list.findChild<QComboBox*>();
@@ -552,7 +552,7 @@ private Q_SLOTS:
         bench.pause().click();
         QVERIFY(bench.tab.findChild<QMessageBox*>("program.changed") != nullptr);
         QVERIFY(bench.standstill() == 0 && bench.runner().isWaiting());
-        // While the program runs, and after its end, the values are shown only.
+        // While the program runs, and after its end, the values are read-only.
         QTest::mouseClick(bench.tab.findChild<QPushButton*>("program.changed.run"), Qt::LeftButton);
         QVERIFY(bench.reachMotion());
         QVERIFY(!index(0).flags().testFlag(Qt::ItemIsEditable));
@@ -768,7 +768,7 @@ private Q_SLOTS:
         QVERIFY(bench.checkRecoverability());
         QVERIFY2(bench.status().contains("can continue from step 2"), qPrintable(bench.status()));
         QCOMPARE(bench.from().text(), QStringLiteral("Continue at 2"));
-        // An output that was switched after the stop is not the output of the simulated stop.
+        // An output that was switched after the stop has another state than at the simulated stop.
         bench.session.outputs().setDigitalOutput(2, true);
         QVERIFY(bench.cell.advanceUntil([&] { return bench.from().text() == "Start from here"; }, 2000));
         QVERIFY2(bench.status().contains("Outputs were changed"), qPrintable(bench.status()));

@@ -423,7 +423,7 @@ private Q_SLOTS:
         QCOMPARE(resolved.value(0).value(0).toString(), notice_->cause);
     }
 
-    // Without a second question, the changed file could not be shown any more.
+    // The question is repeated after a refused reload. Otherwise, the user could not load the changed file.
     void aRefusedReloadIsAskedAgain() {
         files_->open(path_);
         document_->insertWaypoints(0, {named("mine")}, "Teach");

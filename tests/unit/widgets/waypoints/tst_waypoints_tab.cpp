@@ -227,7 +227,7 @@ private Q_SLOTS:
         QVERIFY2(notice()->title().contains(QStringLiteral("moving")), qPrintable(notice()->title()));
     }
 
-    // Its reason passes by itself, and the log keeps the text.
+    // The notice disappears automatically, because its reason is temporary and the log keeps the text.
     void aPressDuringAnotherHoldShowsAPassingNotice() {
         teachThree();
         tab_->selectRow(0);

@@ -149,7 +149,7 @@ void TestIncidentWatch::displayedRegistersAreRecordedWhileTheyAreDisplayed() {
     const std::vector<double> number = column("output_double_register_3");
     QCOMPARE(whole.size(), file->rows());
     QCOMPARE(number.size(), file->rows());
-    // Before a register was displayed, there are no values; the integer register has no zeros there.
+    // Before a register was displayed, its column is empty. The integer register must not contain zeros instead.
     const auto has = [](double value) { return !std::isnan(value); };
     const auto first = [&](const std::vector<double>& values) {
         return std::find_if(values.begin(), values.end(), has) - values.begin();
@@ -157,7 +157,7 @@ void TestIncidentWatch::displayedRegistersAreRecordedWhileTheyAreDisplayed() {
     QVERIFY2(first(whole) > 400, qPrintable(QString::number(first(whole))));
     QVERIFY2(first(number) > first(whole) + 300, qPrintable(QString::number(first(number) - first(whole))));
     QVERIFY(std::none_of(whole.end() - 5000, whole.end(), has));
-    // A row has the register of the same packet. Few packets are missed while the fields change.
+    // Each row contains the register of the same packet. Few packets are missed while the fields change.
     QVERIFY2(std::count_if(whole.begin(), whole.end(), has) > 700,
              qPrintable(QString::number(std::count_if(whole.begin(), whole.end(), has))));
     QVERIFY2(std::count_if(number.end() - 5000, number.end() - 10, has) == 4990,

@@ -117,7 +117,7 @@ private Q_SLOTS:
         QCOMPARE(findings[1].object.name, box.name);
         QCOMPARE(findings[1].object.frame, box.frame.toString(QUuid::WithoutBraces));
         QVERIFY(findings[1].isError());
-        // The user has excluded this from the check.
+        // The user has excluded the box and the plane from the check.
         box.enabled = plane.enabled = false;
         project_.cell.boxes.replace(0, box);
         project_.cell.planes.replace(0, plane);

@@ -134,7 +134,7 @@ private Q_SLOTS:
                     3e-5);  // times are rounded
             QVERIFY(std::abs(s.store.value(passed, sample) - std::sin(phase)) < 0.1);
         }
-        // The first value counts as constant before, so that a filter begins without an oscillation.
+        // Filters assume the first value for all earlier times, so that they begin without an oscillation.
         for (const std::int64_t sample : {0, 1, 50, 9000}) {
             QVERIFY(std::abs(s.store.value(constant, sample) - 2) < 1e-9);
             QVERIFY(std::abs(s.store.value(removed, sample)) < 1e-9);
@@ -168,7 +168,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(s.store.value(nested, 5000) - (1 + 2 * first)) < 1e-6);
     }
 
-    // A part of a recording begins with the rows that its first values depend on.
+    // To read a part of a recording, the earlier rows that its first values depend on are also read.
     void valuesDoNotDependOnTheFirstRowRead() {
         recording::RecordedTable table{.columns = {{"time", "s", false}, {"force", "N", false}},
                                        .values = {{}, {}}};

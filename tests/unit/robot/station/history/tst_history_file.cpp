@@ -252,7 +252,7 @@ private Q_SLOTS:
         connect(&opened.store, &SignalStore::computationFailed, this, [&] { ++told; });
         opened.store.closeRecordings();
         // A signal of a second recording is computed after the first one, so all notifications of the first
-        // have then arrived.
+        // one have arrived by then.
         auto file = recording::openRecording(long_->path);
         const QString name = opened.store.open(std::move(file).value(), kBegin).value();
         const auto next = opened.store.derive(

@@ -112,7 +112,7 @@ private Q_SLOTS:
         QVERIFY(!bench.state().controlInDoubt);
     }
 
-    // Outdated data prove nothing, so the time restarts with fresh data.
+    // Outdated data prove nothing, so the waiting time restarts when fresh data arrive.
     void lateDataProlongTheDoubt() {
         DoubtBench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));

@@ -166,7 +166,7 @@ private Q_SLOTS:
         QVERIFY(bench.within([&] { return messages.filter("taken over").size() == 1; }));
         QVERIFY2(bench.state().controlReason.contains("taken over"), qPrintable(bench.state().controlReason));
         QCOMPARE(messages.filter("another client is running").size(), 1);
-        // A later program has taken nothing over.
+        // A program that starts later has not taken over control from Tiller.
         QVERIFY(bench.send(QStringLiteral("stop program\n")) &&
                 bench.within([&] { return !bench.state().foreignProgramRuns(); }));
         QVERIFY(bench.sendMovingProgram());
@@ -209,7 +209,7 @@ private Q_SLOTS:
         QVERIFY(!bench.state().programAbandoned);
     }
 
-    // The value in the program's register remains.
+    // The register of the abandoned program keeps its last value.
     void aProgramAfterAnAbandonedOneNeedsConfirmation() {
         ProgramBench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));

@@ -44,7 +44,7 @@ QString kindsOf(const ImportedProgram& program) {
     return found == nullptr ? QStringLiteral("nothing") : kindsOf(found->steps);
 }
 
-/// All values written to this integer register count, also if the next one follows in the same control period.
+/// All values written to this integer register are compared, even if two follow in the same control period.
 constexpr int kWrittenRegister = 1;
 
 struct Effects {

@@ -304,7 +304,7 @@ public:
                       {result.order.begin() + static_cast<std::ptrdiff_t>(before), result.order.end()},
                       tolerance);
         if (kind == StopKind::LinkLoss && !says) {
-            return {};  // the mark is the worst one of a period
+            return {};  // the mark is the worst result for any time at which the loss may take effect
         }
         if (difference.isEmpty() == says) {
             return {};
@@ -353,7 +353,7 @@ bool contains(const project::ProgramStep& step, const QString& kind) {
                                             [&](const auto& inner) { return contains(inner, kind); });
 }
 
-/// Steps at the top level of a program, with a step of this kind.
+/// Top-level steps of a program that contains a step of this kind.
 Steps exampleOf(const QString& kind, const project::Project& project) {
     const auto at = [&](const char* name) { return waypointId(project, name); };
     const auto wait = [] { return step("wait", {{"time", 0.15}}); };

@@ -121,7 +121,7 @@ struct RunBench {
     bool reachStep(int step) {
         return cell.advanceUntil([this, step] { return runner.log().step() == step; }, kLongMs);
     }
-    /// Triggers a named stop. Sets `linked` to false if the connection does not transmit any more.
+    /// Triggers a named stop. Sets `linked` to false if the connection no longer transmits data.
     bool happen(const QString& stop, bool& linked) {
         if (stop == "stop key") {
             session.stop(StopCause::StopButton);
@@ -333,7 +333,7 @@ private Q_SLOTS:
         QCOMPARE(bench.runner.end(), ProgramRunner::End::Completed);
     }
 
-    // A halt resets the state of the program on the robot like its own end.
+    // A halt resets the state of the program on the robot in the same way as its normal end.
     void anEndWithoutSamplesIsUnknown() {
         RunBench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
@@ -700,7 +700,7 @@ private Q_SLOTS:
         QCOMPARE(variable("count").text, QStringLiteral("2147483647"));  // the last values
     }
 
-    // A step that sets the variable later has effect, although the registers still contain the change.
+    // A later step can still set the variable, although the registers contain the change.
     void aChangeIsTakenOnce() {
         RunBench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
@@ -730,7 +730,7 @@ private Q_SLOTS:
         QVERIFY(bench.begin(Holding::Free, 1));
         QVERIFY(bench.reachWaiting());
         QVERIFY(bench.showsVariables({"n 1"}));
-        // The pause on the pendant is known after the change was made, and before the program takes it.
+        // The change is made before the session has detected the pause on the pendant.
         QVERIFY(bench.sendFromOutside("pause program\n"));
         while (bench.cell.truth().runtimeState != RuntimeState::Paused) {
             bench.clock.advanceNs(2 * kNsPerMs);
@@ -751,7 +751,7 @@ private Q_SLOTS:
         QVERIFY(bench.awaitEnd());
     }
 
-    // A stop before the robot has confirmed a change ends the run, and the next run does not take the change.
+    // A stop before the robot has confirmed a change ends the run, and the next run does not apply the change.
     void aStopDuringAChangeEndsTheRun() {
         RunBench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
