@@ -17,7 +17,7 @@ set(tiller_rooms platform core realtime rtde receive publish script dashboard co
 # Components that need more packages than the backend. Each has a separate export, which tillerConfig.cmake
 # loads if the component is requested and its packages are installed.
 set(tiller_extras recording_mcap recording_hdf5 recording_formats live)
-# Folders needed to start the simulated arm or controller.
+# Modules needed to start the simulated arm or controller.
 set(tiller_simulating simulator_options urscript pendant arm simulator_net simulator_plant simulator_equipment simulator_host
     simulator_programs simulator_controller simulator_servers simulator testing divergence)
 add_library(tiller_robot INTERFACE)
@@ -98,8 +98,8 @@ install(FILES ${CMAKE_BINARY_DIR}/tiller_cConfigVersion.cmake DESTINATION ${till
 file(RELATIVE_PATH tiller_pc_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 cmake_path(SET tiller_pc_prefix NORMALIZE "${tiller_pc_prefix}")
 
-# tiller_pkg_config(<name> DESCRIPTION <text> ARCHIVES <folders...> REQUIRES <packages...> LIBRARIES
-# <flags...>)
+# tiller_pkg_config(<name> DESCRIPTION <text> ARCHIVES <folders...> REQUIRES <packages...>
+#                   LIBRARIES <flags...>)
 # ARCHIVES are in link order: dependent archives before their dependencies. If libtiller is installed, it
 # replaces all of them.
 function(tiller_pkg_config name)

@@ -167,8 +167,7 @@ function(tiller_test_moc name)
 endfunction()
 
 # tiller_test(NAME <tst_x> SOURCES <files...> DEPENDS <targets...> [OFFSCREEN] [WAITS] [TIMEOUT s]
-# [COST s]
-#             [PARTS n])
+#             [COST s] [PARTS n])
 # Adds a Qt Test program, run by ctest under the name <last folder>/<tst_x>.
 # OFFSCREEN runs it on Qt's offscreen platform.
 # ctest runs five jobs per processor. A test takes four jobs, or one job with WAITS, for tests that mostly
