@@ -66,7 +66,7 @@ QStringList symbolsOf(int code, bool numLock) {
         case kKeypad3:
             return {"KP_Next"};
         case kLetterF:
-            // By key position if the layout has no Latin letters.
+            // If the layout has no Latin letters, the key is identified by its position.
             return {"f", "F", "Cyrillic_a", "Cyrillic_A"};
         case kLetterG:
             return {"g", "G", "Cyrillic_pe", "Cyrillic_PE"};

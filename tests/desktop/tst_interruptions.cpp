@@ -16,7 +16,7 @@ namespace tiller::test {
 class TestInterruptions : public InterruptedHold {
     Q_OBJECT
 
-    /// Holds the key "right".
+    /// Holds the right arrow key.
     void hold() override {
         holdBy([&] { hand().press(kRight); }, [&] { letGo(); });
     }

@@ -10,7 +10,7 @@ namespace tiller::test {
 class TestKeyboard : public DesktopTest {
     Q_OBJECT
 
-    /// Holds "1" and the key of "+" until the base joint moves.
+    /// Holds "1" and the key that types "+" until the base joint moves.
     void holdJoint() {
         const std::optional<Typed> plus = hand().find('+');
         const std::optional<Typed> equal = hand().find('=');

@@ -13,7 +13,7 @@ namespace tiller::test {
 class TestStopAboveDialogs : public DesktopTest {
     Q_OBJECT
 
-    /// Lets another client turn the base joint.
+    /// Lets another client rotate the base joint.
     void runOtherProgram() {
         QTcpSocket other;
         other.connectToHost(cell().host(), 30001);

@@ -233,7 +233,7 @@ private Q_SLOTS:
         QCOMPARE(app::Settings(file()).rememberedRobots().first().name, QStringLiteral("Bench"));
     }
 
-    // As with --robot ADDRESS.
+    // Connects as with --robot ADDRESS.
     void aKnownAddressKeepsItsName() {
         simulator::SimulatorOptions options;
         options.anyFreePorts = false;

@@ -191,7 +191,7 @@ void TestIncident::oneClickOpensTheRecordingAtTheStop() {
     QCOMPARE(bench.scene().view().replay()->q[0], bench.valueAtA(name, "actual_q_0"));
     auto& band = bench.find<ReplayBand>("view.replay");
     QVERIFY(band.isVisible() && band.words().contains("REPLAY") && band.words().contains(name));
-    // Input 3 has been switched off since the stop.
+    // Input 3 has been switched off since the stop. The replay shows its state at the stop.
     QCOMPARE(bench.io().input(3)->state(), IoChannel::State::On);
     // The log shows the entries in the file, with the entry of the stop selected.
     QVERIFY(bench.find<ReplayBand>("log.replay").isVisible());

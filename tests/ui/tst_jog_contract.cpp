@@ -245,7 +245,7 @@ private Q_SLOTS:
         QVERIFY(what == "onLock" ? QMetaObject::invokeMethod(watch, what.constData())
                                  : QMetaObject::invokeMethod(watch, what.constData(), Q_ARG(bool, true)));
         QVERIFY(timeToStandstill(cell()) >= 0);
-        // The stop is evaluated after some time at standstill.
+        // The stop is evaluated only after a period of standstill.
         expectStandstillFor(400);
         QCOMPARE(bench_->window.session().state().lastStop.cause, control::StopCause::Sleep);
     }

@@ -478,7 +478,7 @@ private Q_SLOTS:
         QVERIFY2(bench.check().isDone(), qPrintable(bench.check().text()));
         bench.click("practice.done");
         QCOMPARE(bench.learned().practice, QStringList{"measure"});
-        // The external force is removed.
+        // Closing the task removes the external force.
         QVERIFY(bench.until([&] { return std::abs(bench.state().tcpForce.force.z()) < 2; }));
     }
 

@@ -172,7 +172,7 @@ private Q_SLOTS:
 
     void polyScopeXRunsItsProgramsTheSameWay() {
         begin(SoftwareVersion{10, 12, 0, 0});
-        // The programs are listed.
+        // The dialog lists the programs.
         QTRY_COMPARE_WITH_TIMEOUT(state().service, dashboard::ServiceKind::RobotApi, 20'000);
         QVERIFY(run("control.load"));
         auto* dialog = window_->findChild<QInputDialog*>("programDialog");

@@ -132,7 +132,7 @@ private Q_SLOTS:
         cap->setFocus();
         cap->selectAll();
         QTest::keyClicks(cap, "500");
-        // No change before editing is finished.
+        // The value does not change before editing is finished.
         QCOMPARE(page->preferences().speedCap, Preferences::kOrdinaryCap);
         QTest::keyClick(cap, Qt::Key_Return);
         QCOMPARE(page->preferences().speedCap, 0.5);

@@ -85,7 +85,7 @@ bool SocketClient::connect(const QByteArray& ending) {
     ports.trajectory = trajectory_.server.serverPort();
     ports.command = command_.server.serverPort();
     sendScript("stop program\n" + socketScript(ports, ending) + "\n");
-    // The library waits half a second.
+    // The library waits half a second for the connection of the script.
     if (!until([this] { return isReverseConnected(); }, 0.5)) {
         return fail("the script does not connect back");
     }

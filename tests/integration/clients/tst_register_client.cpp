@@ -98,11 +98,11 @@ private Q_SLOTS:
     void theScriptEndsAndStartsAgainAtOnce() {
         QVERIFY(client_->stopScript());
         QCOMPARE(client_->state().runtime, 1U);
-        // Sent as for a path, without pause and dashboard.
+        // The script is sent as for a path, without a pause and without the dashboard.
         client_->scriptSocket().send(registerScript(0));
         robot_.controller.drainSockets();
         QVERIFY(client_->until([this] { return client_->state().runtime == 2; }, 5));
-        // The upload of `reuploadScript` while the script is running.
+        // Performs the upload of `reuploadScript` while the script is running.
         QVERIFY2(client_->upload(), client_->trouble);
         QVERIFY(six(Client::kSix, 43, {}));
     }
@@ -300,7 +300,7 @@ private Q_SLOTS:
         QCOMPARE(client_->state().ints[1], 1);
         QVERIFY(client_->command(Client::kNothing, 54));
         QCOMPARE(client_->state().ints[1], 0);
-        // Commands without waiting are read slightly later.
+        // A command that is sent without waiting is read slightly later.
         QVERIFY(client_->realtime(Client::kNothing, 26));
         client_->step(3);
         QCOMPARE(results()[0], kDt);

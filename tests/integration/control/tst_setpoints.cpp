@@ -199,7 +199,7 @@ private Q_SLOTS:
         QVERIFY(soft.ok());
         const int ticks = cell.ticksToStandstill(2000);
         QVERIFY2(ticks * 2 > 400 && ticks * 2 < 620, qPrintable(QString::number(ticks * 2)));
-        // The controller confirms after the arm has settled.
+        // The controller confirms the stop after the arm has settled.
         QVERIFY(cell.during([&] { return soft->wait(patience()); }).ok());
 
         auto joints = motions.startSpeedJ({2.0, 0}, Holding::Free);

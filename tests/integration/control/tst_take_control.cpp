@@ -213,14 +213,14 @@ private Q_SLOTS:
         QCOMPARE(controller.status().loss, ControlLoss::NotTaken);
         const auto taken = controller.takeControl(soon());
         QVERIFY2(taken.ok(), qPrintable(taken.error().toString()));
-        // A computer that is blocked for 100 ms loses control again.
+        // If the computer is blocked for 100 ms, control is lost again, so try several times.
         QTRY_VERIFY_WITH_TIMEOUT(controller.takeControl(soon()).ok() && controller.status().roundTripMs > 0 &&
                                      controller.status().inControl,
                                  60'000);
         const bool sameVersion = controller.version() == robot.options().software;
         QVERIFY(sameVersion);
         controller.release();
-        // A program that was not ended in time ends after 5 s.
+        // If release() could not end the program, the program ends after 5 s without a heartbeat.
         QTRY_COMPARE_WITH_TIMEOUT(robot.truth().runtimeState, RuntimeState::Stopped, 20'000);
     }
 

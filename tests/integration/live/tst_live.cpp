@@ -202,7 +202,7 @@ void TestLive::invalidRequestsAreAnsweredAndHarmless() {
     bench.send(5);
     TRY_COMPARE(other.messages.size(), 5);
     TRY_COMPARE(viewer.messages.size(), 5);
-    // A viewer that sends continuously is disconnected.
+    // A viewer that sends a request that is too large is disconnected.
     viewer.socket.sendTextMessage(QString(1 << 20, QLatin1Char('x')));
     TRY_COMPARE(viewer.socket.state(), QAbstractSocket::UnconnectedState);
     bench.send(5);

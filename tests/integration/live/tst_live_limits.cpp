@@ -156,7 +156,7 @@ void TestLiveLimits::anUnterminatedHeaderIsBounded() {
     viewer.socket.write("GET / HTTP/1.1\r\n" + line.repeated(static_cast<int>(kAll / line.size())));
     while (viewer.socket.bytesToWrite() > 0 && viewer.socket.waitForBytesWritten(RawViewer::kTimeoutMs)) {
     }
-    // The TCP buffers hold some megabytes that the server never reads.
+    // The TCP buffers hold a few megabytes that the server never reads.
     QVERIFY2(taken < kAll / 2, qPrintable(QString::number(taken)));
 }
 

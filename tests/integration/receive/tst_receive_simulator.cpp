@@ -191,7 +191,7 @@ void TestReceiveSimulator::refusedCpusAreReported() {
     to.cpus = {1000};
     receive::Receiver receiver(to);
     QVERIFY(receiver.start().ok());
-    // Data are received despite the missing fields.
+    // Data are received although the CPU does not exist.
     QVERIFY(eventually([&] { return receiver.counters().packets >= 10; }));
     QVERIFY2(receiver.priority().advice.contains(QStringLiteral("CPU")),
              qPrintable(receiver.priority().advice));

@@ -188,7 +188,7 @@ private Q_SLOTS:
         QVERIFY(cell.told(kAdd + "1, 2, \"slow\")\nmodbus_set_signal_update_frequency(\"slow\", 1)\n" + kAdd +
                           "1, 2, \"fast\")\nmodbus_set_signal_update_frequency(\"fast\", 500)")
                     .isEmpty());
-        // Just after an update of the slow signal.
+        // Change the values just after an update of the slow signal.
         QVERIFY(cell.fault("modbus-signal fast 1").isEmpty());
         const QByteArray both =
             "textmsg(modbus_get_signal_status(\"slow\"))\ntextmsg(modbus_get_signal_status(\"fast\"))";

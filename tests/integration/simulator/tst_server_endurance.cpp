@@ -43,7 +43,7 @@ qint64 residentMemory() {
     return 0;
 }
 
-/// Returns true if a proper client is served as before.
+/// Returns true if a valid client is served as before.
 bool servesAsBefore(VirtualRobot& robot) {
     if (!robot.controller.inject("clear").ok()) {
         return false;

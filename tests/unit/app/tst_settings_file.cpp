@@ -233,7 +233,7 @@ private Q_SLOTS:
         QVERIFY(before.ok());
         QCOMPARE(before->values.value("look/theme").toString(), QString("light"));
         QCOMPARE(before->values.value("robots/size").toInt(), 2);
-        // Tests the reverse direction.
+        // The backup restores the previous settings.
         QVERIFY(settings.replace(*before, {SettingsPart::Look, SettingsPart::Robots}).ok());
         QCOMPARE(Settings(file).rememberedRobots().size(), 2);
         QCOMPARE(Settings(file).theme(), QString("light"));

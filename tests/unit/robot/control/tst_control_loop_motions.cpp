@@ -58,7 +58,7 @@ private Q_SLOTS:
         bench.data.tcpForce = Eigen::Vector3d(0, 0, 41);
         QCOMPARE(bench.tick(3).kind, ScriptCommand::Idle);
         QCOMPARE(bench.causeOf(jog), StopCause::Contact);
-        // The next jog starts from the current force.
+        // The next jog uses the current force as its reference.
         jog = begin();
         QCOMPARE(bench.tick(10).kind, ScriptCommand::JogCartesian);
         // Without force data there is no motion with contact detection.

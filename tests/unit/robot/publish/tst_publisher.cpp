@@ -204,7 +204,7 @@ private Q_SLOTS:
         QCOMPARE(done->closed.load(), 1);
     }
 
-    // The sinks of users may throw.
+    // Sinks written by users may throw exceptions.
     void anExceptionEndsOnlyItsSink() {
         Bench bench;
         const auto failing = bench.sink();

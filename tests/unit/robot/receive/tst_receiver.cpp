@@ -318,7 +318,7 @@ void TestReceiver::backlogSamplesAreNotFresh() {
         clock.advanceNs(2 * kNsPerMs);
     }
     clock.advanceNs(1000 * kNsPerMs);
-    send(1.02);  // sent when the next one was already due
+    send(1.02);  // sent one second late
     TRY_VERIFY(std::llabs(receiver.ageNs() - 1000 * kNsPerMs) < kNsPerMs);
     QVERIFY(!receiver.isFresh(100ms));
     send(1.92);

@@ -368,7 +368,7 @@ void TestSession::wrongCountsAndGarbageAreErrors() {
         QCOMPARE(talk.session.error().code, ErrorCode::ProtocolError);
     }
     {
-        // All types are known, but there is no recipe.
+        // The reply contains no recipe, although all types are known.
         Talk talk(outputs({"timestamp"}));
         talk.acceptProtocol();
         talk.giveVersion();

@@ -151,7 +151,7 @@ void TestSplitter::reportsInvalidSizes() {
     QCOMPARE(static_cast<int>(splitter.fault()), fault);
     QCOMPARE(splitter.error().code, ErrorCode::ProtocolError);
     QVERIFY2(splitter.error().context.contains(QString::number(size)), qPrintable(splitter.error().context));
-    // No further data are accepted.
+    // After an error, no further data are accepted.
     QCOMPARE(splitter.feed(stream()), std::size_t(0));
     QVERIFY(!splitter.next());
 }

@@ -492,7 +492,7 @@ private Q_SLOTS:
         QVERIFY(near((b.forces().range().max() + b.forces().range().min()) / 2, middle, span * 0.01));
         QCOMPARE(b.view().window().span(), time);
         QVERIFY(!b.view().panes()[1]->isZoomed());
-        // New data do not change the window.
+        // New data do not change the zoomed range.
         b.runTo(70);
         QVERIFY(near(b.forces().range().max() - b.forces().range().min(), span * 0.64, 1e-6));
         QTest::mouseDClick(b.view().viewport(), Qt::LeftButton, {}, axis.toPoint());
@@ -1536,7 +1536,7 @@ private Q_SLOTS:
         QVERIFY(messages.last().text.contains("Fz is above 65.0 N"));
         QCOMPARE(b.dock.marks().marks().size(), std::size_t{1});
         QVERIFY(near(b.dock.marks().marks()[0].time, 65.002, 0.0021));
-        // Alarm limits are saved with the plots and removed through the plot menu.
+        // Thresholds are saved with the plots and removed through the plot menu.
         LiveHistory anotherLive(b.session);
         PlotDock another(b.session, anotherLive);
         another.arrange(b.dock.arrangement());

@@ -466,7 +466,7 @@ private Q_SLOTS:
         frame(0, 50, 100);
         QCOMPARE(f.store.valueAt(scalar, 100.02).value(), 10.0);
         QCOMPARE(f.store.valueAt(scalar, 100.0215).value(), 10.0);  // the previous value is kept
-        // The controller time restarts. Both events are handled together.
+        // The controller time restarts with the new connection.
         f.feed.beginLink();
         frame(0, 50, 3);
         const double shown = f.feed.plotTime(3 + 49 * 0.002);

@@ -192,7 +192,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(bench.status().endsWith("No problems found."), kLongMs);
     }
 
-    // Keys for the run must not change the selected step.
+    // Keys that are pressed to control the run must not change the selected step.
     void theFocusOfADisabledButtonDoesNotMoveToAField() {
         TabBench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
@@ -338,7 +338,7 @@ private Q_SLOTS:
         // The completed program starts from the beginning.
         QCOMPARE(bench.hold().text(), QStringLiteral("Run (hold)"));
         QVERIFY(!bench.from().isChecked());
-        // The button and an edit select the beginning as well.
+        // The button and every edit also make the program start from the beginning.
         bench.cell.advanceMs(200);
         QVERIFY(stopInStep(2));
         QVERIFY(bench.from().isChecked());

@@ -456,7 +456,7 @@ private Q_SLOTS:
         const auto reload = notice_->otherAccepted;
         reload();
         QVERIFY(document_->waypoints().isEmpty());
-        // Without a question, the project is saved.
+        // If no question is pending, the project is saved.
         document_->insertWaypoints(0, {named("new")}, "Teach");
         files_->save(nullptr);
         QVERIFY(!files_->store().isModified());

@@ -93,7 +93,7 @@ private Q_SLOTS:
                             nearest = std::min(nearest, outside(rod.shape, place.cast<double>()));
                         }
                     }
-                    // The foot is on the ground and does not move.
+                    // The foot does not move, so a larger distance is permitted.
                     const double allowed = link == 0 ? 0.03 : 0.004;
                     QVERIFY2(nearest < allowed,
                              qPrintable(QStringLiteral("%1, link %2: %3 mm at (%4, %5, %6)")

@@ -320,7 +320,7 @@ private Q_SLOTS:
         type(tab_->findChild<QDoubleSpinBox*>("payload.details.z"), "80");
         QCOMPARE(document_->tooling().payloads.at(0).mass, 2.25);
         QVERIFY(std::abs(document_->tooling().payloads.at(0).centre.z() - 0.08) < 1e-12);
-        // Values out of range are refused and not altered.
+        // Values out of range are refused instead of being clamped.
         type(tab_->findChild<QDoubleSpinBox*>("payload.details.mass"), "80");
         QCOMPARE(document_->tooling().payloads.at(0).mass, 2.25);
         QTest::keyClick(tab_->findChild<QDoubleSpinBox*>("payload.details.mass"), Qt::Key_Escape);

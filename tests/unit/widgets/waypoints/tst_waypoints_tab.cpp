@@ -324,7 +324,7 @@ private Q_SLOTS:
         QCOMPARE(document_->waypoints().size(), 3);
         QVERIFY(!notice()->isVisible());
         QVERIFY(arm_.moves.empty());
-        // A click ends the search text.
+        // A click ends the search, so the next letter is a command.
         QTest::mouseClick(table()->viewport(), Qt::LeftButton, {},
                           table()->visualRect(table()->model()->index(2, WaypointModel::Name)).center());
         QTest::keyClick(table(), Qt::Key_T);

@@ -36,7 +36,7 @@ public:
         const auto limit = Eigen::Map<const Vector6>(arm.model().maxJointSpeed.data());
         worstSpeed = std::max(worstSpeed, (qd.cwiseAbs().array() / limit.array()).maxCoeff());
         worstPosition = std::max(worstPosition, s.targetQ.values.cwiseAbs().maxCoeff());
-        // Position changes match the velocities.
+        // The position change must match the mean velocity.
         worstMismatch = std::max(worstMismatch, (moved - 0.5 * (qd + qd_)).cwiseAbs().maxCoeff());
         q_ = s.targetQ.values;
         qd_ = qd;

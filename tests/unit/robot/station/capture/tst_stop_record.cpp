@@ -100,7 +100,7 @@ private Q_SLOTS:
         if (anew) {
             QCOMPARE(bench.stops.last()->q[0], bench.base);
         }
-        // Reported once, because the following data belong to this stop.
+        // The stop is reported once, because the following data belong to the same stop.
         bench.run(1000);
         QCOMPARE(changed.count(), anew ? 1 : 0);
     }

@@ -279,7 +279,7 @@ private Q_SLOTS:
         bench.cell.advanceMs(1000);
         QTest::qWait(200);  // nothing is claimed, so there is no event to wait for
         QVERIFY2(areFree(), "inputs are claimed while only monitoring");
-        // A single command without control releases the inputs after a while.
+        // A single command without control claims the inputs only temporarily.
         bench.session.outputs().setSpeedSlider(0.5);
         QVERIFY(bench.within([&] { return bench.cell.truth().speedSlider == 0.5; }));
         QVERIFY(!areFree());

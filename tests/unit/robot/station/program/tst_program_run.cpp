@@ -550,7 +550,7 @@ private Q_SLOTS:
         bench.runner.resume();
         QVERIFY(bench.reachStep(4));
         QVERIFY(reach(4));
-        // Removing a breakpoint moves nothing.
+        // Removing a breakpoint does not move the arm.
         bench.runner.setBreakpoints({});
         QVERIFY(reach(4));
         bench.runner.resume();
@@ -658,7 +658,7 @@ private Q_SLOTS:
             QVERIFY2(!bench.runner.changeVariable(name, text), name);
         }
         QVERIFY(bench.runner.isWaiting() && bench.runner.variables().pending().isEmpty());
-        // A change moves nothing and continues nothing.
+        // A change neither moves the arm nor continues the program.
         const auto change = [&](const char* name, const char* text) {
             const qsizetype changes = bench.changes.size();
             if (!bench.runner.changeVariable(name, text) ||
@@ -678,7 +678,7 @@ private Q_SLOTS:
                                              "Variable “done”: False → True"}));
         QCOMPARE(variable("count").text, QStringLiteral("7"));
         QVERIFY(bench.runner.variables().pending().isEmpty());
-        // The program uses the values.
+        // After it has been resumed, the program uses the changed values.
         bench.runner.resume();
         QVERIFY(bench.reachStep(7));
         QVERIFY(bench.reachWaiting());
