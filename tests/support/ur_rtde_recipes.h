@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The RTDE recipes of ur_rtde 1.5.8. Each list of names has a trailing comma. Source: the network traffic of
-// ur_rtde 1.5.8
+// The RTDE recipes of ur_rtde 1.5.8, as seen in its network traffic. Each list of names has a trailing comma.
 
 #include <QByteArray>
 #include <vector>

@@ -626,7 +626,7 @@ private Q_SLOTS:
         QTest::newRow("by its tab") << false;
         QTest::newRow("by its command") << true;
     }
-    // With tabbed panels, nothing moves, and the page in the panel does not change.
+    // Raising a tabbed panel moves no panel and does not change the page in it, but must end the hold.
     void holdEndsWhenAnotherPanelIsRaised() {
         QFETCH(bool, byCommand);
         WindowBench bench;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A client that behaves like Universal Robots' C++ client library 2.14: RTDE with its recipes and a pause in
-// between, the primary interface read package by package, a script sent after "stop program", and three
-// servers to which the script connects. In virtual time, period by period. Source: the network traffic of
-// client library 2.14
+// A client that behaves like Universal Robots' C++ client library 2.14, as seen in its network traffic: it
+// pauses RTDE before it sends the input recipe, reads the primary interface package by package, sends its
+// script after "stop program", and runs three servers to which the script connects. It runs in virtual time,
+// one period per step.
 
 #include <QTcpServer>
 #include <array>

@@ -159,8 +159,8 @@ void TestTiming::requestingNoPriorityIsNotARefusal() {
 }
 
 void TestTiming::aWaitLearnsTheWakeUpLatency() {
-    // 99 of 100 wake-ups are at most 60 us late. The wait adapts to wake up slightly early, whatever its
-    // initial value.
+    // 99 of 100 wake-ups are at most 60 us late. The wait adapts to wake up slightly early, regardless of
+    // its initial value.
     std::mt19937 random(7);
     std::uniform_int_distribution<std::int64_t> usual(10'000, 60'000);
     PunctualWait wait(true);

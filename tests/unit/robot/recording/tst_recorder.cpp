@@ -702,7 +702,7 @@ void TestRecorder::aDeletedFileFailsTheRecording() {
     bench.send(1, 3);
     TRY_COMPARE(recorder.progress().rows, std::uint64_t(3));
     QVERIFY(QFile::remove(bench.path()));
-    // Without stop(): the user must know while there is still time to record again.
+    // The error is reported before stop() is called, so that the user can repeat the recording.
     TRY_COMPARE(recorder.progress().state, RecorderState::Failed);
     QCOMPARE(recorder.error().code, ErrorCode::FileNotWritable);
     QVERIFY2(recorder.error().controllerMessage.contains("deleted"),
