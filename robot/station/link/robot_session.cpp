@@ -842,7 +842,7 @@ void RobotSession::reportExternalProgram() {
     // Tiller's own program also stops or pauses after a loss of control. Only a program that plays without control
     // belongs to another client.
     const bool runs = state.isFresh() && !d_->takingControl && state.foreignProgramRuns() &&
-                      !state.programAbandoned && !state.controlInDoubt &&
+                      !state.programAbandoned && !d_->mayOwnProgramRun() &&
                       (state.runtimeState == RuntimeState::Playing || d_->externalRunSeen);
     if (!state.foreignProgramRuns() && !freeProgram()) {
         d_->changesConfirmed = false;
@@ -864,7 +864,7 @@ void RobotSession::reportExternalProgram() {
                      hasTakenOver ? tr("A program of another client has taken over the robot, and "
                                        "control was lost. Taking control again ends that program.")
                                   : tr("A program of another client is running on the robot."),
-                     Origin::Robot);
+                     Origin::Robot, d_->unknownStartText());
     } else if (state.runtimeState == RuntimeState::Paused && state.control != ControlState::InControl) {
         journal_.add(Severity::Info, tr("The program on the robot is paused."), Origin::Robot);
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "robot/station/link/detail/session_backend.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -65,6 +67,7 @@ void SessionBackend::read() {
         movedBefore = false;
         externalRunSeen = takeoverReported = externalExists = changesConfirmed = readySeen = false;
         externalEndNs.reset();
+        ownProgramNs.reset();
         readNs = 0;
         stalledNs.reset();
         state.speedCap = limits.tcpSpeed;
@@ -228,12 +231,19 @@ bool SessionBackend::isControlInDoubt() {
     constexpr std::int64_t kAfterDeadConnection = 15 * kNsPerSecond;
     constexpr std::int64_t kAfterEndedProgram = 3 * kNsPerSecond;
     const bool deadConnection = loss == ControlLoss::DataStale || loss == ControlLoss::LinkLost;
+    const std::int64_t nowNs = clock->nowNs();
+    const bool isStopped = state.isFresh() && state.runtimeState == RuntimeState::Stopped;
+    if (isStopped) {
+        ownProgramNs.reset();
+    }
     if (takingControl || (!deadConnection && loss != ControlLoss::EchoStalled)) {
         freshSinceLossNs.reset();
-        doubtEnded = false;
+        doubtEnded = ownProgramEnded = false;
+        if (state.control == ControlState::InControl && state.isFresh()) {
+            ownProgramNs = nowNs;
+        }
         return false;
     }
-    const std::int64_t nowNs = clock->nowNs();
     if (!state.isFresh()) {
         freshSinceLossNs.reset();
     } else if (!freshSinceLossNs) {
@@ -241,7 +251,20 @@ bool SessionBackend::isControlInDoubt() {
     }
     const std::int64_t limit = deadConnection ? kAfterDeadConnection : kAfterEndedProgram;
     doubtEnded = doubtEnded || (freshSinceLossNs && nowNs - *freshSinceLossNs >= limit);
+    ownProgramEnded = ownProgramEnded || (deadConnection && (isStopped || isRunningOtherProgram()));
     return !doubtEnded;
+}
+
+/// True if data have been fresh for so long after a dead connection that the control program would be known to be
+/// abandoned if it were running.
+bool SessionBackend::isRunningOtherProgram() const {
+    constexpr std::int64_t kAbandonedKnown = 900 * kNsPerMs;
+    const receive::RobotState robot(sample);
+    const bool isCountKnown = std::any_of(stateFields.begin(), stateFields.end(), [&](const auto& field) {
+        return std::isfinite(robot.number(field));
+    });
+    return isCountKnown && state.isFresh() && state.runtimeState == RuntimeState::Playing &&
+           !state.programAbandoned && clock->nowNs() - freshSinceLossNs.value() >= kAbandonedKnown;
 }
 
 /// True if the control program has ended without a request and another program is running.
@@ -249,6 +272,16 @@ bool SessionBackend::isTakenOver() const {
     using control::ControlLoss;
     return (loss == ControlLoss::ScriptStopped || loss == ControlLoss::EchoStalled) && state.isFresh() &&
            state.foreignProgramRuns() && !state.programAbandoned;
+}
+
+QString SessionBackend::unknownStartText() const {
+    constexpr std::int64_t kReportedAtOnce = kNsPerSecond;
+    const std::int64_t ago = ownProgramNs ? clock->nowNs() - *ownProgramNs : 0;
+    return ago <= kReportedAtOnce
+               ? QString()
+               : RobotSession::tr(
+                     "The program started without connection to Tiller, at most %1 s before this entry.")
+                     .arg(static_cast<double>(ago) / kNsPerSecond, 0, 'f', 1);
 }
 
 /// True while the control program is uploaded again with a path. This is not a loss of control.

@@ -153,8 +153,10 @@ struct SessionBackend {
     LinkState linkSeen = LinkState::Disconnected;
     control::ControlLoss loss = control::ControlLoss::NotTaken;
     std::optional<std::int64_t>
-        freshSinceLossNs;     ///< start of fresh data after a loss of control, host clock
-    bool doubtEnded = false;  ///< data have been fresh long enough
+        freshSinceLossNs;          ///< start of fresh data after a loss of control, host clock
+    bool doubtEnded = false;       ///< data have been fresh long enough
+    bool ownProgramEnded = false;  ///< the control program of a dead connection does not run any more
+    std::optional<std::int64_t> ownProgramNs;  ///< last time in control, until the robot runs no program
     control::ControlLoss lossSeen = control::ControlLoss::NotTaken;  ///< last reported loss
     bool externalRunSeen = false;               ///< the program of another client was reported
     bool takeoverReported = false;              ///< a takeover was reported since control was lost
@@ -185,6 +187,10 @@ struct SessionBackend {
     SessionState stateNow() const;
     control::StopEvidence stopEvidence() const;
     bool isTakenOver() const;
+    /// True if the running program may be the control program of a lost connection.
+    bool mayOwnProgramRun() const { return state.controlInDoubt && !ownProgramEnded; }
+    /// Since when the running program may have been running; empty if it started just now.
+    QString unknownStartText() const;
 
 private:
     void readLink();
@@ -192,6 +198,7 @@ private:
     void readControl();
     bool isSendingPath(const control::ControllerStatus& status) const;
     bool isControlInDoubt();
+    bool isRunningOtherProgram() const;
     void readGuard();
     void noteStop(const control::StopMeasurement& stop, std::uint64_t& seen);
     void noteUnmeasured(const control::UnmeasuredStop& stop, std::uint64_t& seen);

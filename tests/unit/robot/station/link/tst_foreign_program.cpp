@@ -36,6 +36,11 @@ struct ProgramBench {
                cell.truth().qd.values.cwiseAbs().maxCoeff() > 0.05;
     }
     bool isInControl() const { return state().control == ControlState::InControl; }
+    std::vector<JournalEvent> messagesAbout(const QString& part) const {
+        std::vector<JournalEvent> found = session.journal().events();
+        std::erase_if(found, [&](const JournalEvent& event) { return !event.text.contains(part); });
+        return found;
+    }
 
     /// Advances in real time, because another client is involved.
     bool within(const std::function<bool()>& condition) {
@@ -195,6 +200,44 @@ private Q_SLOTS:
         QCOMPARE(messages.filter("Robot mode: ").size(), 1);
         bench.cell.advanceMs(5000);
         QCOMPARE(ends(), 2);
+    }
+
+    void aProgramStartedDuringAnOutageIsLoggedWithinASecond() {
+        ProgramBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.cell.robot.inject("half-open").ok());
+        QVERIFY(
+            bench.withoutData([&] { return bench.state().controlLoss == control::ControlLoss::LinkLost; }));
+        QVERIFY(bench.sendMovingProgram());
+        QVERIFY(bench.withoutData([&] { return bench.moves(); }));
+        QVERIFY(bench.withoutData([&] { return bench.state().isFresh(); }));
+        QCOMPARE(bench.messagesAbout("another client").size(), 0U);
+        QVERIFY(bench.cell.advanceUntil(
+            [&] { return bench.messagesAbout("another client is running").size() == 1; }, 1000));
+        const JournalEvent event = bench.messagesAbout("another client is running").front();
+        QVERIFY2(event.detail.contains("at most"), qPrintable(event.detail));
+        QVERIFY2(bench.state().keysStop(), "the stop keys lose their function too early");
+        bench.cell.advanceMs(16'000);
+        QCOMPARE(bench.messagesAbout("another client").size(), 1U);
+    }
+
+    void aProgramStartedAfterAnOutageIsLoggedAtOnce() {
+        ProgramBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.cell.robot.inject("half-open").ok());
+        QVERIFY(
+            bench.withoutData([&] { return bench.state().controlLoss == control::ControlLoss::LinkLost; }));
+        QVERIFY(bench.withoutData([&] { return bench.state().isFresh(); }));
+        // The control program ends, and is not a program of another client until then.
+        QVERIFY(bench.cell.advanceUntil([&] { return !bench.runs(); }, 5500));
+        bench.cell.advanceMs(100);
+        QVERIFY(bench.state().controlInDoubt);
+        QCOMPARE(bench.messagesAbout("another client").size(), 0U);
+        QVERIFY(bench.sendMovingProgram());
+        QVERIFY(bench.within([&] { return bench.runs(); }));
+        bench.cell.advanceMs(100);
+        QCOMPARE(bench.messagesAbout("another client is running").size(), 1U);
+        QVERIFY(bench.messagesAbout("another client is running").front().detail.isEmpty());
     }
 
     // The control program of a killed process continues to run at standstill for five seconds.
