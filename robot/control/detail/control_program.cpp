@@ -241,7 +241,20 @@ void ControlProgram::yieldTo(const script::SupervisedProgram& program) {
     const std::lock_guard lock(guard_);
     own_ = program;
     sectionName_ = QString();
-    scriptFeedback_ = {program.name, false, false};
+    scriptFeedback_ = {.name = program.name};
+}
+
+void ControlProgram::ScriptFeedback::take(const script::ControllerMessage& message) {
+    if (message.title.endsWith(QLatin1String("STARTED"))) {
+        if (!started) {
+            started = name.isEmpty() || message.text == name;
+            startedAs = message.text;
+        } else if (message.text != startedAs) {
+            stopped = true;  // a controller runs one program at a time
+        }
+    } else if (message.title.endsWith(QLatin1String("STOPPED"))) {
+        stopped = stopped || (name.isEmpty() ? started && message.text == startedAs : message.text == name);
+    }
 }
 
 Error ControlProgram::complaint(const QString& context) {
@@ -251,12 +264,8 @@ Error ControlProgram::complaint(const QString& context) {
         return {};
     }
     for (const auto& message : primary_->takeMessages()) {
-        if (message.kind == script::MessageKind::Key && !scriptFeedback_.name.isEmpty() &&
-            message.text == scriptFeedback_.name) {
-            scriptFeedback_.started =
-                scriptFeedback_.started || message.title.endsWith(QLatin1String("STARTED"));
-            scriptFeedback_.stopped =
-                scriptFeedback_.stopped || message.title.endsWith(QLatin1String("STOPPED"));
+        if (message.kind == script::MessageKind::Key) {
+            scriptFeedback_.take(message);
         }
         if (message.kind == script::MessageKind::RuntimeException) {
             const QString place = message.line > 0 ? placeOf(message.line, message.column) + ": " : "";

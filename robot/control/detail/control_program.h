@@ -23,9 +23,12 @@ class ControlProgram {
 public:
     /// Messages from the controller about a user script.
     struct ScriptFeedback {
-        QString name;
+        QString name;         ///< of the script; empty: it has no name
+        QString startedAs{};  ///< name in the message about its start
         bool started = false;
         bool stopped = false;
+
+        void take(const script::ControllerMessage& message);
     };
 
     ControlProgram(const ControllerOptions& options, ControlLoop& loop, const ControlLink& link,

@@ -122,6 +122,29 @@ private Q_SLOTS:
         QVERIFY(!cell.controller->status().inControl);
     }
 
+    // The robot's messages name no program, and the data never report a stop.
+    void aProgramThatReplacesAScriptWithoutANameIsRecognised() {
+        Cell cell;
+        QVERIFY(cell.takeControl().ok());
+        int ticks = 0;
+        script::ScriptClient other(cell.robot.listenAddress(), cell.robot.ports().primary);
+        cell.everyTick = [&] {
+            if (++ticks == 300) {
+                QVERIFY(other.connect(Deadline::never()).ok());
+                QVERIFY(other.send("def other():\n  while True:\n    sync()\n  end\nend\n", Deadline::never())
+                            .ok());
+            }
+        };
+        const auto ran = cell.during([&] {
+            return Programs(*cell.controller)
+                .runScript("sleep(600)\n", Deadline::after(std::chrono::seconds(20)),
+                           Supervision::Unattended);
+        });
+        QCOMPARE(ran.error().code, ErrorCode::NotInControl);
+        QVERIFY2(ran.error().controllerMessage.contains("another client"), why(ran));
+        QCOMPARE(cell.robot.truth().runtimeState, RuntimeState::Playing);
+    }
+
     // The secondary interface does not report the end of a program, only the data do.
     void aProgramThatFollowsAScriptKeepsRunning() {
         Cell cell;
