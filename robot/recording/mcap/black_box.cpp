@@ -119,6 +119,7 @@ struct BlackBox::Worker : publish::SampleSink {
     Next take(const receive::Sample& sample, std::uint64_t missing) override {
         const SafetyMode now = receive::RobotState(sample).safetyMode();
         // A stop that is already active when connecting happened earlier.
+        const bool wasPending = pending.has_value();
         const bool isNew = previous && sample.connection == lastConnection && *previous != now;
         lastConnection = sample.connection;
         previous = now;
@@ -130,7 +131,8 @@ struct BlackBox::Worker : publish::SampleSink {
         ++packets;
         forgetBefore(sample.hostTimeNs);
         isDue = pending && static_cast<double>(sample.hostTimeNs - stopNs) >= options.after * 1e9;
-        return isDue ? Next::NewTurn : Next::Continue;
+        // A turn that may write the file must be announced by mayBlock().
+        return isDue || (pending && !wasPending) ? Next::NewTurn : Next::Continue;
     }
 
     bool endTurn(bool last) override {

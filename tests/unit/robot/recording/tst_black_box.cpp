@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include <pthread.h>
 #include <QDir>
 #include <QTemporaryDir>
 #include <QTest>
+#include <array>
 #include <cmath>
 #include <mutex>
 
+#include "robot/publish/publisher.h"
 #include "robot/recording/formats/open_recording.h"
 #include "robot/recording/incident.h"
 #include "robot/recording/mcap/black_box.h"
@@ -88,6 +91,7 @@ private Q_SLOTS:
     void aStopPresentOnConnectingIsNotAnIncident();
     void alarmIsAnIncident();
     void stoppingTheBoxWritesAvailableData();
+    void theLastFileDoesNotDelayOtherSinks();
     void numberOfFilesIsLimited();
     void folderErrorIsReported();
     void additionalFieldsBelongToTheirPackets();
@@ -199,6 +203,28 @@ void TestBlackBox::stoppingTheBoxWritesAvailableData() {
     bench.box.stop();
     QCOMPARE(bench.count(), std::size_t(1));
     QCOMPARE(openRecording(bench.incidents.front().path).value()->rows(), std::uint64_t(8));
+}
+
+// The stop arrives in the last turn. The disk may hang, so the file must not be written in the thread that all sinks of
+// the publisher share.
+void TestBlackBox::theLastFileDoesNotDelayOtherSinks() {
+    for (int round = 0; round < 5; ++round) {
+        Bench bench;
+        bench.options.after = 60;
+        QByteArray thread;
+        bench.options.written = [&](const Incident&) {
+            std::array<char, 16> name{};
+            pthread_getname_np(pthread_self(), name.data(), name.size());
+            thread = name.data();
+        };
+        BlackBox box(std::make_shared<publish::Publisher>());
+        QVERIFY(box.start(bench.options, bench.receiver).ok());
+        bench.send(5, 1);
+        TRY_COMPARE(box.packets(), std::uint64_t(5));
+        bench.send(3, 3);
+        box.stop();
+        QCOMPARE(thread, QByteArray("tiller-files"));
+    }
 }
 
 void TestBlackBox::numberOfFilesIsLimited() {
