@@ -88,7 +88,11 @@ QJsonObject toJson(const divergence::Report& report) {
                     {"rows", static_cast<double>(report.rows)},
                     {"left_out", static_cast<double>(report.leftOut)},
                     {"from_start", report.partedFromStart()},
+                    {"model_confirmed", report.isModelConfirmed},
                     {"outcomes", outcomes}};
+    if (report.otherModel) {
+        all["other_model"] = robotModel(*report.otherModel).name;
+    }
     if (const auto first = report.first()) {
         all["first"] = toJson(*first);
     }
@@ -128,9 +132,18 @@ void print(const divergence::Report& report) {
                          .arg(placeOf(*outcome.parted), amountOf(*outcome.parted));
         }
     }
+    if (report.otherModel) {
+        out() << QStringLiteral("The recorded arm is a %1, not a %2. Compare with --model %1.\n")
+                     .arg(QLatin1String(robotModel(*report.otherModel).name),
+                          QLatin1String(robotModel(report.model).name));
+    }
     const auto first = report.first();
     if (!first) {
-        out() << (report.firstCompared ? "arm and model agree\n" : "nothing could be compared\n");
+        out() << (!report.firstCompared ? "nothing could be compared\n"
+                  : report.otherModel   ? "no value is above its limit\n"
+                  : !report.isModelConfirmed
+                      ? "no value is above its limit, but the values may fit other models too\n"
+                      : "arm and model agree\n");
         return;
     }
     out() << QStringLiteral("arm and model differ from %1 s: %2, %3 of %4\n")
@@ -200,8 +213,8 @@ int compare(const CommandArguments& arguments) {
     for (const QString& problem : opened.value()->problems()) {
         complain(problem, kFailed);
     }
-    return report->firstCompared && !report->first() && opened.value()->problems().isEmpty() ? kSuccess
-                                                                                             : kFailed;
+    const bool agrees = report->firstCompared && !report->first() && !report->otherModel;
+    return agrees && opened.value()->problems().isEmpty() ? kSuccess : kFailed;
 }
 
 }  // namespace
@@ -247,7 +260,7 @@ const Command& divergenceCommand() {
              {"json", "", "prints one JSON object instead of text"},
              {"quiet", "", "shows no progress on the terminal"}}),
         .notes =
-            "Exit code: 0 the arm and the model agree, 1 the arm and the model differ or cannot be compared, "
+            "Exit code: 0 no value is above its limit, 1 the arm and the model differ or cannot be compared, "
             "2 invalid arguments.",
         .run = compare};
     return kCommand;

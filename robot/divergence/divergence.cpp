@@ -198,6 +198,77 @@ Result<Eigen::Vector3d> gravityOf(Rows& rows, const RobotModel& model, recording
     return Eigen::Vector3d(found.normalized() * kGravity);
 }
 
+/// Determines the models whose kinematics explain the recorded TCP poses. The TCP offset that follows from the pose and
+/// the joint positions is the recorded one, or at least the same in all rows. The poses of a calibrated arm differ from
+/// those of its nominal model by a few millimetres, and from those of other models by several centimetres.
+/// Returns  empty if the poses fit no model, e.g. because of a tool change, or were not recorded
+Result<std::vector<RobotModelId>> modelsFitting(Rows& rows, recording::RowRange range) {
+    constexpr std::uint64_t kSpots = 100;
+    constexpr double kCalibration = 0.01;  // [m], maximum error of the nominal model
+    constexpr double kRounding = 0.0002;   // [m], for tables with few digits
+    constexpr double kDistinct = 5;        // minimum ratio of the errors of a wrong and the right model
+    const bool hasTargets = rows.targetPose.isThere();
+    if (!hasTargets && !rows.actualPose.isThere()) {
+        return std::vector<RobotModelId>();
+    }
+    const Field& joints = hasTargets ? rows.targetQ : rows.actualQ;
+    const Field& pose = hasTargets ? rows.targetPose : rows.actualPose;
+    const auto& models = robotModels();
+    std::vector<std::optional<Eigen::Vector3d>> references(models.size());
+    std::vector<double> errors(models.size());
+    for (std::uint64_t spot = 0; spot < kSpots; ++spot) {
+        if (const auto read = rows.read({range.first + spot * range.count / kSpots, 1}); !read) {
+            return read.error();
+        }
+        if (rows.count() == 0) {
+            continue;
+        }
+        const JointPositions q(rows.vector<6>(joints, 0));
+        const Vector6 values = rows.vector<6>(pose, 0);
+        const bool offsetKnown = rows.tcpOffset.isThere();
+        const Eigen::Vector3d recorded =
+            offsetKnown ? rows.vector<3>(rows.tcpOffset, 0) : Eigen::Vector3d::Zero().eval();
+        if (!isPlausible(q.values) || !isPlausible(values) || !recorded.allFinite()) {
+            continue;
+        }
+        for (std::size_t i = 0; i < models.size(); ++i) {
+            const Eigen::Vector3d offset =
+                kinematics::forward(models[i].dh, q).inverse() * Eigen::Vector3d(values.head<3>());
+            if (!references[i]) {
+                references[i] = offset;
+            }
+            errors[i] = std::max(errors[i], (offset - (offsetKnown ? recorded : *references[i])).norm());
+        }
+    }
+    std::vector<RobotModelId> fitting;
+    const double least = *std::min_element(errors.begin(), errors.end());
+    if (!references.front() || least > kCalibration) {
+        return fitting;
+    }
+    for (std::size_t i = 0; i < models.size(); ++i) {
+        if (errors[i] <= std::max(kRounding, kDistinct * least)) {
+            fitting.push_back(models[i].id);
+        }
+    }
+    return fitting;
+}
+
+/// Compares the chosen model with the one that the recording states and with its TCP poses.
+void identify(Report& report, const std::vector<RobotModelId>& fitting, std::optional<RobotModelId> stated) {
+    const DhParameters& dh = robotModel(report.model).dh;
+    const bool fits = std::find(fitting.begin(), fitting.end(), report.model) != fitting.end();
+    if (!fitting.empty() && !fits) {
+        report.otherModel = stated && *stated != report.model ? *stated : fitting.front();
+    } else if (stated && *stated != report.model) {
+        report.otherModel = stated;
+    }
+    // Models with the same kinematics differ only in the payload that they can carry.
+    const bool fitsOnlyThis = fits && std::all_of(fitting.begin(), fitting.end(), [&](RobotModelId each) {
+                                  return robotModel(each).dh == dh;
+                              });
+    report.isModelConfirmed = !report.otherModel && (stated == report.model || fitsOnlyThis);
+}
+
 /// Detects the first period during which a value exceeds its limit.
 class Stretch {
 public:
@@ -414,12 +485,16 @@ Error refuse(const recording::Recording& recording, ErrorCode code, const QStrin
     return {code, QStringLiteral("compare %1 with the arm model").arg(recording.path()), why};
 }
 
+QString statedModel(const recording::Recording& recording) {
+    const auto fact = recording.facts().find("model");
+    return fact == recording.facts().end() ? QString() : QString::fromStdString(fact->second);
+}
+
 Result<RobotModelId> modelOf(const recording::Recording& recording, const Choice& choice) {
     if (choice.model) {
         return *choice.model;
     }
-    const auto fact = recording.facts().find("model");
-    const QString said = fact == recording.facts().end() ? QString() : QString::fromStdString(fact->second);
+    const QString said = statedModel(recording);
     if (const auto model = robotModelByName(said)) {
         return *model;
     }
@@ -499,6 +574,11 @@ Result<Report> compare(const recording::Recording& recording, const Choice& choi
             return gravity.error();
         }
         report.gravity = *gravity;
+        const auto fitting = modelsFitting(rows, *range);
+        if (!fitting) {
+            return fitting.error();
+        }
+        identify(report, *fitting, robotModelByName(statedModel(recording)));
     }
     Comparison comparison(rows, robotModel(*model), choice.limits, report);
     for (std::uint64_t done = 0; done < range->count; done += kRowsAtOnce) {

@@ -80,6 +80,11 @@ struct Outcome {
 
 struct Report {
     RobotModelId model = RobotModelId::UR5e;
+    /// The model of the recorded arm if it is another one, according to the recorded TCP poses or to the recording.
+    std::optional<RobotModelId> otherModel = {};
+    /// True if the recording states `model`, or if its TCP poses fit no other model. If false, an arm of another model
+    /// may not differ from `model` in the compared values.
+    bool isModelConfirmed = false;
     /// Gravity vector in the base frame [m/s2], derived from the controller's torques, or that of an upright
     /// arm if this is not possible.
     Eigen::Vector3d gravity = Eigen::Vector3d(0, 0, 9.82);

@@ -35,6 +35,10 @@ QString nameOf(Quantity quantity) {
     return {};
 }
 
+QString nameOf(RobotModelId model) {
+    return QString::fromLatin1(robotModel(model).name);
+}
+
 QString seconds(const divergence::Difference& difference) {
     return format::number(difference.seconds, 3);
 }
@@ -108,10 +112,19 @@ QString deviationText(const divergence::Difference& parting) {
 }
 
 QString reportText(const divergence::Report& report) {
+    if (report.otherModel) {
+        return ComparisonText::tr("The recorded arm is a %1, but it was compared with the model of a %2")
+            .arg(nameOf(*report.otherModel), nameOf(report.model));
+    }
     if (const auto first = report.first()) {
         return deviationText(*first);
     }
-    const QString model = QString::fromLatin1(robotModel(report.model).name);
+    const QString model = nameOf(report.model);
+    if (report.firstCompared && !report.isModelConfirmed) {
+        return ComparisonText::tr(
+                   "No deviation from the model of a %1, but the recorded values may fit other models too")
+            .arg(model);
+    }
     const bool isPartial = std::ranges::any_of(
         report.outcomes, [](const divergence::Outcome& each) { return !each.missing.empty(); });
     if (report.firstCompared && isPartial) {
@@ -127,7 +140,10 @@ QString reportText(const divergence::Report& report) {
 
 QString reportDetails(const divergence::Report& report) {
     QStringList lines;
-    if (report.partedFromStart()) {
+    if (report.otherModel) {
+        lines << ComparisonText::tr("Compare the recording with the model of a %1.")
+                     .arg(nameOf(*report.otherModel));
+    } else if (report.partedFromStart()) {
         lines << ComparisonText::tr(
             "The arm deviates from the model from the start of the recording. Check the payload and the "
             "robot model, and check whether something was touching the arm.");

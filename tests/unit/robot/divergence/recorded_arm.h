@@ -90,6 +90,7 @@ private:
         put("actual_current", state.actualCurrent, 6);
         put("target_TCP_pose", state.targetTcpPose, 6);
         put("actual_TCP_pose", state.actualTcpPose, 6);
+        put("tcp_offset", arm.tcp(), 6);
         put("actual_TCP_force", state.tcpForce.vector(), 6);
         put("payload", arm.payload().mass);
         put("payload_cog", arm.payload().centreOfGravity, 3);

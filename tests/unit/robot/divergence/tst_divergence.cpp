@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "robot/divergence/divergence.h"
+#include "robot/kinematics/arm_kinematics.h"
 #include "tests/unit/robot/divergence/recorded_arm.h"
 
 using namespace tiller;
@@ -60,6 +61,11 @@ private Q_SLOTS:
     void targetSpeedsAreDerivedFromPositions();
     void onlyTheRequestedRangeIsCompared();
     void theRobotModelMustBeKnown();
+    void aRecordingOfAnotherModelIsRecognised_data();
+    void aRecordingOfAnotherModelIsRecognised();
+    void aModelIsConfirmedOnlyIfTheDataDistinguishIt();
+    void theStatedModelIsAMisstatement();
+    void aCalibratedArmConfirmsItsModel();
     void invalidLimitsAreRefused();
     void theComparisonCanBeCancelled();
     void nonFiniteValuesAreHandled();
@@ -260,6 +266,7 @@ void TestDivergence::missingColumnsAreReported() {
     robot.drop("payload");
     robot.drop("payload_cog");
     robot.drop("target_TCP_pose");
+    robot.drop("tcp_offset");
     const Report report = compare(robot.recording()).value();
     QCOMPARE(outcome(report, Quantity::JointCurrent).missing,
              (std::vector<std::string>{"payload", "payload_cog"}));
@@ -309,6 +316,106 @@ void TestDivergence::theRobotModelMustBeKnown() {
     // A wrong model is detected.
     choice.model = RobotModelId::UR20;
     QVERIFY(compare(robot.recording(), choice).value().partedFromStart());
+}
+
+void TestDivergence::aRecordingOfAnotherModelIsRecognised_data() {
+    QTest::addColumn<QString>("stated");
+    QTest::addColumn<QStringList>("dropped");
+    QTest::addColumn<bool>("moves");
+    const QString poses[] = {"target_TCP_pose", "actual_TCP_pose", "tcp_offset"};
+    QTest::newRow("stated") << "UR5e" << QStringList{poses[0], poses[1], poses[2]} << false;
+    QTest::newRow("by the pose at standstill") << "" << QStringList() << false;
+    QTest::newRow("by the poses of a motion") << "" << QStringList{poses[2]} << true;
+    QTest::newRow("by the actual poses") << "" << QStringList{poses[0]} << true;
+}
+
+// The limits do not distinguish the arms: the TCP position is computed from the difference of target and actual.
+void TestDivergence::aRecordingOfAnotherModelIsRecognised() {
+    QFETCH(QString, stated);
+    QFETCH(QStringList, dropped);
+    QFETCH(bool, moves);
+    RecordedArm robot;
+    robot.run(100);
+    if (moves) {
+        work(robot);
+    }
+    robot.model = stated.toStdString();
+    for (const QString& field : dropped + QStringList{"actual_current", "actual_TCP_force"}) {
+        robot.drop(field.toStdString());
+    }
+    Choice choice;
+    choice.model = RobotModelId::UR10e;
+    const Report wrong = compare(robot.recording(), choice).value();
+    QVERIFY(wrong.firstCompared);
+    // Only the actual poses deviate from a model with the recorded offset.
+    QCOMPARE(wrong.first().has_value(), dropped == QStringList{"target_TCP_pose"});
+    QVERIFY(wrong.otherModel.has_value());
+    QCOMPARE(*wrong.otherModel, RobotModelId::UR5e);
+    QVERIFY(!wrong.isModelConfirmed);
+    choice.model = RobotModelId::UR5e;
+    const Report right = compare(robot.recording(), choice).value();
+    QVERIFY(!right.first() && !right.otherModel && right.isModelConfirmed);
+}
+
+void TestDivergence::aModelIsConfirmedOnlyIfTheDataDistinguishIt() {
+    RecordedArm robot;
+    robot.run(200);
+    robot.model = "";
+    robot.drop("tcp_offset");  // at standstill, any offset explains the pose
+    robot.drop("actual_current");
+    robot.drop("actual_TCP_force");
+    for (const RobotModelId id : {RobotModelId::UR5e, RobotModelId::UR10e}) {
+        Choice choice;
+        choice.model = id;
+        const Report report = compare(robot.recording(), choice).value();
+        QVERIFY(!report.first() && !report.otherModel && !report.isModelConfirmed);
+    }
+    // Without poses.
+    robot.drop("target_TCP_pose");
+    robot.drop("actual_TCP_pose");
+    Choice choice;
+    choice.model = RobotModelId::UR5e;
+    QVERIFY(!compare(robot.recording(), choice).value().isModelConfirmed);
+}
+
+void TestDivergence::theStatedModelIsAMisstatement() {
+    RecordedArm robot;
+    robot.run(200);
+    robot.model = "UR10e";
+    const Report report = compare(robot.recording()).value();
+    QVERIFY(report.otherModel && !report.isModelConfirmed);
+    QCOMPARE(*report.otherModel, RobotModelId::UR5e);
+}
+
+void TestDivergence::aCalibratedArmConfirmsItsModel() {
+    RecordedArm robot;
+    robot.run(50);
+    work(robot);
+    robot.model = "";
+    const Pose tool(0, 0, 0.1, 0, 0, 0);
+    DhParameters dh = robotModel(RobotModelId::UR5e).dh;
+    dh.a[1] += 0.0015;
+    dh.d[3] -= 0.001;
+    dh.theta[2] += 0.002;
+    for (std::size_t row = 0; row < robot.rows(); ++row) {
+        JointPositions q;
+        for (int joint = 0; joint < kJointCount; ++joint) {
+            q[joint] = robot.columns["target_q_" + std::to_string(joint)][row];
+        }
+        const Pose pose = kinematics::forwardTcp(dh, q, tool);
+        for (int i = 0; i < 6; ++i) {
+            robot.columns["target_TCP_pose_" + std::to_string(i)][row] = pose[i];
+            robot.columns["tcp_offset_" + std::to_string(i)][row] = tool[i];
+        }
+    }
+    Choice choice;
+    choice.model = RobotModelId::UR5e;
+    QVERIFY(compare(robot.recording(), choice).value().isModelConfirmed);
+    choice.model = RobotModelId::UR10e;
+    QCOMPARE(compare(robot.recording(), choice).value().otherModel, std::optional(RobotModelId::UR5e));
+    // Without the offset.
+    robot.drop("tcp_offset");
+    QCOMPARE(compare(robot.recording(), choice).value().otherModel, std::optional(RobotModelId::UR5e));
 }
 
 void TestDivergence::invalidLimitsAreRefused() {
