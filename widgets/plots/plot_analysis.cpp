@@ -204,6 +204,13 @@ std::optional<PlotAnalysis::Task> PlotAnalysis::taskFor(Kind kind, const std::ve
         explainMissingResult(tr("This range contains no samples. Select a different range."));
         return std::nullopt;
     }
+    if (std::any_of(wanted.begin(), wanted.end(),
+                    [&](int each) { return store_.mixesRobots(each, task.range.from, task.range.to); })) {
+        explainMissingResult(
+            tr("This range contains samples of different robots. Place cursors A and B around "
+               "the data of one robot."));
+        return std::nullopt;
+    }
     if (kind == Kind::Xy) {
         task.every = (task.end - task.begin + kMaxPoints - 1) / kMaxPoints;
         if (isFar(task) && !store_.stretchOf(task.wanted, task.begin, task.end)) {

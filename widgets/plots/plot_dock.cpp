@@ -244,6 +244,8 @@ PlotDock::PlotDock(RobotSession& session, LiveHistory& live, QWidget* parent)
     connect(&session_, &RobotSession::linkBegan, this, [this] {
         pages_->clearZero();  // another robot or tool may be connected
     });
+    connect(&live_, &LiveHistory::robotChanged, this,
+            [this](double time, const QString& robot) { marks_->addNote(time, tr("Robot: %1").arg(robot)); });
     connect(&session_, &RobotSession::samplesReceived, this, &PlotDock::take);
     connect(&session_, &RobotSession::stateChanged, this, &PlotDock::onState);
     onState(session_.state());

@@ -120,6 +120,7 @@ void PlotValues::fill() {
         const SignalInfo& info = store_.info(shown[i]);
         const double va = a ? store_.valueAt(shown[i], *a).value_or(kMissing) : kMissing;
         const double vb = b ? store_.valueAt(shown[i], *b).value_or(kMissing) : kMissing;
+        const bool isMixed = a && b && store_.mixesRobots(shown[i], *a, *b);
         std::optional<RangeStatistics> all;
         if (a && b) {
             all = sums_.statistics(shown[i], *a, *b);
@@ -139,7 +140,7 @@ void PlotValues::fill() {
         const QStringList cells{name,
                                 figure(va),
                                 figure(vb),
-                                figure(vb - va),
+                                figure(isMixed ? kMissing : vb - va),
                                 ofAll([](const RangeStatistics& s) { return s.min; }),
                                 ofAll([](const RangeStatistics& s) { return s.max; }),
                                 ofAll([](const RangeStatistics& s) { return s.mean; }, 1),

@@ -791,7 +791,7 @@ QString PlotView::readout() const {
         const auto va = store_.valueAt(readoutSignal_, *a);
         const auto vb = store_.valueAt(readoutSignal_, *b);
         std::optional<double> difference;
-        if (va && vb) {
+        if (va && vb && !store_.mixesRobots(readoutSignal_, *a, *b)) {
             difference = *vb - *va;
         }
         return tr("A–B Δt %1 s · Δ%2 %3").arg(format::number(*b - *a, 3), name, valueText(difference));

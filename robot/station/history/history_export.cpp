@@ -92,7 +92,7 @@ Result<std::int64_t> exportCsv(const SignalStore& store, const std::vector<int>&
                          "This range contains no samples. Select a different range, then export again."),
                      {}};
     }
-    if (store.hasSeveralRobots(begin, end)) {
+    if (store.hasSeveralRobots(history.time(begin), history.time(end - 1))) {
         return Error{
             ErrorCode::Rejected,
             QCoreApplication::translate("tiller::PlotDock",

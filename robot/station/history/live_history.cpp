@@ -14,6 +14,9 @@ LiveHistory::LiveHistory(RobotSession& session, QObject* parent) : QObject(paren
         feed_.beginLink();
         const RobotAddress& address = session.address();
         store_.setRobot(QStringLiteral("%1 %2").arg(address.host).arg(address.portOffset));
+        robot_ = address.name.isEmpty() || address.name == address.host
+                     ? address.host
+                     : QStringLiteral("%1 (%2)").arg(address.name, address.host);
     });
     connect(&session, &RobotSession::samplesReceived, this, &LiveHistory::take);
     connect(&session, &RobotSession::extraSamplesReceived, this,
@@ -23,7 +26,11 @@ LiveHistory::LiveHistory(RobotSession& session, QObject* parent) : QObject(paren
 }
 
 void LiveHistory::take(const SampleBatch& batch) {
+    const std::int64_t before = store_.live().end();
     feed_.take(batch);
+    if (const auto change = store_.newestRobotChange(); change && *change >= before) {
+        Q_EMIT robotChanged(store_.live().time(*change), robot_);
+    }
     const LaneEntry none = noDataEntry();
     for (const HistoryFeed::Silence& silence : feed_.takeDataGaps()) {
         lane_.add(silence.from, none.kind, none.label);

@@ -39,6 +39,12 @@ public:
     /// Sets the text in the lane for the running step of a program. Empty if no program runs.
     void setStepLabel(const QString& label) { stepLabel_ = label; }
 
+Q_SIGNALS:
+    /// The samples from this time of the plots' time axis on are of another robot than the samples before.
+    /// time   [s]
+    /// robot  name and address
+    void robotChanged(double time, const QString& robot);
+
 private:
     void take(const SampleBatch& batch);
     void follow(const SessionState& state);
@@ -46,6 +52,7 @@ private:
     SignalStore store_;
     HistoryFeed feed_{store_};
     StateLane lane_;
+    QString robot_;  ///< name and address
     QString jogLabel_;
     QString stepLabel_;
     std::optional<double> backAt_;  ///< time at which data arrived again, not yet added to the lane [s]

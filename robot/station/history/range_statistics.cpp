@@ -159,6 +159,12 @@ void RangeStatisticsCache::want(std::span<const int> wanted, double from, double
         if (!range) {
             continue;
         }
+        if (store_.mixesRobots(signal, from, to)) {
+            problem_ =
+                tr("The range contains samples of different robots. Place cursors A and B in the data of "
+                   "one robot.");
+            continue;
+        }
         if (const auto failed = failed_.constFind(store_.recordingOf(signal)); failed != failed_.constEnd()) {
             problem_ = *failed;
         }
@@ -257,7 +263,7 @@ void RangeStatisticsCache::read(const QString& recording, const std::vector<int>
 
 std::optional<RangeStatistics> RangeStatisticsCache::statistics(int signal, double from, double to) const {
     const auto range = rangeOf(signal, from, to);
-    if (!range) {
+    if (!range || store_.mixesRobots(signal, from, to)) {
         return std::nullopt;
     }
     const std::int64_t first = range->firstBlock();

@@ -46,15 +46,27 @@ Result<void> readTimes(const recording::Recording& file, SeriesBuffer& history, 
 }  // namespace
 
 void SignalStore::setRobot(const QString& robot) {
-    if (!robot_.isEmpty() && robot != robot_ && !live().isEmpty()) {
-        robotChanges_.push_back(live().end());
+    if (!robots_.empty() && robots_.back().first == live().end()) {
+        robots_.pop_back();  // it sent nothing
     }
-    robot_ = robot;
+    if (robots_.empty() || robots_.back().second != robot) {
+        robots_.emplace_back(live().end(), robot);
+    }
 }
 
-bool SignalStore::hasSeveralRobots(std::int64_t begin, std::int64_t end) const {
-    return std::ranges::any_of(robotChanges_,
-                               [&](std::int64_t change) { return begin < change && change < end; });
+std::optional<std::int64_t> SignalStore::newestRobotChange() const {
+    const bool isChange = robots_.size() > 1 && robots_.back().first < live().end();
+    return isChange ? std::optional(robots_.back().first) : std::nullopt;
+}
+
+bool SignalStore::hasSeveralRobots(double from, double to) const {
+    const double earliest = std::min(from, to);
+    const double latest = std::max(from, to);
+    return std::any_of(robots_.begin(), robots_.end(), [&](const auto& robot) {
+        const std::int64_t change = robot.first;
+        return &robot != &robots_.front() && live().first() < change && change < live().end() &&
+               earliest <= live().time(change - 1) && latest >= live().time(change);
+    });
 }
 
 SignalStore::SignalStore(const HistoryLimits& limits, QObject* parent) : QObject(parent), limits_(limits) {

@@ -118,8 +118,14 @@ public:
     /// Sets the robot of all samples added from now on.
     /// robot  its address
     void setRobot(const QString& robot);
-    /// True if the live samples begin ... end - 1 are of different robots.
-    bool hasSeveralRobots(std::int64_t begin, std::int64_t end) const;
+    /// The first live sample of the newest robot, if other robots' samples precede it and it has arrived.
+    std::optional<std::int64_t> newestRobotChange() const;
+    /// True if the robot's samples between these times, in either order, are of different robots.
+    bool hasSeveralRobots(double from, double to) const;
+    /// Like hasSeveralRobots(), for a signal. False if it belongs to a recording.
+    bool mixesRobots(int signal, double from, double to) const {
+        return !isRecorded(signal) && hasSeveralRobots(from, to);
+    }
     const SeriesBuffer& further() const { return *tables_[kFurther].buffer; }
     /// Appends rows. source(column, row) returns each value of the signals sent by the robot.
     template <class Source>
@@ -224,8 +230,8 @@ private:
     std::vector<Signal> signals_;
     QHash<QString, int> byKey_;
     std::vector<std::pair<double, double>> clocks_;  ///< see beginClock(), in the order of their times
-    QString robot_;                                  ///< address of the robot of the newest live samples
-    std::vector<std::int64_t> robotChanges_;         ///< first live sample of each further robot
+    /// Each robot from its first live sample on, which may not have arrived yet, in this order.
+    std::vector<std::pair<std::int64_t, QString>> robots_;
     QHash<const void*, QSet<int>> wanted_;
     QStringList furtherFields_;
     QString problem_;

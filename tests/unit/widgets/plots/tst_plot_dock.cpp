@@ -591,6 +591,36 @@ private Q_SLOTS:
         QVERIFY(!std::isnan(column(65).left));
     }
 
+    void aChangeOfTheRobotIsMarked() {
+        Bench b;
+        const auto connectTo = [&](const char* name, const char* host) {
+            b.session.connectTo({name, host, 0, false});
+            b.session.shutDown();
+        };
+        connectTo("Left", "127.0.0.1");
+        b.runTo(61);
+        QCOMPARE(b.dock.marks().marks().size(), std::size_t(0));
+        connectTo("Right", "127.0.0.2");
+        QCOMPARE(b.dock.marks().marks().size(), std::size_t(0));
+        b.runTo(70);
+        QCOMPARE(b.dock.marks().marks().size(), std::size_t(1));
+        const PlotMark mark = b.dock.marks().marks().front();
+        QCOMPARE(mark.text, QStringLiteral("Robot: Right (127.0.0.2)"));
+        QVERIFY(near(mark.time, 61.2, 0.02));
+        QVERIFY(b.dock.history().gapBefore(b.dock.history().lowerBound(mark.time)));
+        // Differences and x-y plots do not mix the robots.
+        b.view().setCursor(PlotView::Cursor::A, 60);
+        b.view().setCursor(PlotView::Cursor::B, 65);
+        QVERIFY2(b.view().readout().endsWith(QStringLiteral("ΔFz – N")), qPrintable(b.view().readout()));
+        b.dock.setAnalysisShown(true);
+        auto* analysis = b.dock.findChild<PlotAnalysis*>();
+        analysis->setKind(PlotAnalysis::Kind::Xy);
+        QVERIFY2(analysis->canvas().message().contains("different robots"), qPrintable(analysis->title()));
+        b.view().setCursor(PlotView::Cursor::A, 62);
+        QTRY_VERIFY_WITH_TIMEOUT(!analysis->title().isEmpty(), 60'000);
+        QVERIFY2(!b.view().readout().endsWith(QStringLiteral("– N")), qPrintable(b.view().readout()));
+    }
+
     void aCurveIsDrawnAtItsValues() {
         SeriesBuffer history(1);
         std::array<float, 1> row{};

@@ -108,6 +108,40 @@ class TestRangeStatistics : public QObject {
 private Q_SLOTS:
     void initTestCase() { long_ = std::make_unique<Long>(); }
 
+    // Statistics of two robots would describe neither.
+    void samplesOfTwoRobotsAreNotMixed() {
+        SignalStore store;
+        const int signal = store.find("actual_q_0");
+        const int derived = store.derive("total = integral(actual_q_0, 50)").value();
+        const auto append = [&](double from, double value) {
+            std::vector<SeriesBuffer::Row> rows;
+            for (int i = 0; i < 100; ++i) {
+                rows.push_back({from + i * kPeriod, i == 0});
+            }
+            store.appendLive(rows, [&](std::size_t, std::size_t) { return value; });
+        };
+        store.setRobot("first");
+        append(1, 5);
+        store.setRobot("other");  // sends nothing
+        store.setRobot("first");
+        append(2, 5);
+        RangeStatisticsCache sums(store);
+        QCOMPARE(ask(sums, signal, 1, 2.9).value().count, std::int64_t(200));
+        QVERIFY(!store.newestRobotChange());
+        store.setRobot("second");
+        QVERIFY(!store.newestRobotChange());
+        append(3, 7);
+        QCOMPARE(store.newestRobotChange(), std::optional<std::int64_t>(200));
+        QVERIFY(!ask(sums, signal, 1, 4));
+        QVERIFY2(sums.problem().contains("different robots"), qPrintable(sums.problem()));
+        QVERIFY(store.mixesRobots(signal, 4, 1) && store.mixesRobots(derived, 2.1, 3));
+        QVERIFY(!store.mixesRobots(signal, 2.5, 4) && !store.mixesRobots(signal, 1, 2.9));
+        QCOMPARE(ask(sums, signal, 2.9, 4).value().mean, 7.0);
+        QVERIFY(sums.problem().isEmpty());
+        // A computed signal restarts.
+        QVERIFY(store.valueAt(derived, 3.01).value() < 0.2);
+    }
+
     void statisticsMatchTheSamplesInMemory() {
         SignalStore store;
         const int signal = store.find("actual_TCP_force_2");
