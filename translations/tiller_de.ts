@@ -324,6 +324,18 @@
         <source>The compared values match the model of a %1; other values were not recorded</source>
         <translation>Die verglichenen Werte stimmen mit dem Modell eines %1 überein; andere Werte wurden nicht aufgezeichnet</translation>
     </message>
+    <message>
+        <source>The recorded arm is a %1, but it was compared with the model of a %2</source>
+        <translation>Der aufgezeichnete Arm ist ein %1, wurde aber mit dem Modell eines %2 verglichen</translation>
+    </message>
+    <message>
+        <source>No deviation from the model of a %1, but the recorded values may fit other models too</source>
+        <translation>Keine Abweichung vom Modell eines %1, aber die aufgezeichneten Werte können auch zu anderen Modellen passen</translation>
+    </message>
+    <message>
+        <source>Compare the recording with the model of a %1.</source>
+        <translation>Vergleichen Sie die Aufzeichnung mit dem Modell eines %1.</translation>
+    </message>
 </context>
 <context>
     <name>ControllerCodes</name>
@@ -8104,6 +8116,10 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <source>Reading the recording: %1</source>
         <translation>Aufzeichnung wird gelesen: %1</translation>
     </message>
+    <message>
+        <source>This range contains samples of different robots. Place cursors A and B around the data of one robot.</source>
+        <translation>Dieser Bereich enthält Messwerte verschiedener Roboter. Setzen Sie die Cursor A und B um die Daten eines Roboters.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotComparison</name>
@@ -8546,6 +8562,10 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
     <message>
         <source>The range contains samples of different robots. Select a range of one robot with the cursors A and B, then export again.</source>
         <translation>Der Bereich enthält Werte verschiedener Roboter. Wählen Sie mit den Cursorn A und B einen Bereich eines Roboters und exportieren Sie erneut.</translation>
+    </message>
+    <message>
+        <source>Robot: %1</source>
+        <translation>Roboter: %1</translation>
     </message>
 </context>
 <context>
@@ -10080,6 +10100,10 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     <message>
         <source>Not stopped: a program is still running (%1). Press STOP again.</source>
         <translation>Nicht gestoppt: Ein Programm läuft noch (%1). Drücken Sie erneut STOP.</translation>
+    </message>
+    <message>
+        <source>The program started without connection to Tiller, at most %1 s before this entry.</source>
+        <translation>Das Programm startete ohne Verbindung zu Tiller, höchstens %1 s vor diesem Eintrag.</translation>
     </message>
 </context>
 <context>
@@ -13446,6 +13470,13 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     <message>
         <source>Practice: add “%1”</source>
         <translation>Übung: „%1“ hinzufügen</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RangeStatisticsCache</name>
+    <message>
+        <source>The range contains samples of different robots. Place cursors A and B in the data of one robot.</source>
+        <translation>Der Bereich enthält Messwerte verschiedener Roboter. Setzen Sie die Cursor A und B in die Daten eines Roboters.</translation>
     </message>
 </context>
 </TS>

@@ -324,6 +324,18 @@
         <source>The compared values match the model of a %1; other values were not recorded</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The recorded arm is a %1, but it was compared with the model of a %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No deviation from the model of a %1, but the recorded values may fit other models too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare the recording with the model of a %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ControllerCodes</name>
@@ -8096,6 +8108,10 @@ Press “Measure…” to measure the payload with the arm.</source>
         <source>Reading the recording: %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>This range contains samples of different robots. Place cursors A and B around the data of one robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotComparison</name>
@@ -8537,6 +8553,10 @@ Press “Measure…” to measure the payload with the arm.</source>
     </message>
     <message>
         <source>The range contains samples of different robots. Select a range of one robot with the cursors A and B, then export again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robot: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10066,6 +10086,10 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>Not stopped: a program is still running (%1). Press STOP again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program started without connection to Tiller, at most %1 s before this entry.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -13429,6 +13453,13 @@ Jog the arm to a position and press “Teach here” (T).</source>
     </message>
     <message>
         <source>Practice: add “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RangeStatisticsCache</name>
+    <message>
+        <source>The range contains samples of different robots. Place cursors A and B in the data of one robot.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -324,6 +324,18 @@
         <source>The compared values match the model of a %1; other values were not recorded</source>
         <translation>Los valores comparados coinciden con el modelo de un %1; otros valores no se han registrado</translation>
     </message>
+    <message>
+        <source>The recorded arm is a %1, but it was compared with the model of a %2</source>
+        <translation>El brazo registrado es un %1, pero se comparó con el modelo de un %2</translation>
+    </message>
+    <message>
+        <source>No deviation from the model of a %1, but the recorded values may fit other models too</source>
+        <translation>Sin desviación respecto al modelo de un %1, pero los valores registrados también pueden corresponder a otros modelos</translation>
+    </message>
+    <message>
+        <source>Compare the recording with the model of a %1.</source>
+        <translation>Compare el registro con el modelo de un %1.</translation>
+    </message>
 </context>
 <context>
     <name>ControllerCodes</name>
@@ -8104,6 +8116,10 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <source>Reading the recording: %1</source>
         <translation>Leyendo la grabación: %1</translation>
     </message>
+    <message>
+        <source>This range contains samples of different robots. Place cursors A and B around the data of one robot.</source>
+        <translation>Este intervalo contiene muestras de robots distintos. Coloque los cursores A y B alrededor de los datos de un solo robot.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotComparison</name>
@@ -8546,6 +8562,10 @@ Pulse Medir… para medir la carga con el brazo.</translation>
     <message>
         <source>The range contains samples of different robots. Select a range of one robot with the cursors A and B, then export again.</source>
         <translation>El rango contiene valores de distintos robots. Seleccione con los cursores A y B un rango de un solo robot y exporte de nuevo.</translation>
+    </message>
+    <message>
+        <source>Robot: %1</source>
+        <translation>Robot: %1</translation>
     </message>
 </context>
 <context>
@@ -10080,6 +10100,10 @@ Suelte el botón para detener el brazo.</translation>
     <message>
         <source>Not stopped: a program is still running (%1). Press STOP again.</source>
         <translation>No se ha detenido: un programa sigue en ejecución (%1). Pulse STOP de nuevo.</translation>
+    </message>
+    <message>
+        <source>The program started without connection to Tiller, at most %1 s before this entry.</source>
+        <translation>El programa se inició sin conexión con Tiller, como máximo %1 s antes de esta entrada.</translation>
     </message>
 </context>
 <context>
@@ -13446,6 +13470,13 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     <message>
         <source>Practice: add “%1”</source>
         <translation>Ejercicio: añadir «%1»</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RangeStatisticsCache</name>
+    <message>
+        <source>The range contains samples of different robots. Place cursors A and B in the data of one robot.</source>
+        <translation>El intervalo contiene muestras de robots distintos. Coloque los cursores A y B en los datos de un solo robot.</translation>
     </message>
 </context>
 </TS>

@@ -324,6 +324,18 @@
         <source>The compared values match the model of a %1; other values were not recorded</source>
         <translation>Les valeurs comparées correspondent au modèle d’un %1 ; les autres valeurs n’ont pas été enregistrées</translation>
     </message>
+    <message>
+        <source>The recorded arm is a %1, but it was compared with the model of a %2</source>
+        <translation>Le bras enregistré est un %1, mais il a été comparé au modèle d’un %2</translation>
+    </message>
+    <message>
+        <source>No deviation from the model of a %1, but the recorded values may fit other models too</source>
+        <translation>Aucun écart par rapport au modèle d’un %1, mais les valeurs enregistrées peuvent aussi correspondre à d’autres modèles</translation>
+    </message>
+    <message>
+        <source>Compare the recording with the model of a %1.</source>
+        <translation>Comparez l’enregistrement au modèle d’un %1.</translation>
+    </message>
 </context>
 <context>
     <name>ControllerCodes</name>
@@ -8104,6 +8116,10 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <source>Reading the recording: %1</source>
         <translation>Lecture de l’enregistrement : %1</translation>
     </message>
+    <message>
+        <source>This range contains samples of different robots. Place cursors A and B around the data of one robot.</source>
+        <translation>Cette plage contient des échantillons de robots différents. Placez les curseurs A et B autour des données d’un seul robot.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotComparison</name>
@@ -8546,6 +8562,10 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
     <message>
         <source>The range contains samples of different robots. Select a range of one robot with the cursors A and B, then export again.</source>
         <translation>La plage contient des valeurs de différents robots. Sélectionnez avec les curseurs A et B une plage d’un seul robot, puis exportez de nouveau.</translation>
+    </message>
+    <message>
+        <source>Robot: %1</source>
+        <translation>Robot : %1</translation>
     </message>
 </context>
 <context>
@@ -10080,6 +10100,10 @@ Relâchez le bouton pour arrêter le bras.</translation>
     <message>
         <source>Not stopped: a program is still running (%1). Press STOP again.</source>
         <translation>Pas d’arrêt : un programme est toujours en cours (%1). Appuyez de nouveau sur STOP.</translation>
+    </message>
+    <message>
+        <source>The program started without connection to Tiller, at most %1 s before this entry.</source>
+        <translation>Le programme a démarré sans connexion avec Tiller, au plus %1 s avant cette entrée.</translation>
     </message>
 </context>
 <context>
@@ -13446,6 +13470,13 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     <message>
         <source>Practice: add “%1”</source>
         <translation>Exercice : ajouter « %1 »</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RangeStatisticsCache</name>
+    <message>
+        <source>The range contains samples of different robots. Place cursors A and B in the data of one robot.</source>
+        <translation>La plage contient des échantillons de robots différents. Placez les curseurs A et B dans les données d’un seul robot.</translation>
     </message>
 </context>
 </TS>

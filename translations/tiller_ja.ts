@@ -324,6 +324,18 @@
         <source>The compared values match the model of a %1; other values were not recorded</source>
         <translation>比較した値は %1 のモデルと一致します。その他の値は記録されていません</translation>
     </message>
+    <message>
+        <source>The recorded arm is a %1, but it was compared with the model of a %2</source>
+        <translation>記録されたアームは %1 ですが、%2 のモデルと比較されました</translation>
+    </message>
+    <message>
+        <source>No deviation from the model of a %1, but the recorded values may fit other models too</source>
+        <translation>%1 のモデルとの差はありませんが、記録された値は他のモデルにも当てはまる可能性があります</translation>
+    </message>
+    <message>
+        <source>Compare the recording with the model of a %1.</source>
+        <translation>記録を %1 のモデルと比較してください。</translation>
+    </message>
 </context>
 <context>
     <name>ControllerCodes</name>
@@ -8088,6 +8100,10 @@ Press “Measure…” to measure the payload with the arm.</source>
         <source>Reading the recording: %1</source>
         <translation>記録を読み込み中: %1</translation>
     </message>
+    <message>
+        <source>This range contains samples of different robots. Place cursors A and B around the data of one robot.</source>
+        <translation>この範囲には異なるロボットのサンプルが含まれています。カーソル A と B で 1 台のロボットのデータを囲んでください。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotComparison</name>
@@ -8527,6 +8543,10 @@ Press “Measure…” to measure the payload with the arm.</source>
     <message>
         <source>The range contains samples of different robots. Select a range of one robot with the cursors A and B, then export again.</source>
         <translation>範囲に複数のロボットのデータが含まれています。カーソル A と B で 1 台のロボットの範囲を選択して、もう一度エクスポートしてください。</translation>
+    </message>
+    <message>
+        <source>Robot: %1</source>
+        <translation>ロボット: %1</translation>
     </message>
 </context>
 <context>
@@ -10054,6 +10074,10 @@ Release the button to stop the arm.</source>
     <message>
         <source>Not stopped: a program is still running (%1). Press STOP again.</source>
         <translation>停止していません: プログラムがまだ実行中です (%1)。もう一度 STOP を押してください。</translation>
+    </message>
+    <message>
+        <source>The program started without connection to Tiller, at most %1 s before this entry.</source>
+        <translation>プログラムは Tiller との接続がない間に開始されました。この記録の最大 %1 秒前です。</translation>
     </message>
 </context>
 <context>
@@ -13403,6 +13427,13 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>Practice: add “%1”</source>
         <translation>練習：「%1」を追加</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RangeStatisticsCache</name>
+    <message>
+        <source>The range contains samples of different robots. Place cursors A and B in the data of one robot.</source>
+        <translation>この範囲には異なるロボットのサンプルが含まれています。カーソル A と B を 1 台のロボットのデータに置いてください。</translation>
     </message>
 </context>
 </TS>

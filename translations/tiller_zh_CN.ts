@@ -324,6 +324,18 @@
         <source>The compared values match the model of a %1; other values were not recorded</source>
         <translation>所比较的数值与 %1 的模型一致；其他数值未记录</translation>
     </message>
+    <message>
+        <source>The recorded arm is a %1, but it was compared with the model of a %2</source>
+        <translation>记录的手臂是 %1，但与 %2 的模型进行了比较</translation>
+    </message>
+    <message>
+        <source>No deviation from the model of a %1, but the recorded values may fit other models too</source>
+        <translation>与 %1 的模型没有偏差，但记录的值也可能符合其他型号</translation>
+    </message>
+    <message>
+        <source>Compare the recording with the model of a %1.</source>
+        <translation>请将记录与 %1 的模型进行比较。</translation>
+    </message>
 </context>
 <context>
     <name>ControllerCodes</name>
@@ -8088,6 +8100,10 @@ Press “Measure…” to measure the payload with the arm.</source>
         <source>Reading the recording: %1</source>
         <translation>正在读取记录：%1</translation>
     </message>
+    <message>
+        <source>This range contains samples of different robots. Place cursors A and B around the data of one robot.</source>
+        <translation>该范围包含不同机器人的样本。请将光标 A 和 B 放在同一台机器人数据的两端。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotComparison</name>
@@ -8527,6 +8543,10 @@ Press “Measure…” to measure the payload with the arm.</source>
     <message>
         <source>The range contains samples of different robots. Select a range of one robot with the cursors A and B, then export again.</source>
         <translation>该范围包含不同机器人的数据。请用光标 A 和 B 选择一台机器人的范围，然后重新导出。</translation>
+    </message>
+    <message>
+        <source>Robot: %1</source>
+        <translation>机器人：%1</translation>
     </message>
 </context>
 <context>
@@ -10054,6 +10074,10 @@ Release the button to stop the arm.</source>
     <message>
         <source>Not stopped: a program is still running (%1). Press STOP again.</source>
         <translation>未停止：程序仍在运行（%1）。请再次按下 STOP。</translation>
+    </message>
+    <message>
+        <source>The program started without connection to Tiller, at most %1 s before this entry.</source>
+        <translation>程序在与 Tiller 断开连接期间启动，最多在此条目之前 %1 秒。</translation>
     </message>
 </context>
 <context>
@@ -13403,6 +13427,13 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>Practice: add “%1”</source>
         <translation>练习：添加“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RangeStatisticsCache</name>
+    <message>
+        <source>The range contains samples of different robots. Place cursors A and B in the data of one robot.</source>
+        <translation>该范围包含不同机器人的样本。请将光标 A 和 B 放在同一台机器人的数据中。</translation>
     </message>
 </context>
 </TS>
