@@ -4,11 +4,13 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QCloseEvent>
+#include <QComboBox>
 #include <QDialog>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QInputDialog>
+#include <QLineEdit>
 #include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
@@ -1243,7 +1245,13 @@ void MainWindow::askForProgram() {
         }
     });
     session_->services().listPrograms(dialog, [this, dialog](const QStringList& names) {
-        const QString typed = dialog->textValue();
+        // The dialog replaces its field. Keep what was typed, the cursor and the selection.
+        const auto* before = dialog->findChild<QLineEdit*>();
+        const QString typed = before->text();
+        const int cursor = before->cursorPosition();
+        const int begin = before->selectionStart();
+        const int length = static_cast<int>(before->selectedText().size());
+        const bool isFocused = before->hasFocus();
         dialog->setComboBoxItems(names);
         dialog->setComboBoxEditable(true);
         dialog->setTextValue(typed.isEmpty() ? session_->state().loadedProgram : typed);
@@ -1253,6 +1261,18 @@ void MainWindow::askForProgram() {
 
 void MainWindow::askToTakeControl() {
     ask({.name = QStringLiteral("takeControlQuestion"),
+        QLineEdit* field = dialog->findChild<QComboBox*>()->lineEdit();
+        if (typed.isEmpty()) {
+            field->selectAll();
+        } else if (length > 0) {
+            const bool isAtBegin = cursor == begin;
+            field->setSelection(isAtBegin ? begin + length : begin, isAtBegin ? -length : length);
+        } else {
+            field->setCursorPosition(cursor);
+        }
+        if (isFocused) {
+            field->setFocus();
+        }
          .title = tr("Take control"),
          .text = programText(),
          .effect = tr("Taking control stops the program. The program cannot be resumed, only restarted."),

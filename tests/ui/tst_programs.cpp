@@ -7,6 +7,7 @@
 #include <QFile>
 #include <QInputDialog>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -194,6 +195,31 @@ private Q_SLOTS:
         QVERIFY(load("nowhere"));
         QTRY_VERIFY_WITH_TIMEOUT(!errors_.isEmpty(), 20'000);
         QVERIFY2(errors_.first().contains("nowhere"), qPrintable(errors_.first()));
+    }
+
+    void typingContinuesWhenTheListOfProgramsArrives() {
+        begin(SoftwareVersion{10, 12, 0, 0});
+        QTRY_COMPARE_WITH_TIMEOUT(state().service, dashboard::ServiceKind::RobotApi, 60'000);
+        QVERIFY(run("control.load"));
+        auto* dialog = window_->findChild<QInputDialog*>("programDialog");
+        auto* typed = dialog->findChild<QLineEdit*>();
+        QVERIFY(typed != nullptr && dialog->comboBoxItems().isEmpty());
+        typed->setFocus();
+        QTest::keyClicks(typed, "pk-old");
+        for (int i = 0; i < 4; ++i) {
+            QTest::keyClick(typed, Qt::Key_Left, Qt::ShiftModifier);
+        }
+        QTRY_VERIFY_WITH_TIMEOUT(!dialog->comboBoxItems().isEmpty(), 60'000);
+        auto* list = dialog->findChild<QComboBox*>();
+        auto* field = list->lineEdit();
+        QCOMPARE(field->text(), QStringLiteral("pk-old"));
+        QCOMPARE(field->selectedText(), QStringLiteral("-old"));
+        QTRY_VERIFY_WITH_TIMEOUT(list->hasFocus(), 60'000);
+        QTest::keyClick(list, Qt::Key_Backspace);
+        QTest::keyClick(list, Qt::Key_Left);
+        QTest::keyClicks(list, "ic");
+        QCOMPARE(dialog->textValue(), QStringLiteral("pick"));
+        dialog->reject();
     }
 
     void aMissingProgramIsReported() {
