@@ -941,19 +941,25 @@ void MainWindow::ask(const Question& words, const std::function<void(bool option
     }
     connect(accept, &QPushButton::clicked, session_,
             [accepted, box] { accepted(box != nullptr && box->isChecked()); });
+    const bool isAboutProgram = words.text == programText();
     // The answer applies only to the program and robot in the question.
     connect(session_, &RobotSession::linkBegan, question, &QWidget::close);
     connect(session_, &RobotSession::stateChanged, question,
-            [this, question, isAboutProgram = words.text == programText(), asked = askedProgram()]() mutable {
+            [this, question, isAboutProgram, asked = askedProgram()]() mutable {
                 const AskedProgram now = askedProgram();
-                if (!isAboutProgram || now == asked) {
-                    return;
+                if (asked.name.isEmpty()) {
+                    asked.name = now.name;  // may arrive later
                 }
-                if (asked.name.isEmpty() && now.state == asked.state) {
-                    asked = now;  // the name arrives later
-                    question->setText(programText());
-                } else {
+                if (isAboutProgram && now != asked) {
                     question->close();
+                }
+            });
+    connect(session_, &RobotSession::controllerMessage, question,
+            [question, isAboutProgram](const script::ControllerMessage& message) {
+                const bool isStart = message.kind == script::MessageKind::Key &&
+                                     message.title.endsWith(QLatin1String("STARTED"));
+                if (isAboutProgram && isStart) {
+                    question->close();  // a program can replace another without a stop
                 }
             });
     question->show();
@@ -1244,6 +1250,7 @@ void MainWindow::askForProgram() {
             session_->services().loadProgram(name.trimmed());
         }
     });
+    dialog->open();
     session_->services().listPrograms(dialog, [this, dialog](const QStringList& names) {
         // The dialog replaces its field. Keep what was typed, the cursor and the selection.
         const auto* before = dialog->findChild<QLineEdit*>();
@@ -1255,12 +1262,6 @@ void MainWindow::askForProgram() {
         dialog->setComboBoxItems(names);
         dialog->setComboBoxEditable(true);
         dialog->setTextValue(typed.isEmpty() ? session_->state().loadedProgram : typed);
-    });
-    dialog->open();
-}
-
-void MainWindow::askToTakeControl() {
-    ask({.name = QStringLiteral("takeControlQuestion"),
         QLineEdit* field = dialog->findChild<QComboBox*>()->lineEdit();
         if (typed.isEmpty()) {
             field->selectAll();
@@ -1273,6 +1274,11 @@ void MainWindow::askToTakeControl() {
         if (isFocused) {
             field->setFocus();
         }
+    });
+}
+
+void MainWindow::askToTakeControl() {
+    ask({.name = QStringLiteral("takeControlQuestion"),
          .title = tr("Take control"),
          .text = programText(),
          .effect = tr("Taking control stops the program. The program cannot be resumed, only restarted."),

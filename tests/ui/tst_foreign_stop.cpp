@@ -568,6 +568,29 @@ private Q_SLOTS:
         QVERIFY(bench.state().control != ControlState::InControl);
     }
 
+    // A question about a program without a name must not become a question about another program.
+    void aQuestionStaysAboutItsProgram() {
+        Bench bench;
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.startMoving());
+        // The robot reports the name of a program only at its start.
+        RobotSession& session = bench.window.session();
+        session.connectTo(RobotAddress(session.address()));
+        QVERIFY(bench.within([&] { return bench.state().foreignProgramRuns(); }));
+        QVERIFY2(bench.state().runningProgram.isEmpty(), qPrintable(bench.state().runningProgram));
+        bench.window.actions().find("control.take")->trigger();
+        const QPointer<QMessageBox> question = bench.window.findChild<QMessageBox*>("takeControlQuestion");
+        QVERIFY(question != nullptr);
+        const QString text = question->text();
+        bench.cell.advanceMs(500);
+        QVERIFY(question != nullptr && question->isVisible());
+        QVERIFY(
+            bench.pendant->send("def second():\nwhile True:\nsync()\nend\nend\n", Deadline::never()).ok());
+        QVERIFY(bench.within(
+            [&] { return question == nullptr || !question->isVisible() || question->text() != text; }));
+        QVERIFY2(question == nullptr || !question->isVisible(), qPrintable(question->text()));
+    }
+
     void questionsCloseWithTheConnection() {
         Bench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));

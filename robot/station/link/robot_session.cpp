@@ -180,6 +180,8 @@ void RobotSession::connectTo(const RobotAddress& address) {
     d_->link = std::move(link);
     d_->sample = receive::Sample(d_->link->receiver->layout());
     d_->abandoned.reset();
+    d_->startedProgram.clear();
+    d_->programNode.clear();
     d_->followExtraFields();
     journal_.setRobot(address.name, {});
     Q_EMIT linkBegan();
