@@ -4,6 +4,7 @@
 #ifdef TILLER_HAS_XCB
 
 #include <QGuiApplication>
+#include <QSocketNotifier>
 #include <algorithm>
 #include <cstdlib>
 #include <iterator>
@@ -136,17 +137,84 @@ Stacking keepAbove(const QList<QWindow*>& references, const QWindow& unmanaged, 
     return Stacking::Done;
 }
 
+struct StackingWatch::Link {
+    Link() : connection(xcb_connect(nullptr, nullptr)) {
+        const std::uint32_t values[] = {XCB_EVENT_MASK_SUBSTRUCTURE_NOTIFY};
+        for (auto screen = xcb_setup_roots_iterator(xcb_get_setup(connection)); screen.rem > 0;
+             xcb_screen_next(&screen)) {
+            xcb_change_window_attributes(connection, screen.data->root, XCB_CW_EVENT_MASK, values);
+        }
+        xcb_flush(connection);
+    }
+    ~Link() { xcb_disconnect(connection); }
+    Link(const Link&) = delete;
+    Link& operator=(const Link&) = delete;
+
+    bool isAlive() const { return xcb_connection_has_error(connection) == 0; }
+    /// Returns  true if there were events
+    bool drain() {
+        bool any = false;
+        while (const Owned<xcb_generic_event_t> event{xcb_poll_for_event(connection)}) {
+            any = true;
+        }
+        return any;
+    }
+
+    xcb_connection_t* connection;
+    std::unique_ptr<QSocketNotifier> notifier;
+};
+
+StackingWatch::StackingWatch(QObject* parent) : QObject(parent) {
+    if (qGuiApp->nativeInterface<QNativeInterface::QX11Application>() == nullptr) {
+        return;
+    }
+    link_ = std::make_unique<Link>();
+    if (!link_->isAlive()) {
+        return;
+    }
+    link_->notifier =
+        std::make_unique<QSocketNotifier>(xcb_get_file_descriptor(link_->connection), QSocketNotifier::Read);
+    connect(link_->notifier.get(), &QSocketNotifier::activated, this, [this] {
+        if (link_->drain()) {
+            Q_EMIT changed();
+        }
+        if (!link_->isAlive()) {
+            link_->notifier->setEnabled(false);
+        }
+    });
+}
+
+bool StackingWatch::isActive() const {
+    return link_ && link_->isAlive();
+}
+
 }  // namespace tiller
 
 #else
 
 namespace tiller {
 
+struct StackingWatch::Link {};
+
 Stacking keepAbove(const QList<QWindow*>&, const QWindow&, QRegion& covered) {
     covered = {};
     return Stacking::Unsupported;
 }
 
+StackingWatch::StackingWatch(QObject* parent) : QObject(parent) {}
+
+bool StackingWatch::isActive() const {
+    return false;
+}
+
 }  // namespace tiller
 
 #endif
+
+namespace tiller {
+
+StackingWatch::~StackingWatch() = default;
+
+}  // namespace tiller
+
+#include "moc_window_stacking.cpp"

@@ -4,8 +4,10 @@
 // Order of windows on the screen.
 
 #include <QList>
+#include <QObject>
 #include <QRegion>
 #include <QWindow>
+#include <memory>
 
 namespace tiller {
 
@@ -21,5 +23,26 @@ enum class Stacking {
 /// covered  receives the parts of `unmanaged` that windows of other programs cover or would cover if they were not
 ///          below it [px, device-independent, relative to `unmanaged`]
 Stacking keepAbove(const QList<QWindow*>& references, const QWindow& unmanaged, QRegion& covered);
+
+/// Reports changes of the order and visibility of all windows on the screen, including those of other programs. Uses a
+/// connection of its own, because the event selection of Qt's connection belongs to Qt.
+/// Threads  GUI
+class StackingWatch : public QObject {
+    Q_OBJECT
+
+public:
+    explicit StackingWatch(QObject* parent = nullptr);
+    ~StackingWatch() override;
+
+    /// False if the platform does not report changes, or if the connection was lost.
+    bool isActive() const;
+
+Q_SIGNALS:
+    void changed();
+
+private:
+    struct Link;
+    std::unique_ptr<Link> link_;  ///< null: not available on this platform
+};
 
 }  // namespace tiller

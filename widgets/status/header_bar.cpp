@@ -27,7 +27,9 @@ namespace tiller {
 namespace {
 
 constexpr int kLinkPeriodMs = 500;      // update interval of values that change with every packet
-constexpr int kStackingMs = 30;         // window managers do not report when they change the order of windows
+constexpr int kStackingMs = 30;         // delay after a change of the order of windows, for several changes
+constexpr int kStackingCheckMs = 1000;  // if such changes are reported
+constexpr int kStackingPollMs = 250;    // if they are not
 constexpr double kOrdinaryCap = 0.250;  // [m/s]; the header shows a higher speed limit
 constexpr int kBannerHeight = 28;
 constexpr int kNarrowBelow = 1900;
@@ -169,7 +171,7 @@ HeaderBar::HeaderBar(HeaderPort port, QWidget* parent)
     linkPace_.setSingleShot(true);
     linkPace_.setInterval(kLinkPeriodMs);
     connect(&linkPace_, &QTimer::timeout, this, &HeaderBar::showLink);
-    stacking_.setInterval(kStackingMs);
+    stacking_.setSingleShot(true);
     connect(&stacking_, &QTimer::timeout, this, &HeaderBar::stackStopAbove);
     connect(qApp, &QGuiApplication::applicationStateChanged, this, &HeaderBar::stackStopAbove);
     places_.setSingleShot(true);
@@ -391,15 +393,21 @@ void HeaderBar::offerStopAbove() {
     stopAbove_->setKeysStop(state_.keysStop());
     placeStopAbove();
     stopAbove_->show();
-    stacking_.start();
+    // A child of the button, so that nothing is reported without a dialog.
+    stackingWatch_ = new StackingWatch(stopAbove_);
+    connect(stackingWatch_, &StackingWatch::changed, this, [this] {
+        if (stacking_.remainingTime() > kStackingMs) {
+            stacking_.start(kStackingMs);
+        }
+    });
     stackStopAbove();
 }
 
 void HeaderBar::stackStopAbove() {
     if (!stopAbove_) {
-        stacking_.stop();
         return;
     }
+    stacking_.start(stackingWatch_->isActive() ? kStackingCheckMs : kStackingPollMs);
     // The display server puts windows of this type in front of all others, where the button would cover windows
     // of other programs, e.g. the STOP button of another robot. Show only the part that they do not cover, but
     // keep the button above all windows of this program.

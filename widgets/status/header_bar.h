@@ -23,6 +23,7 @@ namespace tiller {
 
 class SimulationChip;
 class SpeedChip;
+class StackingWatch;
 class StateChip;
 class StopButton;
 
@@ -115,9 +116,10 @@ private:
     StateChip* lastStop_;
     StopButton* stop_;
     /// STOP button above a modal dialog that blocks this window, at the same position as the blocked button.
-    QPointer<StopButton> stopAbove_;  ///< covers STOP while a dialog blocks the window
-    QTimer stacking_;                 ///< active while stopAbove_ exists
-    QLabel* cap_;                     ///< the banner below the bar; hidden unless the speed limit was raised
+    QPointer<StopButton> stopAbove_;         ///< covers STOP while a dialog blocks the window
+    QTimer stacking_;                        ///< active while stopAbove_ exists
+    QPointer<StackingWatch> stackingWatch_;  ///< exists as long as stopAbove_
+    QLabel* cap_;  ///< the banner below the bar; hidden unless the speed limit was raised
 };
 
 }  // namespace tiller

@@ -38,7 +38,8 @@ REASONS = {
     "PlotComparison": "the recordings compared in the plots, and their offsets on the time axis",
     "Practice": TUTORIAL, "PracticeCheck": TUTORIAL, "ProgramModel": MODEL, "VariableModel": MODEL,
     "ProjectFiles": "wraps UndoableDocument, whose QUndoStack is part of Qt Gui", "RecoverCheck": TUTORIAL,
-    "SceneTrace": VIEW, "Shade": VIEW, "SpaceMouse": DEVICE, "SpaceMouseSource": DEVICE, "TimeWindow": PLOT,
+    "SceneTrace": VIEW, "Shade": VIEW, "SpaceMouse": DEVICE, "SpaceMouseSource": DEVICE,
+    "StackingWatch": "the order of windows on the display server", "TimeWindow": PLOT,
     "TouchUpCheck": TUTORIAL, "WaypointModel": MODEL, "XcbKeyStateProbe": PROBE,
 }
 
