@@ -168,6 +168,16 @@ class TestRun(unittest.TestCase):
         self.assertTrue(self.robot.in_control)
         self.robot.move_j(START).wait(TIMEOUT)  # control was taken again
 
+    def test_a_program_shorter_than_a_data_period_completes(self):
+        self.robot.close()
+        robot = self.simulator.robot(timeout=TIMEOUT, frequency=10)
+        self.addCleanup(robot.close)
+        robot.take_control(TIMEOUT)
+        program = tiller.Program("short")
+        program.add("wait", time=0.02)
+        for _ in range(3):
+            program.run(robot, TIMEOUT)  # raises LinkLost if the end is unknown
+
     def test_the_handle_shows_the_step_and_pauses_between_steps(self):
         program = moves()
         run = program.start(self.robot, breakpoints=[program.steps[2]])
