@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <winsock2.h>
+#include "robot/platform/detail/system_socket.h"
 // After winsock2.h
 #include <mstcpip.h>
 #include <timeapi.h>
-#include <ws2tcpip.h>
 
 #include <algorithm>
-
-#include "robot/platform/native_socket.h"
 
 namespace tiller::native_socket {
 
@@ -18,10 +15,6 @@ constexpr int kTcpMaxRetransmission = 5;  ///< TCP_MAXRT [s]
 constexpr int kTcpKeepIdle = 3;           ///< TCP_KEEPIDLE [s]
 constexpr int kTcpKeepCount = 16;         ///< TCP_KEEPCNT
 constexpr int kTcpKeepInterval = 17;      ///< TCP_KEEPINTVL [s]
-
-SOCKET handle(Descriptor socket) {
-    return static_cast<SOCKET>(socket);
-}
 
 Transfer outcome(int moved) {
     if (moved > 0) {
@@ -147,10 +140,6 @@ void close(Descriptor socket) {
     ::closesocket(handle(socket));
 }
 
-void discardOnClose(Descriptor socket) {
-    setOption(socket, SOL_SOCKET, SO_LINGER, LINGER{1, 0});
-}
-
 Descriptor duplicate(Descriptor socket) {
     WSAPROTOCOL_INFOW info;
     if (WSADuplicateSocketW(handle(socket), GetCurrentProcessId(), &info) != 0) {
@@ -159,51 +148,6 @@ Descriptor duplicate(Descriptor socket) {
     const SOCKET copy =
         WSASocketW(FROM_PROTOCOL_INFO, FROM_PROTOCOL_INFO, FROM_PROTOCOL_INFO, &info, 0, WSA_FLAG_OVERLAPPED);
     return copy == INVALID_SOCKET ? Descriptor{-1} : static_cast<Descriptor>(copy);
-}
-
-namespace {
-
-template <class Ask>
-std::uint16_t portOfSocket(Ask ask) {
-    sockaddr_storage address{};
-    socklen_t size = sizeof address;
-    if (ask(reinterpret_cast<sockaddr*>(&address), &size) != 0) {
-        return 0;
-    }
-    return ntohs(address.ss_family == AF_INET6 ? reinterpret_cast<const sockaddr_in6*>(&address)->sin6_port
-                                               : reinterpret_cast<const sockaddr_in*>(&address)->sin_port);
-}
-
-}  // namespace
-
-std::uint16_t localPort(Descriptor socket) {
-    return portOfSocket([socket](sockaddr* address, socklen_t* size) {
-        return ::getsockname(handle(socket), address, size);
-    });
-}
-
-std::uint16_t peerPort(Descriptor socket) {
-    return portOfSocket([socket](sockaddr* address, socklen_t* size) {
-        return ::getpeername(handle(socket), address, size);
-    });
-}
-
-std::vector<Address> resolve(const std::string& host, int port) {
-    std::vector<Address> addresses;
-    addrinfo hints{};
-    hints.ai_family = AF_UNSPEC;
-    hints.ai_socktype = SOCK_STREAM;
-    hints.ai_protocol = IPPROTO_TCP;
-    addrinfo* found = nullptr;
-    if (!startUp() || ::getaddrinfo(host.c_str(), std::to_string(port).c_str(), &hints, &found) != 0) {
-        return addresses;
-    }
-    for (const addrinfo* each = found; each != nullptr; each = each->ai_next) {
-        const auto* bytes = reinterpret_cast<const std::uint8_t*>(each->ai_addr);
-        addresses.push_back({each->ai_family, {bytes, bytes + each->ai_addrlen}});
-    }
-    ::freeaddrinfo(found);
-    return addresses;
 }
 
 Attempt connect(const Address& address) {
@@ -222,46 +166,13 @@ Attempt connect(const Address& address) {
     return attempt;
 }
 
-int connectError(Descriptor socket) {
-    int error = 0;
-    socklen_t size = sizeof error;
-    ::getsockopt(handle(socket), SOL_SOCKET, SO_ERROR, reinterpret_cast<char*>(&error), &size);
-    return error;
-}
-
 bool isRefusal(int error) {
     return error == WSAECONNREFUSED;
 }
 
-Descriptor listen(int port, int backlog) {
-    if (!startUp()) {
-        return -1;
-    }
-    const auto listener = static_cast<Descriptor>(::socket(AF_INET, SOCK_STREAM, IPPROTO_TCP));
-    if (listener < 0) {
-        return -1;
-    }
+void reservePort(Descriptor listener) {
     // On Windows, SO_REUSEADDR would let two programs listen on the same port.
     setOption(listener, SOL_SOCKET, SO_EXCLUSIVEADDRUSE, BOOL{TRUE});
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_addr.s_addr = htonl(INADDR_ANY);
-    address.sin_port = htons(static_cast<std::uint16_t>(port));
-    if (::bind(handle(listener), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 ||
-        ::listen(handle(listener), backlog) != 0) {
-        close(listener);
-        return -1;
-    }
-    prepare(listener);
-    return listener;
-}
-
-Descriptor accept(Descriptor listener) {
-    const auto socket = static_cast<Descriptor>(::accept(handle(listener), nullptr, nullptr));
-    if (socket >= 0) {
-        prepare(socket);
-    }
-    return socket;
 }
 
 }  // namespace tiller::native_socket
