@@ -8,13 +8,11 @@
 #include <utility>
 
 #include "robot/platform/thread_priority.h"
+#include "robot/receive/data_age.h"
 
 namespace tiller {
 
 namespace {
-
-/// Data count as lost when the newest packet is older than this.
-constexpr std::chrono::milliseconds kDataTimeout{100};
 
 receive::ReceiverOptions receiverOptions(const Text& host, const RobotOptions& options) {
     receive::ReceiverOptions wanted;
@@ -63,7 +61,7 @@ struct Observation {
 inline Observation observe(const receive::Receiver& receiver, const control::Controller& controller,
                            const receive::Sample& sample) {
     const receive::RobotState state(sample);
-    return {receiver.isFresh(kDataTimeout), state.safetyMode(), state.robotMode(),
+    return {receiver.isFresh(receive::kMaxDataAge), state.safetyMode(), state.robotMode(),
             state.runtimeState() == RuntimeState::Playing, controller.status()};
 }
 

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "robot/api/robot.h"
+#include "robot/receive/data_age.h"
 
 using namespace tiller;
 
@@ -179,9 +180,9 @@ Result<void> read(const Robot& robot, const char* field, double* values, int cap
                      QStringLiteral("\"%1\" has %2 values").arg(Text(field)).arg(numbers.size())};
     }
     std::copy(numbers.begin(), numbers.end(), values);
-    if (!robot.receiver()->isFresh(std::chrono::milliseconds(100))) {
+    if (!robot.receiver()->isFresh(receive::kMaxDataAge)) {
         return Error{ErrorCode::LinkLost, QStringLiteral("read a field"),
-                     QStringLiteral("no data for more than 100 ms")};
+                     QStringLiteral("no data for more than %1 ms").arg(receive::kMaxDataAge.count())};
     }
     return {};
 }

@@ -25,6 +25,7 @@
 #include "robot/core/robot_model.h"
 #include "robot/core/text.h"
 #include "robot/core/version.h"
+#include "robot/receive/data_age.h"
 
 namespace tiller::collision {
 class CollisionCheck;
@@ -64,7 +65,7 @@ struct ControllerOptions {
     /// old, status() reports no control. The robot always ends a motion after 100 ms without a heartbeat, or
     /// after the timeout of the move. Without hold-to-run operation, a larger value may be used to tolerate
     /// short delays of this PC that do not affect the heartbeat.
-    std::chrono::milliseconds dataTimeout{100};
+    std::chrono::milliseconds dataTimeout = receive::kMaxDataAge;
     /// If no data arrive for this time, the connection is closed and control is lost (ControlLoss::LinkLost).
     /// The controller does not wait for a TCP error, because there is none after a power failure or if the
     /// peer has discarded the connection. The effective timeout is at least `dataTimeout`, the timeout of the

@@ -5,13 +5,14 @@
 #include <utility>
 
 #include "robot/core/clock.h"
+#include "robot/receive/data_age.h"
 
 namespace tiller::control {
 
 namespace {
 
 /// After a longer gap in the data, the time of standstill is unknown.
-constexpr std::int64_t kBlindNs = 100 * kNsPerMs;
+constexpr std::int64_t kBlindNs = std::chrono::nanoseconds(receive::kMaxDataAge).count();
 
 }  // namespace
 

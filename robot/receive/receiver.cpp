@@ -16,6 +16,7 @@
 #include "robot/realtime/seqlock.h"
 #include "robot/realtime/stream_watch.h"
 #include "robot/realtime/wake_up.h"
+#include "robot/receive/data_age.h"
 #include "robot/rtde/connection.h"
 #include "robot/rtde/fields.h"
 #include "robot/rtde/values.h"
@@ -505,11 +506,10 @@ void Receiver::latest(Sample& into) const {
 }
 
 Result<Sample> Receiver::waitForData(const Deadline& deadline, OnRefusal onRefusal) const {
-    constexpr milliseconds kFresh(100);
     const auto what = [this] {
         return QStringLiteral("wait for data from %1:%2").arg(d_->options.host).arg(d_->options.port);
     };
-    const auto isThere = [&] { return d_->receiving && isFresh(kFresh); };
+    const auto isThere = [&] { return d_->receiving && isFresh(kMaxDataAge); };
     while (!isThere()) {
         if (state() == ReceiverState::Stopped) {
             return Error{ErrorCode::NotConnected, what(), QStringLiteral("start() was not called")};

@@ -137,9 +137,6 @@ public:
     static constexpr int kRefreshMs = 20;
     /// Maximum distance of the pointer from the button [px].
     static constexpr int kPointerSlack = 30;
-    /// Maximum time between two refreshes, and between two replies of the key-state check [ms]. A longer gap
-    /// ends the motion.
-    static constexpr int kStallMs = 100;
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

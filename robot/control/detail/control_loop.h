@@ -22,11 +22,12 @@
 #include "robot/realtime/seqlock.h"
 #include "robot/realtime/stream_watch.h"
 #include "robot/realtime/triple_buffer.h"
+#include "robot/receive/data_age.h"
 
 namespace tiller::control {
 
 /// Maximum age of the data for motion.
-inline constexpr std::int64_t kMaxDataAgeNs = 100'000'000;
+inline constexpr std::int64_t kMaxDataAgeNs = std::chrono::nanoseconds(receive::kMaxDataAge).count();
 /// Maximum round trip from a command to its echo for motion.
 inline constexpr double kMaxRoundTripMs = 100.0;
 

@@ -154,6 +154,7 @@ ControlScript controlScript(const SoftwareVersion& version, RegisterRange range,
     fill("FIRST", QString::number(firstRegister(range)));
     fill("SESSION", QString::number(session));
     fill("STEP", script::stepTimeText(version));
+    fill("TIME_TO_LIVE", fixed(std::chrono::duration<double>(kHoldTime).count()));
     fill("BRAKE_LINEAR", fixed(limits.jogDeceleration));
     fill("BRAKE_ROTATION", fixed(limits.jointDeceleration));
     fill("BRAKE_JOINTS", fixed(limits.jointDeceleration));

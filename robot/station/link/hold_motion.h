@@ -14,7 +14,7 @@ namespace tiller {
 
 /// Time limits of one hold.
 struct HoldBounds {
-    static constexpr std::int64_t kMinHoldTimeoutNs = 100 * kNsPerMs;
+    static constexpr std::int64_t kMinHoldTimeoutNs = std::chrono::nanoseconds(control::kHoldTime).count();
     static constexpr std::int64_t kMaxHoldTimeoutNs = 2 * kNsPerSecond;
     /// Maximum distance that the arm may move without an event from the touch contact or joystick that holds
     /// the button.

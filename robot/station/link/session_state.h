@@ -17,6 +17,7 @@
 #include "robot/core/spatial.h"
 #include "robot/core/version.h"
 #include "robot/dashboard/robot_command.h"
+#include "robot/receive/data_age.h"
 #include "robot/script/program_variables.h"
 #include "robot/station/text/mode_words.h"
 
@@ -175,10 +176,10 @@ struct SessionState {
     bool hasData() const {
         return sequence != 0 && link != LinkState::Lost && link != LinkState::Disconnected;
     }
-    /// True if the data are at most 100 ms old, so modes, programs and motion are current.
+    /// True if the data are not older than receive::kMaxDataAge, so modes, programs and motion are current.
     bool isFresh() const {
-        constexpr double kFreshMs = 100;
-        return hasData() && link == LinkState::Live && quality.ageMs <= kFreshMs;
+        return hasData() && link == LinkState::Live &&
+               quality.ageMs <= static_cast<double>(receive::kMaxDataAge.count());
     }
     /// True if Space and Esc stop the robot regardless of the keyboard focus. Otherwise, the focused widget
     /// receives these keys.

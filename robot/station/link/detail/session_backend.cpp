@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "robot/kinematics/parallel_axes.h"
+#include "robot/receive/data_age.h"
 #include "robot/receive/robot_state.h"
 #include "robot/station/link/motion_evidence.h"
 #include "robot/station/text/texts.h"
@@ -308,7 +309,7 @@ control::StopEvidence SessionBackend::stopEvidence() const {
     evidence.nowNs = clock->nowNs();
     if (const receive::Sample newest = link->receiver->latest(); !newest.isEmpty()) {
         const receive::RobotState robot(newest);
-        evidence.fresh = link->receiver->isFresh(control::kHoldTime);
+        evidence.fresh = link->receiver->isFresh(receive::kMaxDataAge);
         evidence.dataNs = newest.hostTimeNs;
         evidence.tcpSpeed = robot.tcpSpeed().linear.norm();
         evidence.jointSpeed = fastestJoint(robot.qd());
@@ -363,7 +364,7 @@ void SessionBackend::noteUnmeasured(const control::UnmeasuredStop& stop, std::ui
 }
 
 void SessionBackend::noteStall() {
-    constexpr std::int64_t kStallNs = 100 * kNsPerMs;  // hold-to-run motions end after the same time
+    constexpr std::int64_t kStallNs = std::chrono::nanoseconds(control::kHoldTime).count();
     const std::int64_t before = std::exchange(readNs, clock->nowNs());
     if (before != 0 && readNs - before > kStallNs) {
         stalledNs = readNs;
