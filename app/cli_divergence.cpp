@@ -227,11 +227,7 @@ const Command& divergenceCommand() {
         .summary = "compares the motion of an arm with its model",
         .title = "compares the motion of an arm with its model",
         .usage = {"FILE [options]"},
-        .operandRows = {{"FILE",
-                         "recording (.mcap, .h5 or .csv), such as an incident recording. The simulated arm "
-                         "follows the targets in the recording, and its motion is compared with the motion "
-                         "of the real arm. The simulated arm carries the payload that is set on the "
-                         "controller, and has neither contact nor friction"}},
+        .operandRows = {recordingOperand("FILE")},
         .options = withTableOptions(
             {{"model", "MODEL", "robot model, such as ur5e (default: the model named in the recording)"},
              {"joint",
@@ -260,7 +256,11 @@ const Command& divergenceCommand() {
              {"json", "", "prints one JSON object instead of text"},
              {"quiet", "", "shows no progress on the terminal"}}),
         .notes =
-            "Exit code: 0 no value is above its limit, 1 the arm and the model differ or cannot be compared, "
+            "The simulated arm follows the targets in the recording, and its motion is compared with the "
+            "motion of the real arm. The simulated arm carries the payload that is set on the controller, "
+            "and "
+            "has neither contact nor friction. Exit code: 0 no value is above its limit, 1 the arm and the "
+            "model differ or cannot be compared, "
             "2 invalid arguments.",
         .run = compare};
     return kCommand;

@@ -70,7 +70,7 @@ const Command& episodesCommand() {
         .summary = "cuts recordings into demonstrations for imitation learning",
         .title = "cuts recordings into demonstrations for imitation learning",
         .usage = {"FILE... --out FILE.h5 [options]"},
-        .operandRows = {{"FILE...", "recordings (.mcap, .h5 or .csv)"}},
+        .operandRows = {recordingOperand("FILE...")},
         .options = withTableOptions(
             {{"out", "FILE",
               "HDF5 file in robomimic layout: /data/demo_0 with obs, next_obs, actions, rewards and dones"},

@@ -13,6 +13,8 @@ namespace tiller::app {
 
 namespace {
 
+using recording::FormatSet;
+
 int exportFile(const CommandArguments& arguments) {
     if (arguments.operands().size() != 1) {
         return wrongArguments(QStringLiteral("export: exactly one recording is required"));
@@ -20,9 +22,10 @@ int exportFile(const CommandArguments& arguments) {
     const QString target = arguments.value("out");
     if (!recording::canExportTo(target)) {
         return wrongArguments(
-            target.isEmpty()
-                ? QStringLiteral("export: --out FILE.csv, --out FILE.h5 or --out FILE.mcap is missing")
-                : QStringLiteral("export: '%1' must end in %2").arg(target, recording::suffixWords(false)));
+            target.isEmpty() ? QStringLiteral("export: %1 is missing")
+                                   .arg(recording::suffixWords(FormatSet::All, QStringLiteral("--out FILE")))
+                             : QStringLiteral("export: '%1' must end in %2")
+                                   .arg(target, recording::suffixWords(FormatSet::All)));
     }
     const QString source = arguments.operands().constFirst();
     if (QFileInfo(source).canonicalFilePath() == QFileInfo(target).canonicalFilePath() &&
@@ -86,12 +89,12 @@ const Command& exportCommand() {
     static const Command kCommand{
         .name = "export",
         .operands = "FILE",
-        .summary = "exports a recording as CSV, HDF5 or MCAP (see 'tiller-cli export --help')",
+        .summary = "exports a recording in another format (see 'tiller-cli export --help')",
         .title = "exports a recording or a part of it for other programs",
         .usage = {"FILE --out FILE [options]"},
-        .operandRows = {{"FILE", "recording (.mcap, .h5 or .csv); the format is detected from the content"}},
+        .operandRows = {recordingOperand("FILE")},
         .options = withTableOptions(
-            {{"out", "FILE", "FILE.csv, FILE.h5 (also .hdf5) for h5py, MATLAB and Octave, or FILE.mcap"},
+            {{"out", "FILE", QStringLiteral("output file: %1").arg(recording::suffixHelp(FormatSet::All))},
              {"columns", "A,B,...",
               "exports only these columns and the time column; the name of a field selects "
               "all its columns"},

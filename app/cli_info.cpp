@@ -158,7 +158,7 @@ const Command& infoCommand() {
         .summary = "describes the content of a recording",
         .title = "describes the content of a recording",
         .usage = {"FILE [options]"},
-        .operandRows = {{"FILE", "recording (.mcap, .h5 or .csv); the format is detected from the content"}},
+        .operandRows = {recordingOperand("FILE")},
         .options = withTableOptions({{"json", "", "prints one JSON object instead of text"}}),
         .notes =
             "Exit code: 0 the whole file was read, 1 the file or a part of the file could not be read, 2 "

@@ -6,6 +6,8 @@
 #include <array>
 #include <string_view>
 
+#include "robot/recording/formats/file_formats.h"
+
 namespace tiller::app {
 
 std::vector<std::string> namesIn(const QString& list) {
@@ -40,6 +42,11 @@ std::vector<CommandOption> withTableOptions(std::vector<CommandOption> options) 
         options.push_back(option);
     }
     return options;
+}
+
+CommandOperand recordingOperand(const QString& name) {
+    return {name, QStringLiteral("recording (%1); the format is detected from the content")
+                      .arg(recording::suffixWords(recording::FormatSet::All))};
 }
 
 namespace {

@@ -24,6 +24,8 @@ bool isHostName(const QString& text);
 /// Options of all commands that open a recording, for tables of other programs.
 /// options  the other options of the command
 std::vector<CommandOption> withTableOptions(std::vector<CommandOption> options);
+/// Row of the help for the recordings that a command opens.
+CommandOperand recordingOperand(const QString& name);
 /// The format that the table options select.
 /// Errors   InvalidArgument with the option and its value
 Result<recording::TableFormat> tableFormatOf(const CommandArguments& arguments);

@@ -21,6 +21,7 @@ namespace tiller::app {
 
 namespace {
 
+using recording::FormatSet;
 using recording::RecorderState;
 using std::chrono::duration;
 using std::chrono::milliseconds;
@@ -41,14 +42,20 @@ struct RecordOptions {
     bool quiet = false;
 };
 
+/// Format of the files that --out-folder names.
+const recording::FileFormat& newFileFormat() {
+    return *recording::formatsIn(FormatSet::Complete).front();
+}
+
 QString newFileIn(const QString& folder, QString address) {
     // Some systems do not allow these characters in file names.
     address.replace(QLatin1Char(':'), QLatin1Char('_')).replace(QLatin1Char('%'), QLatin1Char('_'));
     const QString name = QStringLiteral("%1-%2").arg(
         address, QDateTime::currentDateTimeUtc().toString(QStringLiteral("yyyyMMddTHHmmss")));
-    QString path = QDir(folder).filePath(name + QStringLiteral(".mcap"));
+    const QString ending = QLatin1Char('.') + newFileFormat().suffixes.constFirst();
+    QString path = QDir(folder).filePath(name + ending);
     for (int number = 2; QFileInfo::exists(path); ++number) {
-        path = QDir(folder).filePath(QStringLiteral("%1-%2.mcap").arg(name).arg(number));
+        path = QDir(folder).filePath(QStringLiteral("%1-%2%3").arg(name).arg(number).arg(ending));
     }
     return path;
 }
@@ -73,10 +80,11 @@ std::optional<RecordOptions> optionsFrom(const CommandArguments& arguments) {
                                                        : arguments.value("out");
     options.format = recording::fileFormatOf(path);
     if (options.format == nullptr || options.format->recorder == nullptr) {
-        wrongArguments(
-            path.isEmpty()
-                ? QStringLiteral("record: --out FILE.mcap or --out FILE.csv is missing")
-                : QStringLiteral("record: '%1' must end in %2").arg(path, recording::suffixWords(true)));
+        wrongArguments(path.isEmpty() ? QStringLiteral("record: %1 is missing")
+                                            .arg(recording::suffixWords(FormatSet::Recorded,
+                                                                        QStringLiteral("--out FILE")))
+                                      : QStringLiteral("record: '%1' must end in %2")
+                                            .arg(path, recording::suffixWords(FormatSet::Recorded)));
         return std::nullopt;
     }
     if (!arguments.isSet("force") && !arguments.isSet("trigger") && QFileInfo::exists(path)) {
@@ -225,13 +233,19 @@ const Command& recordCommand() {
         .usage = {"ADDRESS --out FILE [options]", "ADDRESS --out-folder FOLDER [options]"},
         .operandRows = {{"ADDRESS", "address or host name of the robot, or of a simulated robot"}},
         .options =
-            {{"out", "FILE", "FILE.mcap or FILE.csv. An existing file is replaced only with --force"},
+            {{"out", "FILE",
+              QStringLiteral("output file: %1. An existing file is replaced only with --force")
+                  .arg(recording::suffixHelp(FormatSet::Recorded))},
              {"out-folder", "FOLDER",
-              "writes a new .mcap file in this folder, named after the address and the time "
-              "(UTC)"},
+              QStringLiteral(
+                  "writes a new .%1 file in this folder, named after the address and the time (UTC)")
+                  .arg(newFileFormat().suffixes.constFirst())},
              {"fields", "A,B,...",
-              "RTDE outputs to record; the time stamp is always included. Default: for .mcap, all fields "
-              "that the window shows; for .csv, the fields that ur_rtde records"},
+              QStringLiteral(
+                  "RTDE outputs to record; the time stamp is always included. Default: for %1, all "
+                  "fields that the window shows; for %2, the fields that ur_rtde records")
+                  .arg(recording::suffixWords(FormatSet::Complete),
+                       recording::suffixWords(FormatSet::Selected))},
              {"duration",
               "SECONDS",
               "stops this many seconds after the first packet (default: no limit). Ctrl+C or SIGTERM also "
@@ -254,7 +268,9 @@ const Command& recordCommand() {
               "0",
               {0, 3600}},
              {"files", "N", "with a trigger: stops after N files", "0", {0, 1e6}},
-             {"attach", "FILE", "stores a file, such as the project, inside the .mcap file"},
+             {"attach", "FILE",
+              QStringLiteral("stores a file, such as the project, inside the %1 file")
+                  .arg(recording::suffixWords(FormatSet::Complete))},
              {"meta", "NAME=VALUE",
               "stores metadata in the file, such as operator=Ann or sample=7. The option can be repeated. "
               "'tiller-cli info' shows the metadata, and exports contain them"},

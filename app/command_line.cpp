@@ -50,6 +50,15 @@ QCommandLineOption optionOf(const Row& row) {
     return option;
 }
 
+/// E.g. "file.csv|file.mcap".
+QString recordingNames() {
+    QStringList names;
+    for (const recording::FileFormat& format : recording::fileFormats()) {
+        names << QStringLiteral("file.") + format.suffixes.constFirst();
+    }
+    return names.join(QLatin1Char('|'));
+}
+
 }  // namespace
 
 bool isRecordingName(const QString& path) {
@@ -67,7 +76,7 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
     }
     parser.addPositionalArgument("file", CommandLineText::tr(kProjectText), "[file.tiller]");
     parser.addPositionalArgument("recording", CommandLineText::tr("Open these recordings in the plots."),
-                                 "[file.mcap|file.h5|file.csv ...]");
+                                 QStringLiteral("[%1 ...]").arg(recordingNames()));
 
     const auto wrong = [&](const QString& what) {
         return Error{ErrorCode::InvalidArgument, what, CommandLineText::tr("see tiller --help")};

@@ -25,7 +25,7 @@ struct CommandLine {
     QString helpText;
 };
 
-/// True if the extension is that of a recording: .mcap, .csv, .h5 or .hdf5.
+/// True if the extension is that of a recording; see recording::fileFormats().
 bool isRecordingName(const QString& path);
 
 /// Errors  InvalidArgument with the argument and its valid values in the context

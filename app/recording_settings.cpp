@@ -101,10 +101,8 @@ void RecordingSettings::build() {
 
     format_->setObjectName(QStringLiteral("settings.recording.format"));
     format_->setAccessibleName(tr("Recording format"));
-    for (const recording::FileFormat& format : recording::fileFormats()) {
-        if (format.recorder != nullptr) {
-            format_->addItem(recordingFormatWords(format).choice, format.suffixes.constFirst());
-        }
+    for (const recording::FileFormat* format : recording::formatsIn(recording::FormatSet::Recorded)) {
+        format_->addItem(recordingFormatWords(*format).choice, format->suffixes.constFirst());
     }
     format_->setCurrentIndex(format_->findData(choice_.format));
     keepFree_->setObjectName(QStringLiteral("settings.recording.keepFree"));

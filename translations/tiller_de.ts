@@ -8207,14 +8207,6 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>Sichtbaren Bereich als Bild (z. B. PNG) oder als Werte (z. B. CSV) speichern</translation>
     </message>
     <message>
-        <source>Record to a CSV file</source>
-        <translation>In eine CSV-Datei aufzeichnen</translation>
-    </message>
-    <message>
-        <source>Record robot data to a CSV file. Use the arrow button to select the signals and the folder.</source>
-        <translation>Roboterdaten in eine CSV-Datei aufzeichnen. Mit der Pfeiltaste wählen Sie Signale und Ordner.</translation>
-    </message>
-    <message>
         <source>Cannot zero the force: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
         <translation>Die Kraft kann nicht auf null gesetzt werden: Die Diagramme zeigen keine Messwerte. Verbinden Sie sich mit einem Roboter oder blättern Sie zu einer Zeit mit Messwerten.</translation>
     </message>
@@ -8429,10 +8421,6 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>Aufzeichnung öffnen</translation>
     </message>
     <message>
-        <source>Recordings (*.mcap *.csv *.h5 *.hdf5);;All files (*)</source>
-        <translation>Aufzeichnungen (*.mcap *.csv *.h5 *.hdf5);;Alle Dateien (*)</translation>
-    </message>
-    <message>
         <source>Save plot layout</source>
         <translation>Diagrammlayout speichern</translation>
     </message>
@@ -8512,14 +8500,6 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <source>The maximum number of plot pages has been reached. Remove a page first.</source>
         <translation>Die maximale Zahl an Diagrammseiten ist erreicht: Entfernen Sie zuerst eine Seite.</translation>
     </message>
-    <message>
-        <source>Record to an MCAP file</source>
-        <translation>In eine MCAP-Datei aufzeichnen</translation>
-    </message>
-    <message>
-        <source>Record robot data to an MCAP file. Use the arrow button to select the signals and the folder.</source>
-        <translation>Roboterdaten in eine MCAP-Datei aufzeichnen. Mit der Pfeiltaste wählen Sie Signale und Ordner.</translation>
-    </message>
     <message numerus="yes">
         <source>%1 · %2 per second · %3 free · %n packet(s) lost</source>
         <translation>
@@ -8566,6 +8546,18 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
     <message>
         <source>Robot: %1</source>
         <translation>Roboter: %1</translation>
+    </message>
+    <message>
+        <source>Recordings (%1);;All files (*)</source>
+        <translation>Aufzeichnungen (%1);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Record to a file (%1)</source>
+        <translation>In eine Datei aufzeichnen (%1)</translation>
+    </message>
+    <message>
+        <source>Record robot data to a file (%1). Use the arrow button to select the signals and the folder.</source>
+        <translation>Roboterdaten in eine Datei aufzeichnen (%1). Mit der Pfeiltaste wählen Sie Signale und Ordner.</translation>
     </message>
 </context>
 <context>

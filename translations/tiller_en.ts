@@ -8191,10 +8191,6 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Record to a CSV file</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Paused · %1 s ago</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8284,10 +8280,6 @@ Press “Measure…” to measure the payload with the arm.</source>
     </message>
     <message>
         <source>Zero the displayed force</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Record robot data to a CSV file. Use the arrow button to select the signals and the folder.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8421,10 +8413,6 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Recordings (*.mcap *.csv *.h5 *.hdf5);;All files (*)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Save plot layout</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8504,14 +8492,6 @@ Press “Measure…” to measure the payload with the arm.</source>
         <source>The maximum number of plot pages has been reached. Remove a page first.</source>
         <translation type="unfinished"></translation>
     </message>
-    <message>
-        <source>Record to an MCAP file</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Record robot data to an MCAP file. Use the arrow button to select the signals and the folder.</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message numerus="yes">
         <source>%1 · %2 per second · %3 free · %n packet(s) lost</source>
         <translation>
@@ -8557,6 +8537,18 @@ Press “Measure…” to measure the payload with the arm.</source>
     </message>
     <message>
         <source>Robot: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recordings (%1);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record to a file (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record robot data to a file (%1). Use the arrow button to select the signals and the folder.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

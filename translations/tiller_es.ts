@@ -8207,14 +8207,6 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>Guardar el intervalo visible como imagen (p. ej., PNG) o como valores (p. ej., CSV)</translation>
     </message>
     <message>
-        <source>Record to a CSV file</source>
-        <translation>Grabar en un archivo CSV</translation>
-    </message>
-    <message>
-        <source>Record robot data to a CSV file. Use the arrow button to select the signals and the folder.</source>
-        <translation>Grabar los datos del robot en un archivo CSV. Use la flecha para elegir señales y carpeta.</translation>
-    </message>
-    <message>
         <source>Cannot zero the force: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
         <translation>No se puede poner a cero la fuerza: los gráficos no muestran muestras. Conéctese a un robot o vaya a un momento con muestras.</translation>
     </message>
@@ -8429,10 +8421,6 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>Abrir grabación</translation>
     </message>
     <message>
-        <source>Recordings (*.mcap *.csv *.h5 *.hdf5);;All files (*)</source>
-        <translation>Grabaciones (*.mcap *.csv *.h5 *.hdf5);;Todos los archivos (*)</translation>
-    </message>
-    <message>
         <source>Save plot layout</source>
         <translation>Guardar la disposición de los gráficos</translation>
     </message>
@@ -8512,14 +8500,6 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <source>The maximum number of plot pages has been reached. Remove a page first.</source>
         <translation>Se alcanzó el número máximo de páginas de gráficos: quite primero una.</translation>
     </message>
-    <message>
-        <source>Record to an MCAP file</source>
-        <translation>Grabar en un archivo MCAP</translation>
-    </message>
-    <message>
-        <source>Record robot data to an MCAP file. Use the arrow button to select the signals and the folder.</source>
-        <translation>Grabar los datos del robot en un archivo MCAP. Use la flecha para elegir señales y carpeta.</translation>
-    </message>
     <message numerus="yes">
         <source>%1 · %2 per second · %3 free · %n packet(s) lost</source>
         <translation>
@@ -8566,6 +8546,18 @@ Pulse Medir… para medir la carga con el brazo.</translation>
     <message>
         <source>Robot: %1</source>
         <translation>Robot: %1</translation>
+    </message>
+    <message>
+        <source>Recordings (%1);;All files (*)</source>
+        <translation>Grabaciones (%1);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Record to a file (%1)</source>
+        <translation>Grabar en un archivo (%1)</translation>
+    </message>
+    <message>
+        <source>Record robot data to a file (%1). Use the arrow button to select the signals and the folder.</source>
+        <translation>Grabar los datos del robot en un archivo (%1). Use la flecha para elegir señales y carpeta.</translation>
     </message>
 </context>
 <context>

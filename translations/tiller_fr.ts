@@ -8207,14 +8207,6 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>Enregistrer la plage visible comme image (p. ex. PNG) ou comme valeurs (p. ex. CSV)</translation>
     </message>
     <message>
-        <source>Record to a CSV file</source>
-        <translation>Enregistrer dans un fichier CSV</translation>
-    </message>
-    <message>
-        <source>Record robot data to a CSV file. Use the arrow button to select the signals and the folder.</source>
-        <translation>Enregistrer les données du robot dans un fichier CSV. Utilisez la flèche pour choisir signaux et dossier.</translation>
-    </message>
-    <message>
         <source>Cannot zero the force: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
         <translation>Mise à zéro de la force impossible : les tracés n’affichent aucun échantillon. Connectez-vous à un robot ou allez à un moment avec des échantillons.</translation>
     </message>
@@ -8429,10 +8421,6 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>Ouvrir un enregistrement</translation>
     </message>
     <message>
-        <source>Recordings (*.mcap *.csv *.h5 *.hdf5);;All files (*)</source>
-        <translation>Enregistrements (*.mcap *.csv *.h5 *.hdf5);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
         <source>Save plot layout</source>
         <translation>Enregistrer la disposition des tracés</translation>
     </message>
@@ -8512,14 +8500,6 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <source>The maximum number of plot pages has been reached. Remove a page first.</source>
         <translation>Le nombre maximal de pages de tracés est atteint : retirez d’abord une page.</translation>
     </message>
-    <message>
-        <source>Record to an MCAP file</source>
-        <translation>Enregistrer dans un fichier MCAP</translation>
-    </message>
-    <message>
-        <source>Record robot data to an MCAP file. Use the arrow button to select the signals and the folder.</source>
-        <translation>Enregistrer les données du robot dans un fichier MCAP. Utilisez la flèche pour choisir signaux et dossier.</translation>
-    </message>
     <message numerus="yes">
         <source>%1 · %2 per second · %3 free · %n packet(s) lost</source>
         <translation>
@@ -8566,6 +8546,18 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
     <message>
         <source>Robot: %1</source>
         <translation>Robot : %1</translation>
+    </message>
+    <message>
+        <source>Recordings (%1);;All files (*)</source>
+        <translation>Enregistrements (%1);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Record to a file (%1)</source>
+        <translation>Enregistrer dans un fichier (%1)</translation>
+    </message>
+    <message>
+        <source>Record robot data to a file (%1). Use the arrow button to select the signals and the folder.</source>
+        <translation>Enregistrer les données du robot dans un fichier (%1). Utilisez la flèche pour choisir signaux et dossier.</translation>
     </message>
 </context>
 <context>

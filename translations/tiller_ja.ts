@@ -8191,14 +8191,6 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>表示範囲を画像 (PNG など) または値 (CSV など) で保存</translation>
     </message>
     <message>
-        <source>Record to a CSV file</source>
-        <translation>CSV ファイルに記録</translation>
-    </message>
-    <message>
-        <source>Record robot data to a CSV file. Use the arrow button to select the signals and the folder.</source>
-        <translation>ロボットのデータを CSV ファイルに記録します。信号とフォルダーは隣の矢印ボタンで選びます。</translation>
-    </message>
-    <message>
         <source>Cannot zero the force: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
         <translation>力をゼロにできませんでした：グラフにサンプルがありません。ロボットに接続するか、サンプルのある時刻に移ってください。</translation>
     </message>
@@ -8411,10 +8403,6 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>記録を開く</translation>
     </message>
     <message>
-        <source>Recordings (*.mcap *.csv *.h5 *.hdf5);;All files (*)</source>
-        <translation>記録 (*.mcap *.csv *.h5 *.hdf5);;すべてのファイル (*)</translation>
-    </message>
-    <message>
         <source>Save plot layout</source>
         <translation>グラフの配置を保存</translation>
     </message>
@@ -8494,14 +8482,6 @@ Press “Measure…” to measure the payload with the arm.</source>
         <source>The maximum number of plot pages has been reached. Remove a page first.</source>
         <translation>グラフのページが上限に達しています。まず1つ取り除いてください。</translation>
     </message>
-    <message>
-        <source>Record to an MCAP file</source>
-        <translation>MCAPファイルに記録</translation>
-    </message>
-    <message>
-        <source>Record robot data to an MCAP file. Use the arrow button to select the signals and the folder.</source>
-        <translation>ロボットのデータを MCAP ファイルに記録します。信号とフォルダーは隣の矢印ボタンで選びます。</translation>
-    </message>
     <message numerus="yes">
         <source>%1 · %2 per second · %3 free · %n packet(s) lost</source>
         <translation>
@@ -8547,6 +8527,18 @@ Press “Measure…” to measure the payload with the arm.</source>
     <message>
         <source>Robot: %1</source>
         <translation>ロボット: %1</translation>
+    </message>
+    <message>
+        <source>Recordings (%1);;All files (*)</source>
+        <translation>記録 (%1);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>Record to a file (%1)</source>
+        <translation>ファイルに記録 (%1)</translation>
+    </message>
+    <message>
+        <source>Record robot data to a file (%1). Use the arrow button to select the signals and the folder.</source>
+        <translation>ロボットのデータをファイルに記録します (%1)。信号とフォルダーは隣の矢印ボタンで選びます。</translation>
     </message>
 </context>
 <context>

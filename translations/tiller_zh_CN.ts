@@ -8191,14 +8191,6 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>将可见范围保存为图片（如 PNG）或数值（如 CSV）</translation>
     </message>
     <message>
-        <source>Record to a CSV file</source>
-        <translation>录制到 CSV 文件</translation>
-    </message>
-    <message>
-        <source>Record robot data to a CSV file. Use the arrow button to select the signals and the folder.</source>
-        <translation>将机器人数据录制到 CSV 文件。使用旁边的箭头按钮选择信号和文件夹。</translation>
-    </message>
-    <message>
         <source>Cannot zero the force: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
         <translation>无法将力归零：曲线图没有样本。请连接机器人，或滚动到有样本的时间。</translation>
     </message>
@@ -8411,10 +8403,6 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>打开录制</translation>
     </message>
     <message>
-        <source>Recordings (*.mcap *.csv *.h5 *.hdf5);;All files (*)</source>
-        <translation>录制 (*.mcap *.csv *.h5 *.hdf5);;所有文件 (*)</translation>
-    </message>
-    <message>
         <source>Save plot layout</source>
         <translation>保存曲线图布局</translation>
     </message>
@@ -8494,14 +8482,6 @@ Press “Measure…” to measure the payload with the arm.</source>
         <source>The maximum number of plot pages has been reached. Remove a page first.</source>
         <translation>曲线图页数已达上限：请先移除一页。</translation>
     </message>
-    <message>
-        <source>Record to an MCAP file</source>
-        <translation>录制到 MCAP 文件</translation>
-    </message>
-    <message>
-        <source>Record robot data to an MCAP file. Use the arrow button to select the signals and the folder.</source>
-        <translation>将机器人数据录制到 MCAP 文件。使用旁边的箭头按钮选择信号和文件夹。</translation>
-    </message>
     <message numerus="yes">
         <source>%1 · %2 per second · %3 free · %n packet(s) lost</source>
         <translation>
@@ -8547,6 +8527,18 @@ Press “Measure…” to measure the payload with the arm.</source>
     <message>
         <source>Robot: %1</source>
         <translation>机器人：%1</translation>
+    </message>
+    <message>
+        <source>Recordings (%1);;All files (*)</source>
+        <translation>录制 (%1);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Record to a file (%1)</source>
+        <translation>录制到文件 (%1)</translation>
+    </message>
+    <message>
+        <source>Record robot data to a file (%1). Use the arrow button to select the signals and the folder.</source>
+        <translation>将机器人数据录制到文件 (%1)。使用旁边的箭头按钮选择信号和文件夹。</translation>
     </message>
 </context>
 <context>

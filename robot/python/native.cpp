@@ -9,6 +9,7 @@
 
 #include "robot/platform/thread_priority.h"
 #include "robot/python/native_objects.h"
+#include "robot/recording/formats/file_formats.h"
 #include "robot/recording/formats/open_recording.h"
 #include "robot/recording/recorder.h"
 
@@ -143,6 +144,12 @@ py::dict readRecording(const std::string& path, const std::optional<std::string>
 }
 
 void defineRecorder(py::module_& module) {
+    module.def(
+        "format_of_content",
+        [](const std::string& begin) {
+            return recording::fileFormatOfContent(QByteArray::fromStdString(begin)).name.toStdString();
+        },
+        py::arg("begin"));
     module.def("read_recording", &readRecording, py::arg("path"), py::arg("time_column") = py::none(),
                py::arg("time_unit") = py::none(), py::arg("table_rate") = 0.0,
                py::arg("table_separator") = py::none(), py::arg("table_decimal") = py::none(),

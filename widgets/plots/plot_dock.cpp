@@ -689,7 +689,8 @@ void PlotDock::endReplay() {
 void PlotDock::askForRecording() {
     const QString folder = choice_.folder.isEmpty() ? recordingFolder() : choice_.folder;
     const QString path = QFileDialog::getOpenFileName(
-        this, tr("Open recording"), folder, tr("Recordings (*.mcap *.csv *.h5 *.hdf5);;All files (*)"));
+        this, tr("Open recording"), folder,
+        tr("Recordings (%1);;All files (*)").arg(recording::suffixFilter(recording::FormatSet::All)));
     if (!path.isEmpty()) {
         openRecording(path);
     }
@@ -812,7 +813,8 @@ void PlotDock::buildHeader() {
     export_->setText(tr("Export…"));
     export_->setToolTip(tr("Save the visible range as an image (e.g. PNG) or as values (e.g. CSV)"));
     connect(export_, &QToolButton::clicked, this, &PlotDock::askExport);
-    record_ = quietButton(QStringLiteral("plots.record"), tr("Record to a CSV file"), this);
+    record_ = quietButton(QStringLiteral("plots.record"),
+                          recordingFormatWords(recordingFormat(choice_.format)).button, this);
     connect(record_, &QToolButton::clicked, this, &PlotDock::toggleRecording);
 
     addHeaderWidget(readout_);
@@ -1173,12 +1175,9 @@ void PlotDock::showRecordMenu() {
         });
     }
     menu->addSeparator();
-    for (const recording::FileFormat& format : recording::fileFormats()) {
-        if (format.recorder == nullptr) {
-            continue;
-        }
-        const QString suffix = format.suffixes.constFirst();
-        QAction* action = add("plots.record.format", recordingFormatWords(format).choice);
+    for (const recording::FileFormat* format : recording::formatsIn(recording::FormatSet::Recorded)) {
+        const QString suffix = format->suffixes.constFirst();
+        QAction* action = add("plots.record.format", recordingFormatWords(*format).choice);
         action->setCheckable(true);
         action->setChecked(suffix == choice_.format);
         action->setData(suffix);

@@ -342,7 +342,7 @@ def read_recording(path: str | os.PathLike[str], *, time_column: str | None = No
     name = os.fspath(path)
     options = (time_column, time_unit, table_rate or 0.0, table_separator, table_decimal, no_header)
     with open(name, "rb") as file:
-        is_text = not file.read(8).startswith((b"\x89MCAP", b"\x89HDF"))
+        is_text = _native.format_of_content(file.read(8)) == "CSV"
     if is_text and options == (None, None, 0.0, None, None, False):
         return pandas.read_csv(name)
     return pandas.DataFrame(_native.read_recording(name, *options))

@@ -15,7 +15,7 @@ Result<ExportReport> exportRecording(const Recording& recording, const ExportCho
         return format->write(recording, choice, style);
     }
     return Error{ErrorCode::InvalidArgument, QStringLiteral("export to %1").arg(choice.path),
-                 QStringLiteral("path: must end in ") + suffixWords(false)};
+                 QStringLiteral("path: must end in ") + suffixWords(FormatSet::All)};
 }
 
 }  // namespace tiller::recording

@@ -17,6 +17,8 @@ const std::vector<FileFormat>& fileFormats() {
         {.name = QStringLiteral("CSV"),
          .suffixes = {QStringLiteral("csv")},
          .magic = {},
+         .readers = QStringLiteral("pandas and spreadsheets"),
+         .label = QT_TRANSLATE_NOOP("tiller::PlotDock", "CSV: text, for pandas and spreadsheets"),
          .open = &openCsv,
          .write = &exportCsv,
          .recorder = [](const McapFormatOptions& extras,
@@ -25,6 +27,8 @@ const std::vector<FileFormat>& fileFormats() {
         {.name = QStringLiteral("HDF5"),
          .suffixes = {QStringLiteral("h5"), QStringLiteral("hdf5")},
          .magic = "\x89HDF",
+         .readers = QStringLiteral("h5py, MATLAB and Octave"),
+         .label = nullptr,
          .open = &openHdf5,
          .write = [](const Recording& recording, const ExportChoice& choice,
                      const CsvStyle&) { return exportHdf5(recording, choice); },
@@ -33,6 +37,9 @@ const std::vector<FileFormat>& fileFormats() {
         {.name = QStringLiteral("MCAP"),
          .suffixes = {QStringLiteral("mcap")},
          .magic = "\x89MCAP",
+         .readers = QStringLiteral("ROS tools"),
+         .label = QT_TRANSLATE_NOOP("tiller::PlotDock",
+                                    "MCAP: every field, the log and the project, for ROS tools"),
          .open = [](const Text& path, const TableFormat&) { return openMcap(path); },
          .write = [](const Recording& recording, const ExportChoice& choice,
                      const CsvStyle&) { return exportMcap(recording, choice); },
@@ -40,6 +47,21 @@ const std::vector<FileFormat>& fileFormats() {
          .isComplete = true},
     };
     return rows;
+}
+
+std::vector<const FileFormat*> formatsIn(FormatSet set) {
+    std::vector<const FileFormat*> found;
+    for (const FileFormat& format : fileFormats()) {
+        const bool isRecorded = format.recorder != nullptr;
+        const bool isFound = set == FormatSet::Recorded   ? isRecorded
+                             : set == FormatSet::Complete ? isRecorded && format.isComplete
+                             : set == FormatSet::Selected ? isRecorded && !format.isComplete
+                                                          : true;
+        if (isFound) {
+            found.push_back(&format);
+        }
+    }
+    return found;
 }
 
 const FileFormat* fileFormatOf(const Text& path) {
@@ -50,15 +72,50 @@ const FileFormat* fileFormatOf(const Text& path) {
     return row == rows.end() ? nullptr : &*row;
 }
 
-QString suffixWords(bool recorded) {
-    QStringList suffixes;
-    for (const FileFormat& format : fileFormats()) {
-        if (!recorded || format.recorder != nullptr) {
-            suffixes << QLatin1Char('.') + format.suffixes.constFirst();
+const FileFormat& fileFormatOfContent(const QByteArray& begin) {
+    const std::vector<FileFormat>& rows = fileFormats();
+    const auto row = std::find_if(rows.begin(), rows.end(), [&](const FileFormat& format) {
+        return !format.magic.isEmpty() && begin.startsWith(format.magic);
+    });
+    return row != rows.end() ? *row : *std::find_if(rows.begin(), rows.end(), [](const FileFormat& format) {
+        return format.magic.isEmpty();
+    });
+}
+
+namespace {
+
+QString listed(QStringList words, const QString& lastSeparator) {
+    const QString last = words.takeLast();
+    return words.isEmpty() ? last : words.join(QStringLiteral(", ")) + lastSeparator + last;
+}
+
+}  // namespace
+
+QString suffixWords(FormatSet set, const QString& before) {
+    QStringList words;
+    for (const FileFormat* format : formatsIn(set)) {
+        words << before + QLatin1Char('.') + format->suffixes.constFirst();
+    }
+    return listed(words, QStringLiteral(" or "));
+}
+
+QString suffixHelp(FormatSet set) {
+    QStringList words;
+    for (const FileFormat* format : formatsIn(set)) {
+        words << QStringLiteral(".%1 for %2")
+                     .arg(format->suffixes.join(QStringLiteral(" or .")), format->readers);
+    }
+    return listed(words, QStringLiteral(", or "));
+}
+
+QString suffixFilter(FormatSet set) {
+    QStringList filters;
+    for (const FileFormat* format : formatsIn(set)) {
+        for (const QString& suffix : format->suffixes) {
+            filters << QStringLiteral("*.") + suffix;
         }
     }
-    const QString end = suffixes.takeLast();
-    return suffixes.join(QStringLiteral(", ")) + QStringLiteral(" or ") + end;
+    return filters.join(QLatin1Char(' '));
 }
 
 }  // namespace tiller::recording

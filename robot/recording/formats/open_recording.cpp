@@ -2,7 +2,6 @@
 #include "robot/recording/formats/open_recording.h"
 
 #include <QFile>
-#include <algorithm>
 
 #include "robot/core/file_reading.h"
 #include "robot/recording/formats/file_formats.h"
@@ -16,15 +15,7 @@ Result<std::unique_ptr<Recording>> openRecording(const Text& path, const TableFo
     }
     const QByteArray begin = file.read(8);
     file.close();
-    const std::vector<FileFormat>& rows = fileFormats();
-    auto row = std::find_if(rows.begin(), rows.end(), [&begin](const FileFormat& each) {
-        return !each.magic.isEmpty() && begin.startsWith(each.magic);
-    });
-    if (row == rows.end()) {
-        row = std::find_if(rows.begin(), rows.end(),
-                           [](const FileFormat& each) { return each.magic.isEmpty(); });
-    }
-    return row->open(path, format);
+    return fileFormatOfContent(begin).open(path, format);
 }
 
 Result<std::shared_ptr<const RecordingFormat>> formatForPath(const Text& path) {
@@ -33,7 +24,7 @@ Result<std::shared_ptr<const RecordingFormat>> formatForPath(const Text& path) {
         return format->recorder({}, false);
     }
     return Error{ErrorCode::InvalidArgument, QString(path),
-                 QStringLiteral("path: must end in ") + suffixWords(true)};
+                 QStringLiteral("path: must end in ") + suffixWords(FormatSet::Recorded)};
 }
 
 }  // namespace tiller::recording

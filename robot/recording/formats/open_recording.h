@@ -19,9 +19,9 @@ namespace tiller::recording {
 /// Threads  any. Blocks: depends on the format
 Result<std::unique_ptr<Recording>> openRecording(const Text& path, const TableFormat& format = {});
 
-/// Format for RecorderOptions::format, selected by the extension of the path: .csv or .mcap
-/// (case-insensitive).
-/// Errors   InvalidArgument for other extensions; the message contains both formats
+/// Format for RecorderOptions::format, selected by the extension of the path (case-insensitive), from the rows
+/// of fileFormats() that a recorder can write.
+/// Errors   InvalidArgument for other extensions; the message contains those that are possible
 /// Threads  any. Blocks: never
 Result<std::shared_ptr<const RecordingFormat>> formatForPath(const Text& path);
 

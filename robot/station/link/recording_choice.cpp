@@ -6,7 +6,6 @@
 #include <QSet>
 #include <QStandardPaths>
 #include <algorithm>
-#include <iterator>
 
 #include "robot/recording/recorder.h"
 
@@ -30,9 +29,9 @@ bool isForbidden(QChar c) {
 
 QString withoutEnding(const QString& pattern) {
     const QString trimmed = pattern.trimmed();
-    for (const recording::FileFormat& format : recording::fileFormats()) {
-        const QString ending = QLatin1Char('.') + format.suffixes.constFirst();
-        if (format.recorder != nullptr && trimmed.endsWith(ending, Qt::CaseInsensitive)) {
+    for (const recording::FileFormat* format : recording::formatsIn(recording::FormatSet::Recorded)) {
+        const QString ending = QLatin1Char('.') + format->suffixes.constFirst();
+        if (trimmed.endsWith(ending, Qt::CaseInsensitive)) {
             return trimmed.chopped(ending.size());
         }
     }
@@ -68,42 +67,23 @@ QSet<QString> namesIn(const QDir& folder) {
 }  // namespace
 
 const recording::FileFormat& recordingFormat(const QString& suffix) {
-    const std::vector<recording::FileFormat>& rows = recording::fileFormats();
-    const auto row = std::find_if(rows.begin(), rows.end(), [&](const recording::FileFormat& format) {
-        return format.recorder != nullptr && format.suffixes.contains(suffix);
+    const auto rows = recording::formatsIn(recording::FormatSet::Recorded);
+    const auto row = std::find_if(rows.begin(), rows.end(), [&](const recording::FileFormat* format) {
+        return format->suffixes.contains(suffix);
     });
-    return row == rows.end() ? *recording::fileFormatOf(QStringLiteral(".csv")) : *row;
+    return row == rows.end() ? *recording::fileFormatOf(QStringLiteral(".csv")) : **row;
 }
 
 RecordingFormatWords recordingFormatWords(const recording::FileFormat& format) {
-    struct Row {
-        const char* name;
-        const char* choice;
-        const char* button;
-        const char* buttonHint;
-    };
-    static constexpr Row kRows[] = {
-        {"CSV", QT_TRANSLATE_NOOP("tiller::PlotDock", "CSV: text, for pandas and spreadsheets"),
-         QT_TRANSLATE_NOOP("tiller::PlotDock", "Record to a CSV file"),
-         QT_TRANSLATE_NOOP(
-             "tiller::PlotDock",
-             "Record robot data to a CSV file. Use the arrow button to select the signals and the folder.")},
-        {"MCAP",
-         QT_TRANSLATE_NOOP("tiller::PlotDock", "MCAP: every field, the log and the project, for ROS tools"),
-         QT_TRANSLATE_NOOP("tiller::PlotDock", "Record to an MCAP file"),
-         QT_TRANSLATE_NOOP("tiller::PlotDock",
-                           "Record robot data to an MCAP file. Use the arrow button to select the signals "
-                           "and the folder.")},
-    };
-    const auto row = std::find_if(std::begin(kRows), std::end(kRows),
-                                  [&](const Row& words) { return format.name == QLatin1String(words.name); });
-    if (row == std::end(kRows)) {
-        return {format.name, format.name, format.name};
-    }
     const auto translated = [](const char* text) {
         return QCoreApplication::translate("tiller::PlotDock", text);
     };
-    return {translated(row->choice), translated(row->button), translated(row->buttonHint)};
+    return {translated(format.label),
+            translated(QT_TRANSLATE_NOOP("tiller::PlotDock", "Record to a file (%1)")).arg(format.name),
+            translated(QT_TRANSLATE_NOOP("tiller::PlotDock",
+                                         "Record robot data to a file (%1). Use the arrow button to select "
+                                         "the signals and the folder."))
+                .arg(format.name)};
 }
 
 QStringList recordableFields() {

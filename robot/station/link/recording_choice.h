@@ -32,7 +32,7 @@ struct RecordingChoice {
 /// Returns the file format with this suffix; CSV for a suffix that a recorder cannot write.
 const recording::FileFormat& recordingFormat(const QString& suffix);
 
-/// Translated words for a format.
+/// Translated words for a format that a recorder can write.
 struct RecordingFormatWords {
     QString choice;      ///< text in a list of formats
     QString button;      ///< accessible name of the button that starts a recording

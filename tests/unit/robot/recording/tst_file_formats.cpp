@@ -71,8 +71,37 @@ private Q_SLOTS:
         QVERIFY(fileFormatOf("recording") == nullptr);
         QVERIFY(fileFormatOf("recording.csv.txt") == nullptr);
         QVERIFY(!canExportTo("recording.png"));
-        QCOMPARE(suffixWords(true), QString(".csv or .mcap"));
-        QCOMPARE(suffixWords(false), QString(".csv, .h5 or .mcap"));
+        QCOMPARE(suffixWords(FormatSet::Recorded), QString(".csv or .mcap"));
+        QCOMPARE(suffixWords(FormatSet::All, "FILE"), QString("FILE.csv, FILE.h5 or FILE.mcap"));
+    }
+
+    void everySetHasItsFormats() {
+        using Names = QStringList;
+        const auto namesIn = [](FormatSet set) {
+            QStringList names;
+            for (const FileFormat* format : formatsIn(set)) {
+                names << format->name;
+            }
+            return names;
+        };
+        QCOMPARE(namesIn(FormatSet::All), Names({"CSV", "HDF5", "MCAP"}));
+        QCOMPARE(namesIn(FormatSet::Recorded), Names({"CSV", "MCAP"}));
+        QCOMPARE(namesIn(FormatSet::Complete), Names({"MCAP"}));
+        QCOMPARE(namesIn(FormatSet::Selected), Names({"CSV"}));
+    }
+
+    void everySuffixIsInHelpAndFileDialog() {
+        QCOMPARE(suffixFilter(FormatSet::Recorded), QString("*.csv *.mcap"));
+        QCOMPARE(suffixHelp(FormatSet::Recorded),
+                 QString(".csv for pandas and spreadsheets, or .mcap for ROS tools"));
+        for (const FileFormat& format : fileFormats()) {
+            QVERIFY(!format.readers.isEmpty() && suffixHelp(FormatSet::All).contains(format.readers));
+            QCOMPARE(format.label == nullptr, format.recorder == nullptr);
+            for (const QString& suffix : format.suffixes) {
+                QVERIFY(suffixHelp(FormatSet::All).contains(QLatin1Char('.') + suffix));
+                QVERIFY(suffixFilter(FormatSet::All).contains(QStringLiteral("*.") + suffix));
+            }
+        }
     }
 
 private:
