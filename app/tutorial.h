@@ -6,8 +6,8 @@
 
 #include <QObject>
 
-#include "widgets/practice/first_steps.h"
-#include "widgets/practice/practice.h"
+#include "robot/station/practice/first_steps.h"
+#include "robot/station/practice/practice.h"
 
 namespace tiller {
 

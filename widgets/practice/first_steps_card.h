@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "widgets/practice/first_steps.h"
+#include "robot/station/practice/first_steps.h"
 #include "widgets/practice/view_card.h"
 
 namespace tiller {

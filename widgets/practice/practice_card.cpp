@@ -8,9 +8,9 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "robot/station/practice/practice.h"
 #include "widgets/common/theme.h"
 #include "widgets/practice/checklist_item.h"
-#include "widgets/practice/practice.h"
 
 namespace tiller {
 namespace {

@@ -26,21 +26,19 @@ EVENTS = "filters events of widgets"
 DEVICE = "reads an input device"
 PROBE = "asks the display server which keys are down"
 VIEW = "values of the 3D view"
-TUTORIAL = "the tutorial of the window"
 # Classes of widgets/ that neither derive from nor own a widget, and why they are in widgets/.
 REASONS = {
-    "AxisRange": PLOT, "Camera": VIEW, "DeviceSource": DEVICE, "Filter": FILTER, "FirstSteps": TUTORIAL,
-    "FrameCheck": TUTORIAL, "FrameModel": MODEL, "Gamepad": DEVICE, "GamepadSource": DEVICE, "HoverKeeper": EVENTS,
-    "InputDevice": DEVICE, "KeyGhosts": EVENTS, "KeyRepeat": EVENTS, "KeyStateProbe": PROBE, "LabelPlacer": VIEW, "LimitCheck": TUTORIAL,
-    "Link": PROBE, "ListTyping": EVENTS, "LogFilter": FILTER, "MeasureCheck": TUTORIAL, "NoKeyStateProbe": PROBE,
-    "PaintWatch": EVENTS, "PaperColors": "selects the theme for printing", "PartModel": MODEL,
+    "AxisRange": PLOT, "Camera": VIEW, "DeviceSource": DEVICE, "Filter": FILTER, "FrameModel": MODEL,
+    "Gamepad": DEVICE, "GamepadSource": DEVICE, "HoverKeeper": EVENTS, "InputDevice": DEVICE, "KeyGhosts": EVENTS,
+    "KeyRepeat": EVENTS, "KeyStateProbe": PROBE, "LabelPlacer": VIEW, "Link": PROBE, "ListTyping": EVENTS,
+    "LogFilter": FILTER, "NoKeyStateProbe": PROBE, "PaintWatch": EVENTS,
+    "PaperColors": "selects the theme for printing", "PartModel": MODEL,
     "PhysicalKeys": "the pressed keys of the keyboard, from key events",
     "PlotComparison": "the recordings compared in the plots, and their offsets on the time axis",
-    "Practice": TUTORIAL, "PracticeCheck": TUTORIAL, "ProgramModel": MODEL, "VariableModel": MODEL,
-    "ProjectFiles": "wraps UndoableDocument, whose QUndoStack is part of Qt Gui", "RecoverCheck": TUTORIAL,
+    "ProgramModel": MODEL, "ProjectFiles": "wraps UndoableDocument, whose QUndoStack is part of Qt Gui",
     "SceneTrace": VIEW, "Shade": VIEW, "SpaceMouse": DEVICE, "SpaceMouseSource": DEVICE,
     "StackingWatch": "the order of windows on the display server", "TimeWindow": PLOT,
-    "TouchUpCheck": TUTORIAL, "WaypointModel": MODEL, "XcbKeyStateProbe": PROBE,
+    "VariableModel": MODEL, "WaypointModel": MODEL, "XcbKeyStateProbe": PROBE,
 }
 
 

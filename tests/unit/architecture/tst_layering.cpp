@@ -219,6 +219,10 @@ const QList<Folder>& folders() {
           "robot/recording", "robot/station/text", "robot/station/executor", "robot/station/link",
           "robot/station/document"},
          kGui},
+        {"robot/station/practice",
+         {"robot/core", "robot/kinematics", "robot/project", "robot/station/text", "robot/station/link",
+          "robot/station/document"},
+         kGui},
         {"robot/station", {"robot/core", "robot/project/project_file.h"}, kGui},
         {"widgets/common", {"robot/core", "robot/station/text"}, {}},
         {"widgets/hold",
@@ -256,10 +260,7 @@ const QList<Folder>& folders() {
          {"robot/core", "robot/kinematics", "robot/project", "robot/station", "widgets/common",
           "widgets/hold", "widgets/project"},
          {}},
-        {"widgets/practice",
-         {"robot/core", "robot/kinematics", "robot/project", "robot/station", "widgets/common",
-          "widgets/project"},
-         {}},
+        {"widgets/practice", {"robot/station", "widgets/common"}, {}},
         {"app", {"widgets", "robot"}, {}},
     };
     return table;
@@ -383,7 +384,6 @@ bool needsDisplay(const QString& unit, QSet<QString>& seen) {
 const QHash<QString, QString>& withoutDisplay() {
     static const QString kView = "values of the 3D view";
     static const QString kPlots = "layout of plots on the screen";
-    static const QString kTutorial = "the tutorial of the window";
     static const QHash<QString, QString> table = {
         {"widgets/common/scene_marks", kView},
         {"widgets/common/stop_mark", "a property of the STOP button"},
@@ -391,9 +391,6 @@ const QHash<QString, QString>& withoutDisplay() {
         {"widgets/plots/axis_range", kPlots},
         {"widgets/plots/plot_layout", kPlots},
         {"widgets/plots/time_window", kPlots},
-        {"widgets/practice/first_steps", kTutorial},
-        {"widgets/practice/practice", kTutorial},
-        {"widgets/practice/practice_check", kTutorial},
         {"widgets/scene/arm_mesh", kView},
         {"widgets/scene/camera", kView},
         {"widgets/scene/label_placer", kView},

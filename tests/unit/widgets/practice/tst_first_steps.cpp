@@ -13,10 +13,10 @@
 
 #include "resources/resources.h"
 #include "robot/station/link/robot_session.h"
+#include "robot/station/practice/first_steps.h"
 #include "tests/support/live_state.h"
 #include "widgets/common/theme.h"
 #include "widgets/practice/checklist_item.h"
-#include "widgets/practice/first_steps.h"
 #include "widgets/practice/first_steps_card.h"
 #include "widgets/project/undoable_document.h"
 

@@ -11,10 +11,10 @@
 
 #include "resources/resources.h"
 #include "robot/station/link/robot_session.h"
+#include "robot/station/practice/practice.h"
 #include "tests/support/live_state.h"
 #include "widgets/common/theme.h"
 #include "widgets/practice/checklist_item.h"
-#include "widgets/practice/practice.h"
 #include "widgets/practice/practice_card.h"
 #include "widgets/project/undoable_document.h"
 

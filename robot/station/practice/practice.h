@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: MIT
 #pragma once
 
 // State of the practice tasks: the displayed task, whether the user can start it, and the check of the
@@ -12,7 +12,7 @@
 #include <memory>
 #include <optional>
 
-#include "widgets/practice/practice_check.h"
+#include "robot/station/practice/practice_check.h"
 
 namespace tiller {
 

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: MIT
 //
 // The checks of the practice tasks. Each check passes only for the required result.
 
@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "robot/core/angles.h"
+#include "robot/station/practice/practice_check.h"
 #include "tests/support/live_state.h"
-#include "widgets/practice/practice_check.h"
 
 using namespace tiller;
 using namespace tiller::test;

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/practice/first_steps.h"
+// SPDX-License-Identifier: MIT
+#include "robot/station/practice/first_steps.h"
 
 #include <algorithm>
 

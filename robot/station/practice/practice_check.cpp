@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/practice/practice_check.h"
+// SPDX-License-Identifier: MIT
+#include "robot/station/practice/practice_check.h"
 
 #include <QCoreApplication>
 #include <QSet>
