@@ -74,9 +74,12 @@ QTableView::item, QTreeView::item, QListView::item { border: none; border-bottom
     padding: 0 10px; }
 QTableView::item:selected, QTreeView::item:selected, QListView::item:selected { background: @movingTint;
     color: @text; }
-QListView::indicator { background: @raised; border: 1px solid @secondary; border-radius: 3px; width: 14px;
-    height: 14px; }
-QListView::indicator:checked { image: url(:/tiller/icons/check-@scheme.svg); }
+QCheckBox::indicator, QGroupBox::indicator, QTableView::indicator, QTreeView::indicator, QListView::indicator {
+    background: @raised; border: 1px solid @secondary; border-radius: 3px; width: 14px; height: 14px; }
+QCheckBox::indicator:checked, QGroupBox::indicator:checked, QTableView::indicator:checked,
+QTreeView::indicator:checked, QListView::indicator:checked { image: url(:/tiller/icons/check-@scheme.svg); }
+QCheckBox::indicator:focus { border-color: @moving; }
+QCheckBox::indicator:disabled { background: transparent; border-color: @disabledText; }
 QListView::item:disabled { color: @secondary; }
 #paletteList::item { padding: 5px 10px; }
 QTableView:focus, QTreeView:focus, QListView:focus { border-color: @moving; }

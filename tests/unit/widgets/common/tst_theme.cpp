@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QApplication>
+#include <QCheckBox>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
+#include <QStyleOptionButton>
 #include <QTest>
 #include <QToolButton>
 
@@ -17,6 +19,30 @@ class TestTheme : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    void untickedBoxesAreVisible_data() {
+        QTest::addColumn<bool>("dark");
+        QTest::newRow("light") << false;
+        QTest::newRow("dark") << true;
+    }
+    void untickedBoxesAreVisible() {
+        QFETCH(bool, dark);
+        applyTheme(*qApp, dark ? Theme::dark() : Theme::light());
+        QCheckBox box(QStringLiteral("ticked"));
+        box.ensurePolished();
+        box.resize(box.sizeHint());
+        QStyleOptionButton option;
+        option.initFrom(&box);
+        const QRect tick = box.style()->subElementRect(QStyle::SE_CheckBoxIndicator, &option, &box);
+        const QImage image = box.grab().toImage();
+        const QColor ground = image.pixelColor(box.width() - 1, 0);
+        double best = 0;
+        for (int x = tick.left(); x <= tick.right(); ++x) {
+            best = std::max(best, contrastRatio(image.pixelColor(x, tick.center().y()), ground));
+        }
+        QVERIFY2(best >= 3, qPrintable(QString::number(best)));
+        applyTheme(*qApp, Theme::light());
+    }
+
     void contrastOfBlackOnWhiteIsTwentyOne() {
         QVERIFY(std::abs(contrastRatio(Qt::black, Qt::white) - 21.0) < 0.01);
         QVERIFY(std::abs(contrastRatio(Qt::red, Qt::red) - 1.0) < 0.001);
