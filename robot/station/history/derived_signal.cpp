@@ -350,6 +350,18 @@ private:
     std::vector<double> values_;
 };
 
+/// Matches a number with a decimal comma. The parser would read two values. In lists, a space after the comma avoids
+/// the ambiguity.
+const QRegularExpression& decimalComma() {
+    static const QRegularExpression kPattern(QStringLiteral("(?<![\\w.])\\d+,\\d+"));
+    return kPattern;
+}
+
+QString decimalCommaText(const QString& number) {
+    return DerivationText::tr("“%1” contains a decimal comma. Write decimal numbers with a point: %2")
+        .arg(number, QString(number).replace(QLatin1Char(','), QLatin1Char('.')));
+}
+
 /// Reads an expression with calls of running functions, which may contain expressions.
 class ExpressionReader {
 public:
@@ -424,6 +436,10 @@ private:
         const int order = arguments.size() == 3 ? arguments[2].toInt(&isOrder) : kDefaultOrder;
         areNumbers =
             areNumbers && isNumber && isOrder && std::isfinite(number) && order >= 1 && order <= kMaxOrder;
+        const QRegularExpressionMatch comma = decimalComma().match(arguments.join(QLatin1Char(',')));
+        if (!areNumbers && comma.hasMatch()) {
+            return fail(decimalCommaText(comma.captured()));
+        }
         if (!areNumbers) {
             return fail(
                 isFilter
@@ -466,6 +482,9 @@ private:
     }
 
     std::unique_ptr<Node> readPlain(const QString& text, std::vector<std::unique_ptr<Node>> calls) {
+        if (const QRegularExpressionMatch comma = decimalComma().match(text); comma.hasMatch()) {
+            return fail(decimalCommaText(comma.captured()));
+        }
         auto made = std::make_unique<Expression>();
         mu::Parser& parser = made->parser_;
         try {

@@ -70,6 +70,30 @@ private Q_SLOTS:
         QVERIFY(!s.store.derive("x = Sum + 1").ok());
     }
 
+    void aDecimalCommaIsRefused_data() {
+        QTest::addColumn<QString>("expression");
+        QTest::newRow("factor") << "x = 0,5 * actual_q_0";
+        QTest::newRow("in norm") << "x = norm(0,5*actual_q_0, actual_q_1)";
+        QTest::newRow("in an argument") << "x = mean(0,5*actual_q_0, 1)";
+        QTest::newRow("time window") << "x = mean(actual_q_0, 0,5)";
+        QTest::newRow("in parentheses") << "x = (0,5 + actual_q_0)";
+    }
+    void aDecimalCommaIsRefused() {
+        QFETCH(QString, expression);
+        Source s;
+        const auto made = s.store.derive(expression);
+        QVERIFY(!made.ok());
+        QVERIFY2(made.error().toString().contains("Write decimal numbers with a point: 0.5"),
+                 qPrintable(made.error().toString()));
+    }
+    void commasSeparateArguments() {
+        Source s;
+        s.add(100);
+        QVERIFY(s.store.derive("x = norm(actual_q_0,2)").ok());
+        QVERIFY(s.store.derive("y = lowpass(actual_q_0,10,2)").ok());
+        QVERIFY(s.store.derive("z = norm(1, 2, actual_q_0)").ok());
+    }
+
     void normDerivativeAndMeanAreComputed() {
         Source s;
         s.add(3000);
