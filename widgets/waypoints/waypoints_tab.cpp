@@ -337,6 +337,10 @@ bool WaypointsTab::eventFilter(QObject* watched, QEvent* event) {
     // The user has answered the touch-up question.
     if (watched == notice_ && event->type() == QEvent::Hide) {
         setTouchUpGhost(std::nullopt);
+        // Otherwise, the next widget of the window would get the focus, such as a button that records.
+        if (notice_->isHidden() && notice_->isAncestorOf(QApplication::focusWidget())) {
+            (table_->isVisible() ? static_cast<QWidget*>(table_) : this)->setFocus(Qt::OtherFocusReason);
+        }
     }
     return QWidget::eventFilter(watched, event);
 }
@@ -566,8 +570,12 @@ void WaypointsTab::buildActions() {
                               [this] { table_->renameCurrent(); })));
     add(onSelected(addCommand("waypoint.action.duplicate", tr("Duplicate"),
                               QKeySequence(Qt::CTRL | Qt::Key_D), [this] { editing_->duplicate(); })));
-    add(onSelected(addCommand("waypoint.action.delete", tr("Delete"), QKeySequence(Qt::Key_Delete),
-                              [this] { editing_->remove(); })));
+    // Del applies only to the list with the focus, and not to a question or a field of the tab.
+    QAction* remove = onSelected(addCommand("waypoint.action.delete", tr("Delete"),
+                                            QKeySequence(Qt::Key_Delete), [this] { editing_->remove(); }));
+    remove->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    menu->addAction(remove);
+    table_->addAction(remove);
     add(onSelected(addCommand("waypoint.action.up", tr("Move up"), QKeySequence(Qt::ALT | Qt::Key_Up),
                               [this] { editing_->move(-1); })));
     add(onSelected(addCommand("waypoint.action.down", tr("Move down"), QKeySequence(Qt::ALT | Qt::Key_Down),

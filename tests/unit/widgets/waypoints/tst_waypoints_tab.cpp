@@ -227,6 +227,24 @@ private Q_SLOTS:
         QVERIFY2(notice()->title().contains(QStringLiteral("moving")), qPrintable(notice()->title()));
     }
 
+    // A click on the text of the question gives it the focus, but the key belongs to the list.
+    void deleteInTheTouchUpQuestionDeletesNothing() {
+        teachThree();
+        tab_->selectRow(1);
+        feed(liveState(moved(4, 0.2)));
+        click("waypoint.touchUp");
+        auto* text = tab_->findChild<QLabel*>("notice.text");
+        QTest::mouseClick(text, Qt::LeftButton);
+        QCOMPARE(QApplication::focusWidget(), text);
+        QTest::keyClick(text, Qt::Key_Delete);
+        QCOMPARE(document_->waypoints().size(), 3);
+        QVERIFY(notice()->isVisible());
+        click("notice.dismiss");
+        QVERIFY2(table()->hasFocus(), "not a button that records or moves");
+        QTest::keyClick(table(), Qt::Key_Delete);
+        QCOMPARE(document_->waypoints().size(), 2);
+    }
+
     // The notice disappears automatically, because its reason is temporary and the log keeps the text.
     void aPressDuringAnotherHoldShowsAPassingNotice() {
         teachThree();
