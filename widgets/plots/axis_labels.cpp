@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plots/axis_labels.h"
 
+#include <QFontMetricsF>
 #include <QPainter>
 
 namespace tiller {
@@ -30,9 +31,15 @@ void AxisLabels::setLabels(std::vector<Label> labels) {
 }
 
 void AxisLabels::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
-    painter->setFont(font_);
     painter->setPen(color_);
     for (const Label& label : labels_) {
+        QFont font = font_;
+        constexpr int kSmallest = 8;
+        while (alignment_.testFlag(Qt::AlignRight) && font.pixelSize() > kSmallest &&
+               QFontMetricsF(font).horizontalAdvance(label.text) > label.box.width()) {
+            font.setPixelSize(font.pixelSize() - 1);
+        }
+        painter->setFont(font);
         painter->drawText(label.box, static_cast<int>(alignment_) | Qt::TextDontClip | Qt::TextSingleLine,
                           label.text);
     }

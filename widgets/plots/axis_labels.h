@@ -20,12 +20,13 @@ public:
         friend bool operator==(const Label&, const Label&) = default;
     };
 
-    /// alignment  alignment of each text in its box
+    /// alignment  alignment of each text in its box. Right-aligned texts use a smaller font if they do not fit.
     AxisLabels(Qt::Alignment alignment, QGraphicsItem* parent);
 
     void setLook(const QFont& font, const QColor& color);
     void setLabels(std::vector<Label> labels);
     const std::vector<Label>& labels() const { return labels_; }
+    const QFont& font() const { return font_; }
 
     QRectF boundingRect() const override { return bounds_; }
     void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;

@@ -428,7 +428,14 @@ void PlotDock::buildPagesMenu() {
     add(menu, "plots.layout.removePage", tr("Remove this page"), [this] {
         pages_->removePage(pages_->current());
     })->setEnabled(pages_->count() > 1);
-    add(menu, "plots.layout.standard", tr("Standard plots"), [this] { pages_->arrange({}); });
+    add(menu, "plots.layout.standard", tr("Standard plots"), [this] {
+        if (!pages_->showStandard()) {
+            session_.journal().add(
+                Severity::Warning,
+                tr("All %1 pages show recordings. Remove a page or close the recordings first.")
+                    .arg(PlotLayout::kMaxPages));
+        }
+    });
     menu->addSeparator();
     add(menu, "plots.layout.openRecording", tr("Open recording…"), [this] { askForRecording(); });
     add(menu, "plots.layout.closeRecordings", tr("Close recordings"), [this] {

@@ -156,17 +156,17 @@ int PlotPages::pageOf(const QString& recording) const {
     return -1;
 }
 
+bool PlotPages::hasRecording(int page) const {
+    const QSet<int> shown = views_[static_cast<std::size_t>(page)]->signalsShown();
+    return std::any_of(shown.begin(), shown.end(), [this](int signal) { return store_.isRecorded(signal); });
+}
+
 int PlotPages::livePage() const {
-    const auto isLive = [this](int page) {
-        const QSet<int> shown = views_[static_cast<std::size_t>(page)]->signalsShown();
-        return std::none_of(shown.begin(), shown.end(),
-                            [this](int signal) { return store_.isRecorded(signal); });
-    };
-    if (isLive(shown_)) {
+    if (!hasRecording(shown_)) {
         return shown_;
     }
     for (int page = 0; page < count(); ++page) {
-        if (isLive(page)) {
+        if (!hasRecording(page)) {
             return page;
         }
     }
@@ -302,6 +302,34 @@ void PlotPages::arrange(const PlotLayout& layout) {
     setCurrent(std::clamp(layout.current, 0, wanted - 1));
     view().setSpan(layout.span);
     Q_EMIT arrangementChanged();
+}
+
+bool PlotPages::showStandard() {
+    int live = livePage();
+    if (live < 0) {
+        if (count() >= PlotLayout::kMaxPages) {
+            return false;
+        }
+        addView();
+        live = count() - 1;
+    }
+    setCurrent(live);
+    for (int page = count() - 1; page >= 0; --page) {
+        if (page != shown_ && !hasRecording(page)) {
+            removePage(page);
+        }
+    }
+    const PlotLayout standard;
+    view().setPage(standard.pages.front());
+    marks_.setThresholds(standard.thresholds);
+    setTimeAxis(standard.time);
+    nameTabs();
+    view().setSpan(standard.span);
+    liveSpan_ = carriedSpan_ = 0;
+    view().setCursor(PlotView::Cursor::A, std::nullopt);
+    view().follow();
+    Q_EMIT arrangementChanged();
+    return true;
 }
 
 void PlotPages::refresh(double seconds) {

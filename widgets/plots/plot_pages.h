@@ -54,6 +54,10 @@ public:
     /// Sets a function that returns the time of day for a time on the time axis.
     void setClock(std::function<QDateTime(double)> clock);
 
+    /// Replaces the pages without recordings by one page with the standard plots, and shows the newest samples on it.
+    /// Returns  false, without changes, if all kMaxPages pages show recordings
+    bool showStandard();
+
     PlotLayout arrangement() const;
     void arrange(const PlotLayout& layout);
 
@@ -75,6 +79,7 @@ protected:
 
 private:
     PlotView& addView();
+    bool hasRecording(int page) const;
     /// Returns  true if signals of a recording were removed from the page
     bool takeRecordingsFrom(PageLayout& page) const;
     void turnedTo(int page);

@@ -34,6 +34,9 @@ constexpr double kLabelHeight = 18;
 constexpr double kMinPitch = 14;
 constexpr double kTimeGap = 3;
 constexpr double kValueGap = 6;
+constexpr double kValueWidth = 48;  // the margin of the view is 56 px wide
+constexpr double kUnitGap = 8;
+constexpr double kUnitLine = 14;
 
 /// Returns the finest grid step suitable for all signals.
 double finestStep(const SignalStore& store, const std::vector<int>& shown) {
@@ -42,6 +45,16 @@ double finestStep(const SignalStore& store, const std::vector<int>& shown) {
         step = std::min(step, store.info(signal).step);
     }
     return step;
+}
+
+/// A value of a grid line as mantissa and exponent, with as many digits as the grid step needs.
+QString shortNumber(double value, double step) {
+    if (value == 0) {
+        return QStringLiteral("0");
+    }
+    const double exponent = std::floor(std::log10(std::abs(value)) + 1e-9);
+    const int digits = std::max(0, static_cast<int>(exponent - std::floor(std::log10(step) + 1e-9)));
+    return QStringLiteral("%1e%2").arg(format::number(value / std::pow(10, exponent), digits)).arg(exponent);
 }
 
 }  // namespace
@@ -298,6 +311,7 @@ void PlotPane::setTimeTicks(double from, double to, const std::vector<AxisTick>&
 void PlotPane::updateValueAxis() {
     std::vector<AxisLabels::Label> labels;
     std::vector<double> lines;
+    const QFontMetricsF metrics(values_->font());
     const double step = range_.step();
     const int digits = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
     const auto first = std::llround(std::ceil(range_.min() / step));
@@ -305,21 +319,30 @@ void PlotPane::updateValueAxis() {
     // If the height is too small for all labels, omit some. The uppermost label is always shown.
     const double pitch = step / (range_.max() - range_.min()) * area_.height();
     const auto every = std::max(1LL, static_cast<long long>(std::ceil(kMinPitch / std::max(pitch, 0.1))));
+    const auto number = [&](long long i, bool isShort) {
+        const double value = static_cast<double>(i) * step;
+        return isShort ? shortNumber(value, step) : format::number(value, digits);
+    };
+    const bool isShort = metrics.horizontalAdvance(number(first, false)) > kValueWidth ||
+                         metrics.horizontalAdvance(number(last, false)) > kValueWidth;
     for (auto i = first; i <= last; ++i) {
         const double y = yAt(static_cast<double>(i) * step);
         lines.push_back(y);
         if ((last - i) % every != 0) {
             continue;
         }
-        QString label = format::number(static_cast<double>(i) * step, digits);
-        if (i == last) {
-            if (const QString unit = this->unit(); !unit.isEmpty()) {
-                label += QLatin1Char(' ') + unit;
+        QString label = number(i, isShort);
+        const QRectF box(area_.left() - kValueGap - kValueWidth, y - kLabelHeight / 2, kValueWidth,
+                         kLabelHeight);
+        if (const QString unit = this->unit(); i == last && !unit.isEmpty()) {
+            const QString withUnit = label + QLatin1Char(' ') + unit;
+            if (metrics.horizontalAdvance(withUnit) <= kValueWidth) {
+                label = withUnit;
+            } else {
+                labels.push_back({box.translated(-kUnitGap, -kUnitLine), unit});  // left of the legend
             }
         }
-        labels.push_back(
-            {{area_.left() - kValueGap - kLabelWidth, y - kLabelHeight / 2, kLabelWidth, kLabelHeight},
-             label});
+        labels.push_back({box, label});
     }
     values_->setLabels(std::move(labels));
     grid_->setLines(area_, std::move(lines));

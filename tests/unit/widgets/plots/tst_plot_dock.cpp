@@ -1880,7 +1880,48 @@ private Q_SLOTS:
         QVERIFY(near(b.view().window().end(), 61, 0.003));
     }
 
-    // The page keeps its range, its curves and its time labels while live data arrive.
+    void standardPlotsKeepThePagesOfRecordings() {
+        Bench b;
+        QTemporaryDir folder;
+        b.dock.pages().addPage(PageLayout::standard());
+        b.dock.openRecording(writeDay(folder, QStringLiteral("day.csv")));
+        QTRY_COMPARE_WITH_TIMEOUT(b.dock.pages().count(), 3, 60'000);
+        b.view().setCursor(PlotView::Cursor::A, b.view().window().start() + 5);
+        b.runTo(61);
+        auto* menu = b.button("plots.layout")->menu();
+        Q_EMIT menu->aboutToShow();
+        menu->findChild<QAction*>("plots.layout.standard", Qt::FindDirectChildrenOnly)->trigger();
+        QCOMPARE(b.dock.pages().count(), 2);  // one live page and the recording
+        QCOMPARE(b.dock.store().recordings().size(), 1);
+        QVERIFY(b.dock.pages().pageOf(b.dock.store().recordings().front()) >= 0);
+        QCOMPARE(b.view().recordingInFront(), QString());
+        QVERIFY2(b.view().window().follows(), "not paused at the time of the recording");
+        QVERIFY(b.view().panes()[0]->shows(b.id("actual_TCP_force_2")));
+        b.runTo(62);
+        QVERIFY(near(b.view().window().end(), 62, 0.003));
+        QCOMPARE(b.view().window().span(), 30.0);
+    }
+
+    void largeNumbersFitLeftOfThePlot() {
+        Bench b;
+        const auto isClear = [&b] {
+            const QImage image = b.view().grab().toImage();
+            for (int y = 0; y < image.height(); ++y) {
+                if (image.pixel(1, y) != image.pixel(0, 0) || image.pixel(2, y) != image.pixel(0, 0)) {
+                    return false;
+                }
+            }
+            return true;
+        };
+        QVERIFY(isClear());
+        for (const auto& [low, high] :
+             {std::pair{-12'345'678.0, 12'345'678.0}, {1'000'000.0, 1'000'200.0}, {-12.0, 12.0}}) {
+            b.forces().holdValues(low, high);
+            QVERIFY2(isClear(), qPrintable(QString::number(high)));
+        }
+    }
+
+    // The page keeps its range, its curves and its time labels, whatever the live data do.
     void liveDataDoNotExtendAPageOfARecording_data() {
         QTest::addColumn<int>("key");
         QTest::newRow("as opened") << 0;
