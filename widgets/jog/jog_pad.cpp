@@ -67,10 +67,7 @@ public:
         setAccessibleName(text);
         update();
     }
-    int heightFor(int width) const {
-        const QFontMetrics metrics(textFont(15, QFont::Bold));
-        return metrics.boundingRect(QRect(0, 0, width - 56, 1000), Qt::TextWordWrap, text_).height() + 28;
-    }
+    int heightFor(int width) const { return wordsHeight(kLargest, width) + 2 * kMargin; }
 
 protected:
     void paintEvent(QPaintEvent*) override {
@@ -82,12 +79,27 @@ protected:
         painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), kCornerRadius, kCornerRadius);
         drawShape(painter, StateChip::Shape::Hand, QRectF(14, height() / 2.0 - 10, 20, 20), theme.text,
                   theme.raised);
-        painter.setFont(textFont(15, QFont::Bold));
+        // A long reason has less margin and smaller letters.
+        int size = kLargest;
+        while (size > kSmallest && wordsHeight(size, width()) + 4 > height()) {
+            --size;
+        }
+        painter.setFont(textFont(size, QFont::Bold));
         painter.setPen(theme.text);
-        painter.drawText(QRect(44, 0, width() - 56, height()), Qt::AlignVCenter | Qt::TextWordWrap, text_);
+        painter.drawText(QRect(44, 2, width() - 56, height() - 4), Qt::AlignVCenter | Qt::TextWordWrap,
+                         text_);
     }
 
 private:
+    static constexpr int kLargest = 15;  ///< [px]
+    static constexpr int kSmallest = 9;
+    static constexpr int kMargin = 14;
+
+    int wordsHeight(int size, int width) const {
+        const QFontMetrics metrics(textFont(size, QFont::Bold));
+        return metrics.boundingRect(QRect(0, 0, width - 56, 1000), Qt::TextWordWrap, text_).height();
+    }
+
     QString text_;
 };
 

@@ -68,8 +68,16 @@ void StopButton::paintEvent(QPaintEvent*) {
                      text());
     painter.setFont(textFont(11));
     if (wide) {
-        painter.drawText(QRect(left + 28 + wordWidth + 12, 0, width() - left - wordWidth - 42, height()),
-                         Qt::AlignLeft | Qt::AlignVCenter, how + QLatin1Char('\n') + tr("not an e-stop"));
+        const QRect box(left + 28 + wordWidth + 10, 2, width() - left - wordWidth - 42, height() - 4);
+        const QString hint = how + QLatin1Char('\n') + tr("not an e-stop");
+        constexpr int kFlags = Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap;
+        for (int size = 11; size >= 8; --size) {
+            painter.setFont(textFont(size));
+            if (box.contains(painter.boundingRect(box, kFlags, hint))) {
+                break;
+            }
+        }
+        painter.drawText(box, kFlags, hint);
     } else {
         painter.drawText(QRect(0, wordHeight - 6, width(), kHintHeight), Qt::AlignCenter, how);
     }

@@ -61,6 +61,25 @@ class TestJogColumnDisplay : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    void aLongReasonFitsOnThePad() {
+        HoldPolicy policy;
+        JogPad pad(policy);
+        pad.resize(330, 190);
+        pad.setReason(
+            QStringLiteral("Registers in use: take the upper registers. Another client controls this robot "
+                           "or uses its registers, for example another window. Close that client. Another "
+                           "program or a fieldbus on the robot uses these registers. Close the other "
+                           "program, or disable the fieldbus in the installation."));
+        pad.show();
+        const QImage card = pad.findChild<QWidget*>("jogReason")->grab().toImage();
+        const QRgb ground = card.pixel(card.width() / 2, 2);
+        for (int x = 44; x < card.width() - 12; ++x) {
+            for (const int y : {2, card.height() - 3}) {
+                QVERIFY2(card.pixel(x, y) == ground, qPrintable(QStringLiteral("%1, %2").arg(x).arg(y)));
+            }
+        }
+    }
+
     void initTestCase() { applyTheme(*qApp, Theme::light()); }
 
     void keysShowTheRemainingTravel() {

@@ -714,6 +714,34 @@ private Q_SLOTS:
         keepPicture(header, QStringLiteral("header-%1-%2").arg(language).arg(width));
     }
 
+    void theStopButtonShowsItsWholeHint_data() {
+        QTest::addColumn<QString>("language");
+        for (const char* language : {"de", "en", "es", "fr", "ja", "zh_CN"}) {
+            QTest::newRow(language) << QString::fromLatin1(language);
+        }
+    }
+    void theStopButtonShowsItsWholeHint() {
+        QFETCH(QString, language);
+        QTranslator texts;
+        QVERIFY(texts.load(QStringLiteral(":/i18n/tiller_") + language));
+        QCoreApplication::installTranslator(&texts);
+        FakeSession session;
+        HeaderBar header(session.port());
+        header.resize(1920, HeaderBar::kHeight);
+        header.show();
+        SessionState state = movingState();
+        header.applyState(state);
+        auto& stop = *header.findChild<StopButton*>();
+        QVERIFY(stop.width() >= 200);
+        const QImage image = stop.grab().toImage();
+        QCoreApplication::removeTranslator(&texts);
+        // A cut text ends at the right edge of its box.
+        const QRgb ground = image.pixel(stop.width() / 2, 3);
+        for (int y = 10; y < stop.height() - 10; ++y) {
+            QVERIFY2(image.pixel(stop.width() - 3, y) == ground, qPrintable(QString::number(y)));
+        }
+    }
+
     void linkDescriptionIsNotTruncated_data() { everythingFitsAtEveryWidth_data(); }
     void linkDescriptionIsNotTruncated() {
         QFETCH(int, width);
