@@ -612,10 +612,12 @@ void StepWriter::countCycle(const QString& counter) {
 }
 void StepWriter::steps() {
     const bool wasTop = d_.scope.isTop;
+    const bool setTcp = d_.scope.setsTcp;
     d_.scope.isTop = false;
     d_.lastMove = {};
     d_.writeSteps(step().steps);
     d_.scope.isTop = wasTop;
+    d_.scope.setsTcp = setTcp;  // the section may not run
 }
 
 void StepWriter::inScope(const std::function<void()>& write) {
@@ -696,6 +698,7 @@ QString StepWriter::programFunction(const QUuid& id) {
     }
     const QString variant = key + scriptNumber(d_.scope.speedFactor) + scriptPose(d_.scope.T_base_frame) +
                             (d_.scope.tcp ? scriptPose(*d_.scope.tcp) : QString()) +
+                            (d_.scope.setsTcp ? QStringLiteral("tcp") : QString()) +
                             (d_.scope.isParallel ? QStringLiteral("parallel") : QString()) +
                             (d_.scope.isForce ? QStringLiteral("force") : QString()) +
                             (d_.scope.isCycle ? QStringLiteral("cycle") : QString());
@@ -749,6 +752,10 @@ void StepWriter::waitUntil(const QString& condition, std::optional<double> limit
 std::optional<Pose> StepWriter::tcpFor(const project::Waypoint& waypoint, const char* key) {
     if (d_.scope.tcp) {
         return d_.scope.tcp;
+    }
+    if (d_.scope.setsTcp) {
+        return waypoint
+            .tcpOffset;  // the TCP in the text is not known, and the operator is responsible for it
     }
     if (!d_.result.tcp) {
         d_.result.tcp = waypoint.tcpOffset;

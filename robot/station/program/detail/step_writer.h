@@ -26,6 +26,7 @@ public:
     /// State set by the enclosing sections.
     struct Scope {
         std::optional<Pose> tcp;  ///< flange to TCP, as set by the script
+        bool setsTcp = false;     ///< URScript text before this step sets the TCP
         double speedFactor = 1;
         Pose T_base_frame;  ///< frame for the axes of relative moves
         int loops = 0;      ///< number of enclosing loops that `break` can leave

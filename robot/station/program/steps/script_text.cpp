@@ -34,6 +34,10 @@ const StepKind& scriptTextStep() {
                     writer.line(line);
                 }
                 writer.noteMove(std::nullopt, 0);
+                static const QRegularExpression kSetTcp(QStringLiteral("^set_tcp\\s*\\("),
+                                                        QRegularExpression::MultilineOption);
+                writer.scope().setsTcp =
+                    writer.scope().setsTcp || (!writer.scope().isParallel && text.contains(kSetTcp));
             },
         .cannotContinue = [] { return ProgramText::tr("The URScript text was only partly executed."); },
     };
