@@ -260,6 +260,7 @@ void RobotServices::leaveForLocal() {
                             return std::function<void()>([this, generation, why] {
                                 if (generation == d_.generation) {
                                     d_.refusal = why;
+                                    d_.refusedByClient = false;
                                     session_.refresh();
                                 }
                             });

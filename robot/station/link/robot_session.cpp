@@ -19,6 +19,7 @@
 #include "robot/station/text/mode_words.h"
 #include "robot/station/text/move_words.h"
 #include "robot/station/text/notation.h"
+#include "robot/station/text/error_summary.h"
 #include "robot/station/text/texts.h"
 
 namespace tiller {
@@ -333,10 +334,11 @@ void RobotSession::takeControl(ForeignProgram program) {
             } else if (result.error().code == ErrorCode::Cancelled) {
                 journal_.add(Severity::Info, tr("Taking control was cancelled by a stop."));
             } else {
-                d_->refusal = texts::errorText(result.error());
+                d_->refusal = texts::errorSummary(result.error());
+                d_->refusedByClient = result.error().code == ErrorCode::RegisterInUse;
                 d_->localRefuses =
                     d_->localRefuses || result.error().code == ErrorCode::RemoteControlRequired;
-                journal_.add(Severity::Error, d_->refusal);
+                journal_.add(Severity::Error, d_->refusal, Origin::Tiller, result.error().toString());
             }
             refresh();
         });

@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 
+#include "robot/station/text/error_summary.h"
 #include "robot/station/text/mode_words.h"
 
 namespace tiller::texts {
@@ -160,6 +161,12 @@ QString errorText(const Error& error) {
     text += QLatin1Char('.');
     const QString todo = advice(error.code);
     return todo.isEmpty() ? text : text + QLatin1Char(' ') + todo;
+}
+
+QString errorSummary(const Error& error) {
+    const bool isForOperator = error.code == ErrorCode::ScriptError ||
+                               error.context.endsWith(QLatin1Char('.')) || advice(error.code).isEmpty();
+    return errorText(isForOperator ? error : Error{error.code, {}, {}});
 }
 
 QString stopCauseText(control::StopCause cause) {

@@ -206,6 +206,11 @@ void SessionBackend::readControl() {
         status.inControl && status.motion != control::kNoMotion && status.motion == link->freedrive;
     state.moving = state.isFresh() && moves(fastestJoint(state.qd), state.tcpSpeed.linear.norm());
     state.programRuns = link->program.isRunning();
+    // The other client has given the robot back, so the refusal may not apply any more.
+    if (std::exchange(hadForeignProgram, state.hasForeignProgram()) && !hadForeignProgram &&
+        refusedByClient) {
+        refusal.clear();
+    }
     if (takingControl) {
         state.control = ControlState::Taking;
     } else if (status.inControl || isSendingPath(status) || (state.programRuns && status.fresh)) {

@@ -134,7 +134,9 @@ struct SessionBackend {
     CancelToken taking;  ///< cancels taking control
     control::MotionLimits limits;
     MoveGuard guard;
-    QString refusal;  ///< why control could not be taken the last time
+    QString refusal;                 ///< why control could not be taken the last time
+    bool refusedByClient = false;    ///< because another client uses the registers
+    bool hadForeignProgram = false;  ///< at the last read()
     QString linkReason;
 
     bool movedBefore = false;  ///< the arm moved according to the newest fresh data

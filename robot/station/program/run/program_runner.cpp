@@ -15,6 +15,7 @@
 #include "robot/station/program/program_edit.h"
 #include "robot/station/program/program_text.h"
 #include "robot/station/program/step_kind.h"
+#include "robot/station/text/error_summary.h"
 #include "robot/station/text/texts.h"
 
 namespace tiller::program {
@@ -468,6 +469,10 @@ bool ProgramRunner::isStoppedInLastStep() const {
     return state_ == State::Ended && isKnown && log_.lastStep() > 0;
 }
 
+QString ProgramRunner::endDetails() const {
+    return end_ == End::Failed ? error_.toString() : QString();
+}
+
 QString ProgramRunner::endText(const project::Project& now) const {
     const int number = end_ == End::StepFailed ? log_.failedStep() : log_.lastStep();
     const int step = rowNumber(now, script_, number);
@@ -498,7 +503,7 @@ QString ProgramRunner::endText(const project::Project& now) const {
             reason = ProgramText::tr("a program of another client has taken over");
             break;
         case End::Failed:
-            reason = texts::errorText(error_);
+            reason = texts::errorSummary(error_);
             break;
     }
     return step > 0 ? ProgramText::tr("Stopped in step %1 (%2): %3").arg(step).arg(name, reason)

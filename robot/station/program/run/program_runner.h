@@ -150,6 +150,8 @@ public:
     /// Describes the end in one sentence, with the step if the program did not complete.
     /// now  the project with later edits, for the numbers of the rows
     QString endText(const project::Project& now) const;
+    /// The technical details of a failed run, for the log; empty otherwise.
+    QString endDetails() const;
     /// Project and program of the current or last run, without later edits.
     const project::Project& project() const { return project_; }
     const QUuid& program() const { return program_; }

@@ -3,10 +3,13 @@
 // or the control program of a client that has exited.
 #include <QElapsedTimer>
 #include <QTest>
+#include <algorithm>
 #include <chrono>
+#include <future>
 
 #include "robot/control/programs.h"
 #include "robot/core/deadline.h"
+#include "robot/rtde/connection.h"
 #include "robot/script/script_client.h"
 #include "tests/support/event_spy.h"
 #include "tests/support/virtual_cell.h"
@@ -103,6 +106,37 @@ class TestForeignProgram : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    // The other client has the registers while its program runs.
+    void aRefusalEndsWithTheProgramOfTheOtherClient() {
+        ProgramBench bench;
+        const EventSpy messages(bench.session.journal());
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        rtde::ConnectionOptions options;
+        options.host = bench.cell.robot.listenAddress();
+        options.port = static_cast<std::uint16_t>(bench.cell.robot.ports().rtde);
+        options.request.inputs = {{{"input_int_register_24", "input_double_register_24"}, true}};
+        auto opening = std::async(std::launch::async, [&options] {
+            return rtde::Connection::open(options, Deadline::after(std::chrono::milliseconds(kTimeoutMs)));
+        });
+        QVERIFY(bench.within(
+            [&] { return opening.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }));
+        auto rival = opening.get();
+        QVERIFY2(rival.ok(), qPrintable(rival ? QString() : rival.error().toString()));
+        QVERIFY(bench.sendMovingProgram() && bench.within([&] { return bench.state().hasForeignProgram(); }));
+        bench.session.takeControl(RobotSession::ForeignProgram::Stop);
+        QVERIFY(bench.within([&] { return bench.state().control == ControlState::Refused; }));
+        const QString reason = bench.state().controlReason;
+        QVERIFY2(reason.startsWith("Registers in use") && reason.contains("Close the other program"),
+                 qPrintable(reason));
+        QVERIFY2(!reason.contains("input_int_register") && !reason.contains("upper"), qPrintable(reason));
+        QVERIFY(std::any_of(messages.begin(), messages.end(), [&](const JournalEvent& event) {
+            return event.text == reason && event.detail.contains(QLatin1String("upper"));
+        }));
+        rival = Error{ErrorCode::Cancelled, {}, {}};
+        QVERIFY(bench.send(QStringLiteral("stop program\n")));
+        QVERIFY(bench.within([&] { return bench.state().control == ControlState::None; }));
+    }
+
     void changesDuringAProgramOfAnotherClientNeedConfirmation() {
         ProgramBench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
