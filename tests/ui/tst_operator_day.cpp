@@ -372,10 +372,10 @@ private Q_SLOTS:
         bench.window.showTab("program");
         QTest::qWait(50);
         for (const auto& [name, text] : {std::pair{"program.fromHere", "Continue at 4"},
-                                         {"program.fromHere", "Start at step 12"},
+                                         {"program.fromHere", "From step 12 ✕"},
                                          {"program.pause", "Resume"},
                                          {"program.run", "Stop"}}) {
-            const int needed = QPushButton(QString::fromLatin1(text)).sizeHint().width();
+            const int needed = QPushButton(QString::fromUtf8(text)).sizeHint().width();
             const int width = bench.find<QPushButton>(name).width();
             QVERIFY2(width >= needed,
                      qPrintable(QStringLiteral("%1: %2 < %3").arg(text).arg(width).arg(needed)));

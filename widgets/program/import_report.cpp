@@ -17,7 +17,7 @@ using program::ImportRow;
 namespace {
 
 constexpr int kStepRole = Qt::UserRole;
-constexpr QSize kReportSize(720, 480);
+constexpr QSize kReportSize(860, 500);
 
 /// Numbers of the steps as in the tree of their program.
 QHash<QUuid, int> stepNumbers(const program::ImportedProgram& imported) {
@@ -64,7 +64,9 @@ ImportReport::ImportReport(const program::ImportedProgram& imported, QWidget* pa
     rows->setRootIsDecorated(false);
     rows->setUniformRowHeights(true);
     rows->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
-    rows->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+    rows->header()->setSectionResizeMode(1, QHeaderView::Stretch);
+    rows->header()->setSectionResizeMode(2, QHeaderView::ResizeToContents);
+    rows->header()->setStretchLastSection(false);
     const QHash<QUuid, int> numbers = stepNumbers(imported);
     QList<QTreeWidgetItem*> items;
     for (const ImportRow& row : imported.rows) {
@@ -84,6 +86,14 @@ ImportReport::ImportReport(const program::ImportedProgram& imported, QWidget* pa
         items.append(item);
     }
     rows->addTopLevelItems(items);
+    // The result is more important than the statement, but its reason can be long.
+    constexpr int kMaxResult = kReportSize.width() * 3 / 5;
+    const QAbstractItemView& view = *rows;
+    if (view.sizeHintForColumn(2) > kMaxResult) {
+        rows->header()->setSectionResizeMode(1, QHeaderView::Interactive);
+        rows->header()->resizeSection(1, kReportSize.width() - kMaxResult - view.sizeHintForColumn(0));
+        rows->header()->setSectionResizeMode(2, QHeaderView::Stretch);
+    }
     connect(rows, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* item) {
         if (const QUuid step = item->data(0, kStepRole).toUuid(); !step.isNull()) {
             Q_EMIT stepChosen(step);

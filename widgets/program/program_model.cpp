@@ -160,19 +160,16 @@ void ProgramModel::setChanged(const QSet<QUuid>& steps) {
     }
 }
 
-void ProgramModel::setRun(const program::ProgramScript* script, const program::StepLog* log) {
-    running_ = {};
-    if (log != nullptr) {
-        for (Node* node : nodes_) {
-            if (!node->hasFinding) {
-                node->result.clear();
-            }
-        }
-        showTimings(*script, log->timings());
-        if (log->step() > 0) {
-            running_ = script->steps[static_cast<std::size_t>(log->step() - 1)].step;
+void ProgramModel::setRun(const program::ProgramScript& script, const program::StepLog& log, bool isActive) {
+    for (Node* node : nodes_) {
+        if (!node->hasFinding) {
+            node->result.clear();
         }
     }
+    showTimings(script, log.timings());
+    // After a lost connection, the log keeps the last known step.
+    running_ =
+        isActive && log.step() > 0 ? script.steps[static_cast<std::size_t>(log.step() - 1)].step : QUuid();
     changed();
 }
 

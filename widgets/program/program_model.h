@@ -43,8 +43,8 @@ public:
     void setChanged(const QSet<QUuid>& steps);
 
     /// Shows the steps of a run: the running step, and the number of runs and the mean time of each step.
-    /// script  script of the run; null: no run
-    void setRun(const program::ProgramScript* script, const program::StepLog* log);
+    /// isActive  false after the end of the run: no step is running
+    void setRun(const program::ProgramScript& script, const program::StepLog& log, bool isActive);
 
     QUuid idAt(const QModelIndex& index) const;  ///< null for an invalid index
     QModelIndex indexOf(const QUuid& id) const;

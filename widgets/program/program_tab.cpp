@@ -231,7 +231,7 @@ void ProgramTab::followSpeed() {
 
 void ProgramTab::showRun() {
     const program::ProgramRunner& runner = runBar_->runner();
-    model_->setRun(&runner.script(), &runner.log());
+    model_->setRun(runner.script(), runner.log(), runner.isActive());
     Q_EMIT runningStepChanged(runner.isActive() && runner.log().step() > 0 ? stepLabel(runner.log().step())
                                                                            : QString());
     if (runner.state() != program::ProgramRunner::State::Running) {
@@ -256,7 +256,7 @@ void ProgramTab::showRun() {
             using End = program::ProgramRunner::End;
             const bool isExpected = runner.end() == End::Completed || runner.end() == End::Stopped;
             session_->journal().add(isExpected ? Severity::Info : Severity::Warning,
-                                    runner.endText(document_.project()));
+                                    runner.endText(document_.project()), Origin::Tiller, runner.endDetails());
             Q_EMIT runEnded();
             break;
         }

@@ -89,7 +89,8 @@ RunBar::RunBar(RobotSession& session, HoldPolicy& policy, const ProjectDocument&
     , hold_(holdKey(
           "program.runHold", tr("Run (hold)"), tr("Run the program (hold)"),
           tr("Runs the program while the button is held, no faster than the jog speed. The program ends "
-             "when you release the button."),
+             "when you release the button. Joint moves are slower if the arm is away from the start position "
+             "of a complete preview, because the speed limit then has to hold for every possible path."),
           policy))
     , start_(holdKey("program.moveToStart", tr("Move to start (hold)"),
                      tr("Move to the start position (hold)"),
@@ -99,7 +100,7 @@ RunBar::RunBar(RobotSession& session, HoldPolicy& policy, const ProjectDocument&
     , step_(keyNamed("program.step", tr("Step")))
     , finish_(keyNamed("program.finishCycle", tr("Finish cycle")))
     , from_(new ChangingKey("program.fromHere", tr("Start from here"),
-                            {tr("Start at step %1").arg(999), tr("Continue at %1").arg(999)})) {
+                            {tr("From step %1 ✕").arg(999), tr("Continue at %1").arg(999)})) {
     setObjectName("program.runBar");
     auto* begin = new QHBoxLayout;
     begin->setSpacing(8);
@@ -508,11 +509,13 @@ void RunBar::updateGateKeys() {
               : !preview_                 ? runObstacle()
               : selected_.isNull()        ? tr("Select one step.")
                                           : QString(),
-              tr("Starts the program at the selected step. Press again to start at the beginning. Move the "
-                 "arm to the start position first."));
+              startStep_ ? tr("The program starts at step %1. Press to start at the beginning again.")
+                               .arg(script_.numberOf(startStep_->step))
+                         : tr("Starts the program at the selected step. Move the arm to the start position "
+                              "first."));
     hold_->setText(continuesStop_ ? tr("Continue (hold)") : tr("Run (hold)"));
     from_->setChecked(startStep_.has_value());
-    from_->setText(startStep_    ? tr("Start at step %1").arg(script_.numberOf(startStep_->step))
+    from_->setText(startStep_    ? tr("From step %1 ✕").arg(script_.numberOf(startStep_->step))
                    : continues() ? tr("Continue at %1").arg(continuation_.number)
                                  : tr("Start from here"));
     const QSignalBlocker blocker(finish_);

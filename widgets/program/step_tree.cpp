@@ -2,6 +2,7 @@
 #include "widgets/program/step_tree.h"
 
 #include <QHeaderView>
+#include <algorithm>
 #include <functional>
 
 #include "widgets/common/list_typing.h"
@@ -9,6 +10,12 @@
 #include "widgets/program/program_row_delegate.h"
 
 namespace tiller {
+
+namespace {
+
+constexpr int kMinColumn = 24;  // [px]
+
+}  // namespace
 
 StepTree::StepTree(ProgramModel& model, QWidget* parent) : QTreeView(parent), model_(model) {
     setObjectName("program.tree");
@@ -28,9 +35,18 @@ StepTree::StepTree(ProgramModel& model, QWidget* parent) : QTreeView(parent), mo
     setExpandsOnDoubleClick(false);
     setHorizontalScrollMode(ScrollPerPixel);
     new ListTyping(*this);
-    header()->setSectionResizeMode(ProgramModel::Step, QHeaderView::ResizeToContents);
-    header()->setSectionResizeMode(ProgramModel::Values, QHeaderView::ResizeToContents);
-    header()->setStretchLastSection(true);
+    header()->setSectionResizeMode(QHeaderView::Fixed);
+    header()->setStretchLastSection(false);
+    header()->setSectionResizeMode(ProgramModel::Result, QHeaderView::Stretch);
+    header()->setMinimumSectionSize(kMinColumn);
+    // A run changes the results often.
+    fitTimer_.setSingleShot(true);
+    connect(&fitTimer_, &QTimer::timeout, this, &StepTree::fitColumns);
+    for (const auto changed : {&QTreeView::collapsed, &QTreeView::expanded}) {
+        connect(this, changed, &fitTimer_, [this] { fitTimer_.start(0); });
+    }
+    connect(&model, &QAbstractItemModel::dataChanged, &fitTimer_, [this] { fitTimer_.start(0); });
+    connect(&model, &ProgramModel::treeChanged, &fitTimer_, [this] { fitTimer_.start(0); });
     connect(this, &QTreeView::collapsed, this,
             [this](const QModelIndex& index) { collapsed_.insert(model_.idAt(index)); });
     connect(this, &QTreeView::expanded, this,
@@ -86,6 +102,23 @@ void StepTree::selectIds(const QList<QUuid>& ids) {
         selectionModel()->setCurrentIndex(last, QItemSelectionModel::NoUpdate);
         scrollTo(last);
     }
+}
+
+void StepTree::resizeEvent(QResizeEvent* event) {
+    QTreeView::resizeEvent(event);
+    fitColumns();
+}
+
+void StepTree::fitColumns() {
+    const auto contents = [this](int column) {
+        return std::max(sizeHintForColumn(column), header()->sectionSizeHint(column));
+    };
+    const int room = viewport()->width();
+    const int result = std::min(contents(ProgramModel::Result), room * 2 / 5);
+    const int step = std::min(contents(ProgramModel::Step), room - result - kMinColumn);
+    const int values = std::min(contents(ProgramModel::Values), room - result - step);
+    header()->resizeSection(ProgramModel::Step, std::max(step, kMinColumn));
+    header()->resizeSection(ProgramModel::Values, std::max(values, kMinColumn));
 }
 
 void StepTree::selectionChanged(const QItemSelection& selected, const QItemSelection& deselected) {

@@ -5,6 +5,7 @@
 // program has changed.
 
 #include <QSet>
+#include <QTimer>
 #include <QTreeView>
 #include <QUuid>
 
@@ -27,9 +28,14 @@ Q_SIGNALS:
 
 protected:
     void selectionChanged(const QItemSelection& selected, const QItemSelection& deselected) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
+    /// Distributes the width: first the results, then the steps, then the values.
+    void fitColumns();
+
     ProgramModel& model_;
+    QTimer fitTimer_;
     QSet<QUuid> collapsed_;
     QSet<QUuid> selected_;
     QUuid current_;

@@ -6,14 +6,18 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
+#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMimeData>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QTest>
+#include <QTreeWidget>
 
 #include "program_samples.h"
 #include "widgets/common/elided_label.h"
+#include "widgets/program/import_report.h"
 #include "widgets/program/program_model.h"
 #include "widgets/program/program_tab.h"
 #include "widgets/program/step_palette.h"
@@ -179,6 +183,52 @@ private Q_SLOTS:
         type(*field<QLineEdit>("time"), "0.3");
         QTRY_VERIFY_WITH_TIMEOUT(status().contains("can run"), 60'000);
         QCOMPARE(first.data().toString(), QString());
+    }
+
+    // Widths of the tab in the default window at 1280 x 720 and 1920 x 1080.
+    void theResultColumnIsVisible_data() {
+        QTest::addColumn<int>("width");
+        for (const int width : {370, 560, 900}) {
+            QTest::newRow(qPrintable(QString::number(width))) << width;
+        }
+    }
+    void theResultColumnIsVisible() {
+        QFETCH(int, width);
+        openTray();
+        tab_->resize(width, 500);
+        QTRY_VERIFY_WITH_TIMEOUT(key("program.preview")->isEnabled(), 60'000);
+        click("program.preview");
+        const auto resultOfFirst = [this] {
+            return model().index(0, ProgramModel::Result).data().toString();
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(!resultOfFirst().isEmpty(), 60'000);
+        const QHeaderView& header = *tree().header();
+        const auto visible = [&] {
+            return tree().viewport()->width() - header.sectionViewportPosition(ProgramModel::Result);
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(visible() >= header.sectionSizeHint(ProgramModel::Result), 60'000);
+        QTRY_COMPARE_WITH_TIMEOUT(tree().horizontalScrollBar()->maximum(), 0, 60'000);
+        QVERIFY(header.sectionSize(ProgramModel::Step) >= 40);
+    }
+
+    void theImportReportShowsItsResults() {
+        ImportedProgram imported;
+        imported.project = document_->project();
+        project::Program program = makeProgram("imported", {step("comment", {{"text", "x"}})});
+        imported.program = program.id;
+        imported.project.programs.append(program);
+        const QString code = QString(70, QLatin1Char('m'));
+        imported.rows = {
+            {1, code, ImportRow::Result::Step, "comment", program.steps[0].id, {}, false},
+            {2, code, ImportRow::Result::Text, "script", {}, QString(120, QLatin1Char('n')), false}};
+        ImportReport report(imported);
+        report.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&report));
+        auto& rows = *report.findChild<QTreeWidget*>("program.import.rows");
+        QCOMPARE(rows.horizontalScrollBar()->maximum(), 0);
+        QVERIFY2(rows.header()->sectionSize(2) >= 200,
+                 qPrintable(QString::number(rows.header()->sectionSize(2))));
+        QVERIFY(rows.header()->sectionSize(1) >= 150);
     }
 
     void recoverabilityIsShownUntilTheProgramChanges() {

@@ -315,7 +315,7 @@ private Q_SLOTS:
         QVERIFY(stopInStep(2));
         QVERIFY2(bench.status().contains("Stopped in step 2"), qPrintable(bench.status()));
         QCOMPARE(bench.hold().text(), QStringLiteral("Continue (hold)"));
-        QCOMPARE(bench.from().text(), QStringLiteral("Start at step 2"));
+        QCOMPARE(bench.from().text(), QStringLiteral("From step 2 ✕"));
         QVERIFY(bench.from().isChecked());
         bench.cell.advanceMs(200);
         const Pose stopped = bench.cell.truth().tcpPose;
@@ -448,6 +448,60 @@ private Q_SLOTS:
         QVERIFY(bench.awaitEnd());
         QCOMPARE(bench.runner().end(), ProgramRunner::End::Completed);
         QVERIFY(!bench.pause().isEnabled());
+    }
+
+    void theMarkerOfTheRunningStepEndsWithTheRun_data() {
+        QTest::addColumn<bool>("replaced");
+        QTest::newRow("program of another client") << true;
+        QTest::newRow("lost link") << false;
+    }
+    void theMarkerOfTheRunningStepEndsWithTheRun() {
+        QFETCH(bool, replaced);
+        TabBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.runFreely({"pick", "place", "home", "pick"}));
+        QVERIFY(bench.reachStep(2));
+        QVERIFY2(bench.row(1).startsWith(QStringLiteral("▶")), qPrintable(bench.row(1)));
+        if (replaced) {
+            QVERIFY(bench.sendFromOutside("def other():\n  sleep(20)\nend\n"));
+        } else {
+            bench.session.disconnectFromRobot();
+        }
+        QVERIFY(bench.awaitEnd());
+        QVERIFY2(!bench.row(1).contains(QStringLiteral("▶")), qPrintable(bench.row(1)));
+        // The names of internal requests are only in the log.
+        for (const char* internal : {"run a script", "LinkLost", "control program"}) {
+            QVERIFY2(!bench.status().contains(QLatin1String(internal)), qPrintable(bench.status()));
+        }
+        const QAbstractItemModel& model = *bench.find<StepTree>("program.tree").model();
+        QVERIFY(!model.index(1, 0).data(Qt::FontRole).value<QFont>().bold());
+    }
+
+    // Such a program is usually imported.
+    void aProgramThatSetsItsTcpRunsWithAnyTcp() {
+        TabBench bench;
+        const Pose tcp(0, 0, 0.1, 0, 0, 0);  // not the TCP of the robot
+        project::Project project = bench.document.project();
+        for (int i = 0; i < project.waypoints.size(); ++i) {
+            project::Waypoint point = project.waypoints.at(i);
+            point.tcpOffset = tcp;
+            point.pose = kinematics::forwardTcp(robotModel(RobotModelId::UR5e).dh, point.joints, tcp);
+            project.waypoints.replace(i, point);
+        }
+        bench.document.setProject(project);
+        std::vector<project::ProgramStep> steps = bench.moves({"pick", "place"});
+        steps.insert(steps.begin(), program::step("script", {{"text", "set_tcp(p[0, 0, 0.1, 0, 0, 0])"}}));
+        bench.setProgram(steps);
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.preview());
+        QVERIFY2(bench.status().contains("No problems found"), qPrintable(bench.status()));
+        QVERIFY(bench.moveToStart());
+        bench.cell.advanceMs(20);
+        QVERIFY2(bench.run().isEnabled(), qPrintable(bench.run().toolTip()));
+        bench.run().click();
+        QVERIFY2(bench.runner().isActive(), qPrintable(bench.status()));
+        QVERIFY(bench.awaitEnd());
+        QCOMPARE(bench.runner().end(), ProgramRunner::End::Completed);
     }
 
     void stepRunsOneStep() {
@@ -591,7 +645,7 @@ private Q_SLOTS:
         QVERIFY2(bench.from().isEnabled(), qPrintable(bench.from().toolTip()));
         const int width = bench.from().width();
         bench.from().click();
-        QCOMPARE(bench.from().text(), QStringLiteral("Start at step 2"));
+        QCOMPARE(bench.from().text(), QStringLiteral("From step 2 ✕"));
         QVERIFY(bench.from().isChecked());
         QCOMPARE(bench.from().width(), width);
         QVERIFY(QTest::qWaitFor([&] { return bench.status().contains("Simulated: "); }, kLongMs));
@@ -650,7 +704,7 @@ private Q_SLOTS:
         bench.cell.advanceMs(200);
         QVERIFY2(bench.from().isEnabled(), qPrintable(bench.from().toolTip()));
         bench.from().click();
-        QCOMPARE(bench.from().text(), QStringLiteral("Start at step 2"));
+        QCOMPARE(bench.from().text(), QStringLiteral("From step 2 ✕"));
         QVERIFY(
             QTest::qWaitFor([&] { return bench.status().startsWith("Simulated: the program"); }, kLongMs));
         bench.cell.advanceMs(200);
