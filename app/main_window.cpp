@@ -192,6 +192,11 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     });
     connect(keyboard_, &KeyboardJog::refused, this,
             [this](const QString& why) { session_->journal().add(Severity::Warning, why); });
+    connect(keyboard_, &KeyboardJog::fieldFocused, this, [this] {
+        session_->journal().add(Severity::Warning,
+                                tr("Keyboard jogging was disarmed, because an input field has the focus: the "
+                                   "keys now edit the field. Arm the keyboard again to jog."));
+    });
     connectDevices(clock);
     connect(new SleepWatch(this), &SleepWatch::operatorLeaves, this,
             [this] { stopMotion(control::StopCause::Sleep); });

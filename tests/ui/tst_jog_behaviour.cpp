@@ -174,7 +174,9 @@ private Q_SLOTS:
         cell().advanceMs(100);
         QCOMPARE(window().session().state().lastStop.cause, control::StopCause::FocusLost);
         QTest::keyRelease(&text, Qt::Key_Right);
+        QVERIFY2(!keyboard().isArmed(), "the keys belong to the field");
         text.clearFocus();
+        keyboard().setArmed(true);
         QTest::keyPress(&window(), Qt::Key_Right);
         cell().advanceMs(300);
         QVERIFY2(!standsStill(cell()), "a new press did not move the arm");

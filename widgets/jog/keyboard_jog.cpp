@@ -150,6 +150,9 @@ void KeyboardJog::setArmed(bool armed) {
     armed_ = armed;
     keys_.clear();
     if (armed) {
+        if (takesText(window_.focusWidget())) {
+            window_.setFocus();
+        }
         lastKeyNs_ = clock_->nowNs();
         qApp->installEventFilter(this);
         idle_.start();
@@ -205,6 +208,14 @@ bool KeyboardJog::eventFilter(QObject* watched, QEvent* event) {
             }
             return false;
         }
+        case QEvent::FocusIn:
+            if (const auto* field = qobject_cast<QWidget*>(watched);
+                takesText(field) && field->window() == &window_) {
+                forget(control::StopCause::FocusLost);
+                setArmed(false);
+                Q_EMIT fieldFocused();
+            }
+            return false;
         case QEvent::Resize:
             if (watched == &window_) {
                 followWindow();

@@ -2,7 +2,7 @@
 #pragma once
 
 // Jogging by keyboard in armed mode. A frame around the window indicates armed mode, which ends after 30 s
-// without a key press. PhysicalKeys tracks the keys. The meaning of a key is determined when it is pressed.
+// without a key press, and when an input field receives the focus. PhysicalKeys tracks the keys. The meaning of a key is determined when it is pressed.
 // An unexpected press or release ends the motion, and so do keys with opposite directions. A changed modifier
 // also ends the motion, because it selects a different speed or direction.
 
@@ -43,7 +43,7 @@ public:
     /// While step mode is selected, motion keys act as presses and releases of buttons in the jog column.
     void setSteps(KeySteps steps) { steps_ = std::move(steps); }
     /// Arms or disarms the keyboard. If the keyboard is locked or the arm cannot move, emits refused()
-    /// instead of arming it.
+    /// instead of arming it. Arming takes the focus from an input field.
     void setArmed(bool armed);
     /// why  the reason why the keyboard cannot be armed, as a sentence; empty if it can be armed
     void setLock(const QString& why);
@@ -59,6 +59,8 @@ public:
 Q_SIGNALS:
     void armedChanged(bool armed);
     void refused(const QString& why);
+    /// The keyboard was disarmed, because an input field received the focus. The jog keys would edit its value.
+    void fieldFocused();
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The armed keyboard tracks physical keys by scan code from press to release, even if modifiers, lock keys or
 // the layout change in between. Unexpected events end the motion.
+#include <QDoubleSpinBox>
 #include <QLineEdit>
 #include <QMenu>
+#include <QSignalSpy>
 #include <QTest>
 #include <QTimer>
 #include <QVBoxLayout>
@@ -356,6 +358,46 @@ private Q_SLOTS:
         QCOMPARE(b.freedrive.isHolding(), meant == Qt::Key_F);
         b.up(code, written);
         QVERIFY(!b.moves());
+    }
+
+    void aFieldThatGetsTheFocusDisarmsTheKeyboard() {
+        Bench b;
+        b.text.setText(QStringLiteral("5"));
+        QSignalSpy disarmed(&b.keyboard, &KeyboardJog::fieldFocused);
+        b.down(scan::kRight, Qt::Key_Right);
+        QVERIFY(b.moves());
+        QTest::mouseClick(&b.text, Qt::LeftButton);
+        QVERIFY(b.text.hasFocus());
+        QVERIFY(!b.moves());
+        QVERIFY2(!b.keyboard.isArmed(), "the arrow keys now belong to the field");
+        QCOMPARE(disarmed.size(), 1);
+        keyUp(b.text, scan::kRight, Qt::Key_Right);
+        // A read-only field does not take the keys.
+        b.window.setFocus();
+        b.text.setReadOnly(true);
+        b.keyboard.setArmed(true);
+        b.text.setFocus();
+        QVERIFY(b.keyboard.isArmed());
+        b.down(scan::kRight, Qt::Key_Right);
+        QVERIFY(b.moves());
+        b.up(scan::kRight, Qt::Key_Right);
+    }
+
+    void armingTakesTheFocusFromAField() {
+        Bench b;
+        b.keyboard.setArmed(false);
+        QDoubleSpinBox field(&b.window);
+        field.show();
+        field.setFocus();
+        QVERIFY(field.hasFocus());
+        b.keyboard.setArmed(true);
+        QVERIFY(b.keyboard.isArmed());
+        QVERIFY(!field.hasFocus());
+        keyDown(*QApplication::focusWidget(), scan::kUp, Qt::Key_Up);
+        QVERIFY2(b.moves(), "the first key jogs");
+        keyUp(*QApplication::focusWidget(), scan::kUp, Qt::Key_Up);
+        QVERIFY(!b.moves());
+        QCOMPARE(field.value(), 0.0);
     }
 
     void keysBelongToAnOpenMenu() {
