@@ -277,8 +277,9 @@ void SettingsPage::showLanguageNote() {
     const bool shown = languageFor(preferences_.language) == shownLanguage();
     anew_->setEnabled(!shown);
     languageNote_->setText(
-        shown ? tr("Language of the window and of the connection check. Files and scripts are not affected.")
-              : tr("Takes effect when Tiller is restarted or the window is reopened."));
+        shown
+            ? tr("Language of the window and of the connection check. Files and scripts are not affected.")
+            : tr("Takes effect when Tiller is restarted or the window is reopened. The plots then restart."));
 }
 
 void SettingsPage::refuseNewWindow(const QString& reason) {

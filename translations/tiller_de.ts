@@ -590,6 +590,10 @@
         <source>The function “%1” does not exist.</source>
         <translation>Die Funktion „%1“ existiert nicht.</translation>
     </message>
+    <message>
+        <source>“%1” contains a decimal comma. Write decimal numbers with a point: %2</source>
+        <translation>„%1“ enthält ein Dezimalkomma. Schreiben Sie Dezimalzahlen mit einem Punkt: %2</translation>
+    </message>
 </context>
 <context>
     <name>DeviceTrainer</name>
@@ -8559,6 +8563,10 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <source>Record robot data to a file (%1). Use the arrow button to select the signals and the folder.</source>
         <translation>Roboterdaten in eine Datei aufzeichnen (%1). Mit der Pfeiltaste wählen Sie Signale und Ordner.</translation>
     </message>
+    <message>
+        <source>All %1 pages show recordings. Remove a page or close the recordings first.</source>
+        <translation>Alle %1 Seiten zeigen Aufzeichnungen. Entfernen Sie zuerst eine Seite oder schließen Sie die Aufzeichnungen.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotMarks</name>
@@ -10307,20 +10315,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Ab hier</translation>
     </message>
     <message>
-        <source>Start at step %1</source>
-        <translation>Ab %1</translation>
-    </message>
-    <message>
         <source>Select one step.</source>
         <translation>Wählen Sie einen Schritt aus.</translation>
-    </message>
-    <message>
-        <source>Starts the program at the selected step. Press again to start at the beginning. Move the arm to the start position first.</source>
-        <translation>Startet das Programm beim ausgewählten Schritt. Erneut drücken, um am Anfang zu starten. Fahren Sie den Arm zuerst zur Startposition.</translation>
-    </message>
-    <message>
-        <source>Runs the program while the button is held, no faster than the jog speed. The program ends when you release the button.</source>
-        <translation>Führt das Programm aus, solange die Taste gehalten wird, höchstens mit der Jog-Geschwindigkeit. Beim Loslassen endet das Programm.</translation>
     </message>
     <message>
         <source>Moves all joints to the start position while the button is held</source>
@@ -10365,6 +10361,22 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     <message>
         <source>Continue</source>
         <translation>Fortsetzen</translation>
+    </message>
+    <message>
+        <source>Runs the program while the button is held, no faster than the jog speed. The program ends when you release the button. Joint moves are slower if the arm is away from the start position of a complete preview, because the speed limit then has to hold for every possible path.</source>
+        <translation>Führt das Programm aus, solange die Taste gehalten wird, höchstens mit der Jog-Geschwindigkeit. Das Programm endet beim Loslassen. Gelenkbewegungen sind langsamer, wenn der Arm nicht an der Startposition einer vollständigen Vorschau steht, weil die Geschwindigkeitsgrenze dann für jeden möglichen Weg gelten muss.</translation>
+    </message>
+    <message>
+        <source>From step %1 ✕</source>
+        <translation>Ab %1 ✕</translation>
+    </message>
+    <message>
+        <source>The program starts at step %1. Press to start at the beginning again.</source>
+        <translation>Das Programm beginnt bei Schritt %1. Drücken Sie, um wieder am Anfang zu beginnen.</translation>
+    </message>
+    <message>
+        <source>Starts the program at the selected step. Move the arm to the start position first.</source>
+        <translation>Beginnt das Programm beim ausgewählten Schritt. Fahren Sie den Arm zuerst zur Startposition.</translation>
     </message>
 </context>
 <context>
@@ -12841,6 +12853,10 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <source>Saves the project now. Tiller also saves all changes automatically. If another window or program has changed the file, asks whether to reload it or to keep both.</source>
         <translation>Speichert das Projekt sofort. Tiller speichert alle Änderungen auch automatisch. Wenn ein anderes Fenster oder Programm die Datei geändert hat, wird gefragt, ob sie neu geladen wird oder beide Fassungen behalten werden.</translation>
     </message>
+    <message>
+        <source>Keyboard jogging was disarmed, because an input field has the focus: the keys now edit the field. Arm the keyboard again to jog.</source>
+        <translation>Die Tastatur wurde abgeschaltet, weil ein Eingabefeld den Fokus hat: Die Tasten bearbeiten jetzt das Feld. Schalten Sie die Tastatur zum Joggen wieder scharf.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::PanelDock</name>
@@ -13386,10 +13402,6 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Sprache des Fensters und der Verbindungsprüfung. Dateien und Skripte sind nicht betroffen.</translation>
     </message>
     <message>
-        <source>Takes effect when Tiller is restarted or the window is reopened.</source>
-        <translation>Wird beim nächsten Start von Tiller wirksam oder wenn das Fenster neu geöffnet wird.</translation>
-    </message>
-    <message>
         <source>Monitor only</source>
         <translation>Nur beobachten</translation>
     </message>
@@ -13408,6 +13420,10 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     <message>
         <source>Press the new shortcut in the field, or Backspace to remove the shortcut. While Tiller is in control, Space and Esc always stop the arm.</source>
         <translation>Drücken Sie das neue Tastenkürzel im Feld; die Rücktaste entfernt es. Solange Tiller die Steuerung hat, stoppen Leertaste und Esc den Arm immer.</translation>
+    </message>
+    <message>
+        <source>Takes effect when Tiller is restarted or the window is reopened. The plots then restart.</source>
+        <translation>Wirkt, wenn Tiller neu gestartet oder das Fenster neu geöffnet wird. Die Diagramme beginnen dann neu.</translation>
     </message>
 </context>
 <context>

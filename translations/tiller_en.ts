@@ -590,6 +590,10 @@
         <source>The function “%1” does not exist.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>“%1” contains a decimal comma. Write decimal numbers with a point: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>DeviceTrainer</name>
@@ -8551,6 +8555,10 @@ Press “Measure…” to measure the payload with the arm.</source>
         <source>Record robot data to a file (%1). Use the arrow button to select the signals and the folder.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>All %1 pages show recordings. Remove a page or close the recordings first.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotMarks</name>
@@ -10294,19 +10302,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Start at step %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Select one step.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Starts the program at the selected step. Press again to start at the beginning. Move the arm to the start position first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Runs the program while the button is held, no faster than the jog speed. The program ends when you release the button.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10351,6 +10347,22 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>Continue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Runs the program while the button is held, no faster than the jog speed. The program ends when you release the button. Joint moves are slower if the arm is away from the start position of a complete preview, because the speed limit then has to hold for every possible path.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From step %1 ✕</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program starts at step %1. Press to start at the beginning again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Starts the program at the selected step. Move the arm to the start position first.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -12825,6 +12837,10 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <source>Saves the project now. Tiller also saves all changes automatically. If another window or program has changed the file, asks whether to reload it or to keep both.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Keyboard jogging was disarmed, because an input field has the focus: the keys now edit the field. Arm the keyboard again to jog.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::PanelDock</name>
@@ -13370,10 +13386,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Takes effect when Tiller is restarted or the window is reopened.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Monitor only</source>
         <translation type="unfinished"></translation>
     </message>
@@ -13391,6 +13403,10 @@ Jog the arm to a position and press “Teach here” (T).</source>
     </message>
     <message>
         <source>Press the new shortcut in the field, or Backspace to remove the shortcut. While Tiller is in control, Space and Esc always stop the arm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes effect when Tiller is restarted or the window is reopened. The plots then restart.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

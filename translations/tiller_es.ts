@@ -590,6 +590,10 @@
         <source>The function “%1” does not exist.</source>
         <translation>La función «%1» no existe.</translation>
     </message>
+    <message>
+        <source>“%1” contains a decimal comma. Write decimal numbers with a point: %2</source>
+        <translation>«%1» contiene una coma decimal. Escriba los decimales con punto: %2</translation>
+    </message>
 </context>
 <context>
     <name>DeviceTrainer</name>
@@ -8466,7 +8470,7 @@ Pulse Medir… para medir la carga con el brazo.</translation>
     </message>
     <message>
         <source>Layout ▾</source>
-        <translation>Layout ▾</translation>
+        <translation>Disposición ▾</translation>
     </message>
     <message>
         <source>not a plot layout</source>
@@ -8558,6 +8562,10 @@ Pulse Medir… para medir la carga con el brazo.</translation>
     <message>
         <source>Record robot data to a file (%1). Use the arrow button to select the signals and the folder.</source>
         <translation>Grabar los datos del robot en un archivo (%1). Use la flecha para elegir señales y carpeta.</translation>
+    </message>
+    <message>
+        <source>All %1 pages show recordings. Remove a page or close the recordings first.</source>
+        <translation>Las %1 páginas muestran registros. Elimine antes una página o cierre los registros.</translation>
     </message>
 </context>
 <context>
@@ -10307,20 +10315,8 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Desde aquí</translation>
     </message>
     <message>
-        <source>Start at step %1</source>
-        <translation>Desde %1</translation>
-    </message>
-    <message>
         <source>Select one step.</source>
         <translation>Seleccione un paso.</translation>
-    </message>
-    <message>
-        <source>Starts the program at the selected step. Press again to start at the beginning. Move the arm to the start position first.</source>
-        <translation>Inicia el programa en el paso seleccionado. Pulse de nuevo para iniciarlo desde el principio. Mueva antes el brazo a la posición inicial.</translation>
-    </message>
-    <message>
-        <source>Runs the program while the button is held, no faster than the jog speed. The program ends when you release the button.</source>
-        <translation>Ejecuta el programa mientras se mantiene el botón, sin superar la velocidad de jog. El programa termina al soltar el botón.</translation>
     </message>
     <message>
         <source>Moves all joints to the start position while the button is held</source>
@@ -10365,6 +10361,22 @@ Suelte el botón para detener el brazo.</translation>
     <message>
         <source>Continue</source>
         <translation>Continuar</translation>
+    </message>
+    <message>
+        <source>Runs the program while the button is held, no faster than the jog speed. The program ends when you release the button. Joint moves are slower if the arm is away from the start position of a complete preview, because the speed limit then has to hold for every possible path.</source>
+        <translation>Ejecuta el programa mientras se mantiene pulsado el botón, como máximo a la velocidad de jog. El programa termina al soltar el botón. Los movimientos de articulación son más lentos si el brazo no está en la posición inicial de una vista previa completa, porque el límite de velocidad debe cumplirse entonces en cualquier trayectoria posible.</translation>
+    </message>
+    <message>
+        <source>From step %1 ✕</source>
+        <translation>Desde %1 ✕</translation>
+    </message>
+    <message>
+        <source>The program starts at step %1. Press to start at the beginning again.</source>
+        <translation>El programa empieza en el paso %1. Pulse para volver a empezar desde el principio.</translation>
+    </message>
+    <message>
+        <source>Starts the program at the selected step. Move the arm to the start position first.</source>
+        <translation>Inicia el programa en el paso seleccionado. Mueva antes el brazo a la posición inicial.</translation>
     </message>
 </context>
 <context>
@@ -10515,7 +10527,7 @@ Suelte el botón para detener el brazo.</translation>
     </message>
     <message>
         <source>The history memory is too small to show %1. Increase the memory in the “Layout” menu.</source>
-        <translation>La memoria del historial es demasiado pequeña para mostrar %1: auméntela en el menú Layout.</translation>
+        <translation>La memoria del historial es demasiado pequeña para mostrar %1: auméntela en el menú Disposición.</translation>
     </message>
     <message>
         <source>%1 could not be computed completely: %2</source>
@@ -12841,6 +12853,10 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <source>Saves the project now. Tiller also saves all changes automatically. If another window or program has changed the file, asks whether to reload it or to keep both.</source>
         <translation>Guarda el proyecto ahora. Tiller también guarda todos los cambios automáticamente. Si otra ventana u otro programa ha modificado el archivo, pregunta si se recarga o se conservan ambas versiones.</translation>
     </message>
+    <message>
+        <source>Keyboard jogging was disarmed, because an input field has the focus: the keys now edit the field. Arm the keyboard again to jog.</source>
+        <translation>El teclado se ha desarmado porque un campo de entrada tiene el foco: las teclas editan ahora el campo. Arme de nuevo el teclado para mover el brazo.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::PanelDock</name>
@@ -13386,10 +13402,6 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Idioma de la ventana y de la comprobación de la conexión. Los archivos y scripts no se ven afectados.</translation>
     </message>
     <message>
-        <source>Takes effect when Tiller is restarted or the window is reopened.</source>
-        <translation>Se aplica en el próximo inicio de Tiller o al reabrir la ventana.</translation>
-    </message>
-    <message>
         <source>Monitor only</source>
         <translation>Solo supervisión</translation>
     </message>
@@ -13408,6 +13420,10 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     <message>
         <source>Press the new shortcut in the field, or Backspace to remove the shortcut. While Tiller is in control, Space and Esc always stop the arm.</source>
         <translation>Pulse el nuevo atajo en el campo; Retroceso lo elimina. Mientras Tiller tiene el control, Espacio y Esc siempre detienen el brazo.</translation>
+    </message>
+    <message>
+        <source>Takes effect when Tiller is restarted or the window is reopened. The plots then restart.</source>
+        <translation>Se aplica al reiniciar Tiller o al reabrir la ventana. Los gráficos empiezan entonces de nuevo.</translation>
     </message>
 </context>
 <context>

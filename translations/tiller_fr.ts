@@ -590,6 +590,10 @@
         <source>The function “%1” does not exist.</source>
         <translation>La fonction « %1 » n’existe pas.</translation>
     </message>
+    <message>
+        <source>“%1” contains a decimal comma. Write decimal numbers with a point: %2</source>
+        <translation>« %1 » contient une virgule décimale. Écrivez les nombres décimaux avec un point : %2</translation>
+    </message>
 </context>
 <context>
     <name>DeviceTrainer</name>
@@ -8466,7 +8470,7 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
     </message>
     <message>
         <source>Layout ▾</source>
-        <translation>Layout ▾</translation>
+        <translation>Disposition ▾</translation>
     </message>
     <message>
         <source>not a plot layout</source>
@@ -8558,6 +8562,10 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
     <message>
         <source>Record robot data to a file (%1). Use the arrow button to select the signals and the folder.</source>
         <translation>Enregistrer les données du robot dans un fichier (%1). Utilisez la flèche pour choisir signaux et dossier.</translation>
+    </message>
+    <message>
+        <source>All %1 pages show recordings. Remove a page or close the recordings first.</source>
+        <translation>Les %1 pages affichent des enregistrements. Supprimez d’abord une page ou fermez les enregistrements.</translation>
     </message>
 </context>
 <context>
@@ -10307,20 +10315,8 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>D&apos;ici</translation>
     </message>
     <message>
-        <source>Start at step %1</source>
-        <translation>Dès %1</translation>
-    </message>
-    <message>
         <source>Select one step.</source>
         <translation>Sélectionnez une étape.</translation>
-    </message>
-    <message>
-        <source>Starts the program at the selected step. Press again to start at the beginning. Move the arm to the start position first.</source>
-        <translation>Lance le programme à l’étape sélectionnée. Appuyez de nouveau pour partir du début. Amenez d’abord le bras à la position de départ.</translation>
-    </message>
-    <message>
-        <source>Runs the program while the button is held, no faster than the jog speed. The program ends when you release the button.</source>
-        <translation>Exécute le programme tant que le bouton est maintenu, sans dépasser la vitesse de jog. Le programme se termine au relâchement.</translation>
     </message>
     <message>
         <source>Moves all joints to the start position while the button is held</source>
@@ -10365,6 +10361,22 @@ Relâchez le bouton pour arrêter le bras.</translation>
     <message>
         <source>Continue</source>
         <translation>Continuer</translation>
+    </message>
+    <message>
+        <source>Runs the program while the button is held, no faster than the jog speed. The program ends when you release the button. Joint moves are slower if the arm is away from the start position of a complete preview, because the speed limit then has to hold for every possible path.</source>
+        <translation>Exécute le programme tant que le bouton est maintenu, au plus à la vitesse de jog. Le programme se termine quand vous relâchez le bouton. Les mouvements articulaires sont plus lents si le bras n’est pas à la position de départ d’un aperçu complet, car la limite de vitesse doit alors être respectée sur toute trajectoire possible.</translation>
+    </message>
+    <message>
+        <source>From step %1 ✕</source>
+        <translation>Dès %1 ✕</translation>
+    </message>
+    <message>
+        <source>The program starts at step %1. Press to start at the beginning again.</source>
+        <translation>Le programme commence à l’étape %1. Appuyez pour recommencer depuis le début.</translation>
+    </message>
+    <message>
+        <source>Starts the program at the selected step. Move the arm to the start position first.</source>
+        <translation>Démarre le programme à l’étape sélectionnée. Amenez d’abord le bras à la position de départ.</translation>
     </message>
 </context>
 <context>
@@ -10515,7 +10527,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
     </message>
     <message>
         <source>The history memory is too small to show %1. Increase the memory in the “Layout” menu.</source>
-        <translation>La mémoire d’historique est trop petite pour afficher %1 : augmentez-la dans le menu Layout.</translation>
+        <translation>La mémoire d’historique est trop petite pour afficher %1 : augmentez-la dans le menu Disposition.</translation>
     </message>
     <message>
         <source>%1 could not be computed completely: %2</source>
@@ -12841,6 +12853,10 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <source>Saves the project now. Tiller also saves all changes automatically. If another window or program has changed the file, asks whether to reload it or to keep both.</source>
         <translation>Enregistre le projet maintenant. Tiller enregistre aussi automatiquement toutes les modifications. Si une autre fenêtre ou un autre programme a modifié le fichier, demande s’il faut le recharger ou conserver les deux versions.</translation>
     </message>
+    <message>
+        <source>Keyboard jogging was disarmed, because an input field has the focus: the keys now edit the field. Arm the keyboard again to jog.</source>
+        <translation>Le clavier a été désarmé, car un champ de saisie a le focus : les touches modifient maintenant le champ. Réarmez le clavier pour déplacer le bras.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::PanelDock</name>
@@ -13386,10 +13402,6 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Langue de la fenêtre et de la vérification de connexion. Les fichiers et scripts ne sont pas concernés.</translation>
     </message>
     <message>
-        <source>Takes effect when Tiller is restarted or the window is reopened.</source>
-        <translation>Prend effet au prochain démarrage de Tiller ou à la réouverture de la fenêtre.</translation>
-    </message>
-    <message>
         <source>Monitor only</source>
         <translation>Surveillance seule</translation>
     </message>
@@ -13408,6 +13420,10 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     <message>
         <source>Press the new shortcut in the field, or Backspace to remove the shortcut. While Tiller is in control, Space and Esc always stop the arm.</source>
         <translation>Tapez le nouveau raccourci dans le champ ; Retour arrière le supprime. Tant que Tiller a le contrôle, Espace et Échap arrêtent toujours le bras.</translation>
+    </message>
+    <message>
+        <source>Takes effect when Tiller is restarted or the window is reopened. The plots then restart.</source>
+        <translation>Prend effet au redémarrage de Tiller ou à la réouverture de la fenêtre. Les tracés recommencent alors.</translation>
     </message>
 </context>
 <context>

@@ -590,6 +590,10 @@
         <source>The function “%1” does not exist.</source>
         <translation>関数「%1」はありません。</translation>
     </message>
+    <message>
+        <source>“%1” contains a decimal comma. Write decimal numbers with a point: %2</source>
+        <translation>「%1」に小数点のカンマが含まれています。小数はピリオドで入力してください: %2</translation>
+    </message>
 </context>
 <context>
     <name>DeviceTrainer</name>
@@ -8540,6 +8544,10 @@ Press “Measure…” to measure the payload with the arm.</source>
         <source>Record robot data to a file (%1). Use the arrow button to select the signals and the folder.</source>
         <translation>ロボットのデータをファイルに記録します (%1)。信号とフォルダーは隣の矢印ボタンで選びます。</translation>
     </message>
+    <message>
+        <source>All %1 pages show recordings. Remove a page or close the recordings first.</source>
+        <translation>%1 ページすべてに記録が表示されています。先にページを削除するか、記録を閉じてください。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotMarks</name>
@@ -10281,20 +10289,8 @@ Release the button to stop the arm.</source>
         <translation>ここから</translation>
     </message>
     <message>
-        <source>Start at step %1</source>
-        <translation>%1 から</translation>
-    </message>
-    <message>
         <source>Select one step.</source>
         <translation>ステップを 1 つ選択してください。</translation>
-    </message>
-    <message>
-        <source>Starts the program at the selected step. Press again to start at the beginning. Move the arm to the start position first.</source>
-        <translation>選択したステップからプログラムを開始します。もう一度押すと先頭から開始します。先にアームを開始位置へ移動してください。</translation>
-    </message>
-    <message>
-        <source>Runs the program while the button is held, no faster than the jog speed. The program ends when you release the button.</source>
-        <translation>ボタンを押している間、ジョグ速度を超えずにプログラムを実行します。ボタンを離すとプログラムは終了します。</translation>
     </message>
     <message>
         <source>Moves all joints to the start position while the button is held</source>
@@ -10339,6 +10335,22 @@ Release the button to stop the arm.</source>
     <message>
         <source>Continue</source>
         <translation>続行</translation>
+    </message>
+    <message>
+        <source>Runs the program while the button is held, no faster than the jog speed. The program ends when you release the button. Joint moves are slower if the arm is away from the start position of a complete preview, because the speed limit then has to hold for every possible path.</source>
+        <translation>ボタンを押している間、ジョグ速度以下でプログラムを実行します。ボタンを離すとプログラムは終了します。アームが完全なプレビューの開始位置にない場合、考えられるすべての経路で速度制限を守るため、関節移動は遅くなります。</translation>
+    </message>
+    <message>
+        <source>From step %1 ✕</source>
+        <translation>%1 から ✕</translation>
+    </message>
+    <message>
+        <source>The program starts at step %1. Press to start at the beginning again.</source>
+        <translation>プログラムはステップ %1 から開始します。押すと、再び最初から開始します。</translation>
+    </message>
+    <message>
+        <source>Starts the program at the selected step. Move the arm to the start position first.</source>
+        <translation>選択したステップからプログラムを開始します。先にアームを開始位置へ移動してください。</translation>
     </message>
 </context>
 <context>
@@ -12799,6 +12811,10 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <source>Saves the project now. Tiller also saves all changes automatically. If another window or program has changed the file, asks whether to reload it or to keep both.</source>
         <translation>プロジェクトを今すぐ保存します。変更は自動的にも保存されます。別のウィンドウまたはプログラムがファイルを変更した場合は、再読み込みするか両方を残すかを確認します。</translation>
     </message>
+    <message>
+        <source>Keyboard jogging was disarmed, because an input field has the focus: the keys now edit the field. Arm the keyboard again to jog.</source>
+        <translation>入力欄にフォーカスが移ったため、キーボードジョグを無効にしました。キーは入力欄を編集します。ジョグするには、キーボードをもう一度有効にしてください。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::PanelDock</name>
@@ -13343,10 +13359,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>ウィンドウと接続チェックの言語です。ファイルとスクリプトには影響しません。</translation>
     </message>
     <message>
-        <source>Takes effect when Tiller is restarted or the window is reopened.</source>
-        <translation>Tiller の次の起動から、またはウィンドウを開き直すと有効です。</translation>
-    </message>
-    <message>
         <source>Monitor only</source>
         <translation>監視のみ</translation>
     </message>
@@ -13365,6 +13377,10 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>Press the new shortcut in the field, or Backspace to remove the shortcut. While Tiller is in control, Space and Esc always stop the arm.</source>
         <translation>欄で新しいショートカットを押します。Backspaceで削除します。Tiller が制御している間は、SpaceとEscで必ずアームが停止します。</translation>
+    </message>
+    <message>
+        <source>Takes effect when Tiller is restarted or the window is reopened. The plots then restart.</source>
+        <translation>Tiller を再起動するか、ウィンドウを開き直すと有効になります。その際、プロットは最初から始まります。</translation>
     </message>
 </context>
 <context>

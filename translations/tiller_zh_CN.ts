@@ -590,6 +590,10 @@
         <source>The function “%1” does not exist.</source>
         <translation>函数“%1”不存在。</translation>
     </message>
+    <message>
+        <source>“%1” contains a decimal comma. Write decimal numbers with a point: %2</source>
+        <translation>“%1”包含小数逗号。请用小数点书写小数：%2</translation>
+    </message>
 </context>
 <context>
     <name>DeviceTrainer</name>
@@ -8540,6 +8544,10 @@ Press “Measure…” to measure the payload with the arm.</source>
         <source>Record robot data to a file (%1). Use the arrow button to select the signals and the folder.</source>
         <translation>将机器人数据录制到文件 (%1)。使用旁边的箭头按钮选择信号和文件夹。</translation>
     </message>
+    <message>
+        <source>All %1 pages show recordings. Remove a page or close the recordings first.</source>
+        <translation>全部 %1 个页面都显示记录。请先移除一个页面或关闭记录。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotMarks</name>
@@ -10281,20 +10289,8 @@ Release the button to stop the arm.</source>
         <translation>从此处</translation>
     </message>
     <message>
-        <source>Start at step %1</source>
-        <translation>从步骤 %1</translation>
-    </message>
-    <message>
         <source>Select one step.</source>
         <translation>请选择一个步骤。</translation>
-    </message>
-    <message>
-        <source>Starts the program at the selected step. Press again to start at the beginning. Move the arm to the start position first.</source>
-        <translation>从所选步骤启动程序。再次按下则从头开始。请先将机械臂移到起始位置。</translation>
-    </message>
-    <message>
-        <source>Runs the program while the button is held, no faster than the jog speed. The program ends when you release the button.</source>
-        <translation>按住按钮时运行程序，速度不超过点动速度。松开按钮时程序结束。</translation>
     </message>
     <message>
         <source>Moves all joints to the start position while the button is held</source>
@@ -10339,6 +10335,22 @@ Release the button to stop the arm.</source>
     <message>
         <source>Continue</source>
         <translation>继续</translation>
+    </message>
+    <message>
+        <source>Runs the program while the button is held, no faster than the jog speed. The program ends when you release the button. Joint moves are slower if the arm is away from the start position of a complete preview, because the speed limit then has to hold for every possible path.</source>
+        <translation>按住按钮时运行程序，速度不超过点动速度。松开按钮时程序结束。如果机械臂不在完整预览的起始位置，关节运动会更慢，因为速度限制必须适用于所有可能的路径。</translation>
+    </message>
+    <message>
+        <source>From step %1 ✕</source>
+        <translation>从步骤 %1 ✕</translation>
+    </message>
+    <message>
+        <source>The program starts at step %1. Press to start at the beginning again.</source>
+        <translation>程序从步骤 %1 开始。按下可恢复为从头开始。</translation>
+    </message>
+    <message>
+        <source>Starts the program at the selected step. Move the arm to the start position first.</source>
+        <translation>从所选步骤开始程序。请先将机械臂移动到起始位置。</translation>
     </message>
 </context>
 <context>
@@ -12799,6 +12811,10 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <source>Saves the project now. Tiller also saves all changes automatically. If another window or program has changed the file, asks whether to reload it or to keep both.</source>
         <translation>立即保存项目。Tiller 也会自动保存所有更改。如果其他窗口或程序更改了文件，将询问是重新加载还是保留两者。</translation>
     </message>
+    <message>
+        <source>Keyboard jogging was disarmed, because an input field has the focus: the keys now edit the field. Arm the keyboard again to jog.</source>
+        <translation>输入框获得焦点，因此已停用键盘点动：按键现在编辑该输入框。要点动，请重新启用键盘。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::PanelDock</name>
@@ -13343,10 +13359,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>窗口和连接检查的语言。不影响文件和脚本。</translation>
     </message>
     <message>
-        <source>Takes effect when Tiller is restarted or the window is reopened.</source>
-        <translation>从下次启动 Tiller 起，或重新打开窗口后生效。</translation>
-    </message>
-    <message>
         <source>Monitor only</source>
         <translation>仅监视</translation>
     </message>
@@ -13365,6 +13377,10 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>Press the new shortcut in the field, or Backspace to remove the shortcut. While Tiller is in control, Space and Esc always stop the arm.</source>
         <translation>在框中按下新的快捷键；退格键可删除。Tiller 拥有控制时，空格键和 Esc 始终停止机械臂。</translation>
+    </message>
+    <message>
+        <source>Takes effect when Tiller is restarted or the window is reopened. The plots then restart.</source>
+        <translation>重新启动 Tiller 或重新打开窗口后生效。届时曲线图会重新开始。</translation>
     </message>
 </context>
 <context>
