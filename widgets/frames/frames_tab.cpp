@@ -317,13 +317,9 @@ void FramesTab::buildActions() {
         here(with(addCommand("duplicate", tr("Duplicate frame"), QKeySequence(Qt::CTRL | Qt::Key_D),
                              [this] { withCurrent(&FrameEditing::duplicate); }),
                   "s")));
-    // Del applies only to the list with the focus, and not to a question or a field of the tab.
-    QAction* remove = with(addCommand("delete", tr("Delete frame"), QKeySequence(Qt::Key_Delete),
-                                      [this] { withCurrent(&FrameEditing::remove); }),
-                           "s");
-    remove->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-    menu->addAction(remove);
-    table_->addAction(remove);
+    menu->addAction(here(with(addCommand("delete", tr("Delete frame"), QKeySequence(Qt::Key_Delete),
+                                         [this] { withCurrent(&FrameEditing::remove); }),
+                              "s")));
     more_->setMenu(menu);
     table_->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(table_, &QWidget::customContextMenuRequested, this,
