@@ -6,6 +6,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QPainter>
+#include <algorithm>
 
 #include "widgets/common/density.h"
 #include "widgets/common/theme.h"
@@ -14,8 +15,9 @@ namespace tiller {
 namespace {
 
 constexpr int kTerminalWidth = 46;
-constexpr int kStateWidth = 98;
 constexpr int kLamp = 12;
+constexpr int kLampGap = 8;
+constexpr int kRightMargin = 6;
 
 int rowHeightNow() {
     return currentDensity() == Density::Touch ? keyHeight(Density::Touch) : IoChannel::kHeight;
@@ -67,7 +69,21 @@ void IoChannel::setObstacle(const QString& why, const QString& word) {
 }
 
 QString IoChannel::stateWord() const {
-    switch (state_) {
+    return wordOf(state_);
+}
+
+/// The width of the lamp and of the longest word, so that the lamps are in one column.
+int IoChannel::stateWidth() const {
+    const QFontMetrics metrics(textFont(14, QFont::Bold));
+    int width = 0;
+    for (const State state : {State::Unknown, State::Off, State::On, State::PendingOn}) {
+        width = std::max(width, metrics.horizontalAdvance(wordOf(state)));
+    }
+    return kLamp + kLampGap + width + kRightMargin;
+}
+
+QString IoChannel::wordOf(State state) {
+    switch (state) {
         case State::Unknown:
             return tr("no data");
         case State::Off:
@@ -112,7 +128,7 @@ bool IoChannel::hitButton(const QPoint& position) const {
 }
 
 QRect IoChannel::nameRect() const {
-    return {10 + kTerminalWidth, 0, width() - 20 - kTerminalWidth - kStateWidth, height()};
+    return {10 + kTerminalWidth, 0, width() - 20 - kTerminalWidth - stateWidth(), height()};
 }
 
 QSize IoChannel::sizeHint() const {
@@ -154,7 +170,8 @@ void IoChannel::paintEvent(QPaintEvent*) {
 
     // Draw a filled circle, a ring, or a half-filled circle for an unconfirmed output, so that the states are
     // distinguishable without colour.
-    const QRectF lamp(width() - kStateWidth, (height() - kLamp) / 2.0, kLamp, kLamp);
+    const int stateWidth = this->stateWidth();
+    const QRectF lamp(width() - stateWidth, (height() - kLamp) / 2.0, kLamp, kLamp);
     const QColor ink = live ? theme.text : theme.disabledText;
     const bool pending = state_ == State::PendingOff || state_ == State::PendingOn;
     painter.setPen(QPen(pending && live ? theme.moving : ink, 1.6));
@@ -169,7 +186,7 @@ void IoChannel::paintEvent(QPaintEvent*) {
     }
     painter.setFont(textFont(14, state_ == State::On && live ? QFont::Bold : QFont::Normal));
     painter.setPen(live ? (state_ == State::Off ? theme.secondary : theme.text) : theme.disabledText);
-    painter.drawText(QRectF(lamp.right() + 8, 0, kStateWidth - kLamp - 8, height()),
+    painter.drawText(QRectF(lamp.right() + kLampGap, 0, stateWidth - kLamp - kLampGap, height()),
                      Qt::AlignVCenter | Qt::AlignLeft, stateWord());
 }
 

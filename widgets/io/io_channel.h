@@ -34,6 +34,8 @@ public:
     QString obstacle() const { return obstacle_; }
     /// The displayed state: "on", "off", "pending…", "no data".
     QString stateWord() const;
+    static QString wordOf(State state);
+    int stateWidth() const;
     void rename();
 
     QSize sizeHint() const override;

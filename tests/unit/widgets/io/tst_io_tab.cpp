@@ -3,6 +3,7 @@
 #include <QLineEdit>
 #include <QSignalSpy>
 #include <QTest>
+#include <QTranslator>
 #include <memory>
 
 #include "tests/support/sample_stream.h"
@@ -25,6 +26,15 @@ SessionState withBits(std::uint64_t inputs, std::uint64_t outputs, LinkState lin
     state.digitalOutputs = outputs;
     return state;
 }
+
+/// A language with a long word for "off", such as Spanish.
+class LongWord : public QTranslator {
+public:
+    bool isEmpty() const override { return false; }
+    QString translate(const char*, const char* source, const char*, int) const override {
+        return qstrcmp(source, "off") == 0 ? QStringLiteral("desactivada") : QString();
+    }
+};
 
 }  // namespace
 
@@ -66,6 +76,23 @@ private Q_SLOTS:
             for (int other = 0; other < IoTab::kChannels; ++other) {
                 QCOMPARE(tab_->input(other)->state() == State::On, other == channel);
                 QCOMPARE(tab_->output(other)->state() == State::On, other == 17 - channel);
+            }
+        }
+    }
+
+    void longStateWordsAreNotCut() {
+        LongWord words;
+        QCoreApplication::installTranslator(&words);
+        IoChannel channel(QStringLiteral("DI 0"), false);
+        channel.setState(State::Off);
+        channel.setStale(false);
+        channel.resize(250, IoChannel::kHeight);
+        const QImage image = channel.grab().toImage();
+        QCoreApplication::removeTranslator(&words);
+        for (int x = channel.width() - 4; x < channel.width(); ++x) {
+            for (int y = 2; y < channel.height() - 3; ++y) {
+                QVERIFY2(image.pixel(x, y) == image.pixel(3, y),
+                         qPrintable(QStringLiteral("%1, %2").arg(x).arg(y)));
             }
         }
     }
