@@ -11,12 +11,6 @@
 
 namespace tiller {
 
-namespace {
-
-constexpr int kMinColumn = 24;  // [px]
-
-}  // namespace
-
 StepTree::StepTree(ProgramModel& model, QWidget* parent) : QTreeView(parent), model_(model) {
     setObjectName("program.tree");
     setAccessibleName(tr("Program steps"));
@@ -38,7 +32,6 @@ StepTree::StepTree(ProgramModel& model, QWidget* parent) : QTreeView(parent), mo
     header()->setSectionResizeMode(QHeaderView::Fixed);
     header()->setStretchLastSection(false);
     header()->setSectionResizeMode(ProgramModel::Result, QHeaderView::Stretch);
-    header()->setMinimumSectionSize(kMinColumn);
     // A run changes the results often.
     fitTimer_.setSingleShot(true);
     connect(&fitTimer_, &QTimer::timeout, this, &StepTree::fitColumns);
@@ -113,12 +106,19 @@ void StepTree::fitColumns() {
     const auto contents = [this](int column) {
         return std::max(sizeHintForColumn(column), header()->sectionSizeHint(column));
     };
+    // The titles remain readable, so a very narrow tree is scrolled.
+    const auto title = [this](int column) { return header()->sectionSizeHint(column); };
     const int room = viewport()->width();
-    const int result = std::min(contents(ProgramModel::Result), room * 2 / 5);
-    const int step = std::min(contents(ProgramModel::Step), room - result - kMinColumn);
-    const int values = std::min(contents(ProgramModel::Values), room - result - step);
-    header()->resizeSection(ProgramModel::Step, std::max(step, kMinColumn));
-    header()->resizeSection(ProgramModel::Values, std::max(values, kMinColumn));
+    const int least = title(ProgramModel::Step) + title(ProgramModel::Values);
+    const int result = std::max(std::min({contents(ProgramModel::Result), room * 2 / 5, room - least}),
+                                title(ProgramModel::Result));
+    const int step =
+        std::max(std::min(contents(ProgramModel::Step), room - result - title(ProgramModel::Values)),
+                 title(ProgramModel::Step));
+    const int values =
+        std::max(std::min(contents(ProgramModel::Values), room - result - step), title(ProgramModel::Values));
+    header()->resizeSection(ProgramModel::Step, step);
+    header()->resizeSection(ProgramModel::Values, values);
 }
 
 void StepTree::selectionChanged(const QItemSelection& selected, const QItemSelection& deselected) {
