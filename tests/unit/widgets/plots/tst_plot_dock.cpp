@@ -1921,7 +1921,7 @@ private Q_SLOTS:
         }
     }
 
-    // The page keeps its range, its curves and its time labels, whatever the live data do.
+    // The page keeps its range, its curves and its time labels, while live data arrive.
     void liveDataDoNotExtendAPageOfARecording_data() {
         QTest::addColumn<int>("key");
         QTest::newRow("as opened") << 0;
