@@ -7,7 +7,6 @@
 #include <QProcess>
 #include <QTest>
 #include <algorithm>
-#include <csignal>
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,6 +14,7 @@
 #include "robot/control/detail/registers.h"
 #include "robot/rtde/connection.h"
 #include "robot/simulator/simulator.h"
+#include "tests/support/suspended_process.h"
 
 namespace tiller::test {
 
@@ -127,8 +127,9 @@ public:
         process_.waitForReadyRead(0);
         return process_.readAll().contains(words);
     }
-    void signal(int number) const { ::kill(static_cast<pid_t>(process_.processId()), number); }
-    /// Sends SIGKILL, which also works after SIGSTOP.
+    void suspend() const { setSuspended(process_.processId(), true); }
+    void resume() const { setSuspended(process_.processId(), false); }
+    /// Ends the process without a chance to react, also if it is suspended.
     void kill() {
         process_.kill();
         process_.waitForFinished(kWaitTimeoutMs);

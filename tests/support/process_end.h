@@ -4,7 +4,9 @@
 // The ways in which a program that moves the arm can end without an external signal. Uses only the standard
 // library, because the programs for ur_rtde include this header.
 
+#ifndef _WIN32
 #include <unistd.h>
+#endif
 
 #include <cstdlib>
 #include <iostream>
@@ -13,7 +15,8 @@
 
 namespace tiller::test {
 
-/// Does not return for known names. "fork" leaves a child process that keeps all connections open.
+/// Does not return for known names. "fork" leaves a child process that keeps all connections open. Windows has
+/// neither "fork" nor "closed pipe".
 inline void endProcess(const std::string& how) {
     if (how == "exception") {
         throw std::runtime_error("the end that the test asked for");
@@ -25,8 +28,9 @@ inline void endProcess(const std::string& how) {
         std::abort();
     }
     if (how == "_exit") {
-        ::_exit(0);
+        std::_Exit(0);
     }
+#ifndef _WIN32
     if (how == "closed pipe") {
         int ends[2];
         if (::pipe(ends) == 0 && ::close(ends[0]) == 0) {
@@ -41,6 +45,7 @@ inline void endProcess(const std::string& how) {
         }
         std::cout << "forked" << std::endl;
     }
+#endif
 }
 
 }  // namespace tiller::test

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// During every type of motion, the process that moves the arm is killed (SIGKILL), suspended (SIGSTOP) or
+// During every type of motion, the process that moves the arm is killed, suspended or
 // disconnected without warning. The robot must stop by itself within the 250 ms of the contract, measured by
 // the robot's clock, and remain stopped. A second RTDE connection observes the robot. With TILLER_ALL=1, all
-// combinations are run; otherwise all motions with SIGKILL and some of the others.
+// combinations are run; otherwise all motions with a kill and some of the others.
 #include <QTest>
 #include <algorithm>
-#include <csignal>
 
 #include "robot/control/controller.h"
 #include "tests/support/moving_process.h"
@@ -15,11 +14,11 @@ using control::ScriptState;
 
 namespace {
 
-enum class Loss { Killed, Stopped, Cut };
-constexpr Loss kLosses[] = {Loss::Killed, Loss::Stopped, Loss::Cut};
+enum class Loss { Killed, Suspended, Cut };
+constexpr Loss kLosses[] = {Loss::Killed, Loss::Suspended, Loss::Cut};
 
 const char* name(Loss loss) {
-    return loss == Loss::Killed ? "kill -9" : loss == Loss::Stopped ? "SIGSTOP" : "cut cable";
+    return loss == Loss::Killed ? "kill -9" : loss == Loss::Suspended ? "suspended" : "cut cable";
 }
 
 }  // namespace
@@ -109,8 +108,8 @@ private Q_SLOTS:
             case Loss::Killed:
                 helper.kill();
                 break;
-            case Loss::Stopped:
-                helper.signal(SIGSTOP);
+            case Loss::Suspended:
+                helper.suspend();
                 break;
             case Loss::Cut:
                 // The observer does not receive data either, so query the robot itself.
@@ -179,8 +178,8 @@ private Q_SLOTS:
             case Loss::Killed:
                 helper.kill();
                 break;
-            case Loss::Stopped:
-                helper.signal(SIGSTOP);
+            case Loss::Suspended:
+                helper.suspend();
                 break;
             case Loss::Cut:
                 QVERIFY(robot.inject(QStringLiteral("link lost")).ok());

@@ -9,7 +9,6 @@
 #include <ur_rtde/dashboard_client.h>
 
 #include <QTest>
-#include <csignal>
 
 #include "tests/integration/ur_rtde/face_cell.h"
 #include "tests/support/moving_process.h"
@@ -55,12 +54,12 @@ constexpr Way kWays[] = {
 };
 
 constexpr const char* kEnds[] = {
-    "release",   "disconnect",  "leave",          "kill -9",         "kill -9 after a silence", "SIGSTOP",
+    "release",   "disconnect",  "leave",          "kill -9",         "kill -9 after a silence", "suspended",
     "cut cable", "silent link", "debugger pause", "protective stop", "safeguard stop",          "pause"};
 
 // The servo targets of the mover follow the clock of that process, so these motions also need real time.
 bool isInRealTime(const QByteArray& end, const QByteArray& way) {
-    return end.startsWith("kill -9") || end == "SIGSTOP" || end == "cut cable" || end == "debugger pause" ||
+    return end.startsWith("kill -9") || end == "suspended" || end == "cut cable" || end == "debugger pause" ||
            way == "servoJ" || way == "servoL";
 }
 
@@ -148,9 +147,9 @@ private Q_SLOTS:
         };
         QVERIFY(during([&] { return mover.hasSaid("ready"); }));
         if (end == "kill -9 after a silence") {
-            mover.signal(SIGSTOP);
+            mover.suspend();
             QVERIFY(watcher.lookUntil(cell.robot.truth().timestamp + 0.4));
-            mover.signal(SIGCONT);
+            mover.resume();
         }
         mover.tell("begin");
         if (isMissing(cell.robot.options().assumptions, moving.name)) {
@@ -185,8 +184,8 @@ private Q_SLOTS:
             obeyedAt = cell.robot.truth().timestamp;
         } else if (end.startsWith("kill -9")) {
             mover.kill();
-        } else if (end == "SIGSTOP" || end == "debugger pause") {
-            mover.signal(SIGSTOP);
+        } else if (end == "suspended" || end == "debugger pause") {
+            mover.suspend();
         } else if (end == "cut cable") {
             QVERIFY(cell.robot.inject("link lost").ok());
         } else if (end == "silent link") {
@@ -224,7 +223,7 @@ private Q_SLOTS:
         // On a busy computer, the signal may be delayed, so measure from the last packet received by the
         // robot.
         const bool isSilent = end.startsWith("kill -9") || end == "disconnect" || end == "leave" ||
-                              end == "SIGSTOP" || end == "debugger pause";
+                              end == "suspended" || end == "debugger pause";
         const double from = isSilent ? std::clamp(watcher.heardAt, endedAt, obeyedAt) : endedAt;
         const double ms = (watcher.lastMoved - from) * 1000;
         qInfo("%s: %.0f ms", QTest::currentDataTag(), ms);
@@ -235,7 +234,7 @@ private Q_SLOTS:
 
         // The motion must not resume.
         if (end == "debugger pause") {
-            mover.signal(SIGCONT);
+            mover.resume();
         } else if (end == "protective stop") {
             const double over = endedAt + 6;  // minimum duration of a protective stop
             QVERIFY(cell.hurried([&] { return watcher.lookUntil(over); }));
