@@ -173,7 +173,7 @@ ModelChange changeModel(const Project& project, const RobotModel& from, const Ro
         }
         change.removed.prepend(position.name);
         if (after.positions.home == position.id) {
-            after.positions.home = {};
+            after.positions.home = QUuid();
         }
         after.positions.list.remove(i);
     }

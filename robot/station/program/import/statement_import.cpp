@@ -367,7 +367,7 @@ private:
         }
         moves_.setTcp(tcp);
         moves_.setDefinitions(definitions);
-        lastText_ = {};
+        lastText_ = QUuid();
     }
 
     bool addConverted(std::vector<ProgramStep>& steps, const ScriptStatement& statement) {
