@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// During every type of motion, the process that moves the arm is killed, suspended or
-// disconnected without warning. The robot must stop by itself within the 250 ms of the contract, measured by
-// the robot's clock, and remain stopped. A second RTDE connection observes the robot. With TILLER_ALL=1, all
-// combinations are run; otherwise all motions with a kill and some of the others.
+// During every type of motion, the process that moves the arm is killed, suspended or disconnected without
+// warning. The robot must stop by itself within the 250 ms of the contract, measured by the robot's clock, and
+// remain stopped. A second RTDE connection observes the robot. With TILLER_ALL=1, all
+// combinations are run; otherwise all motions with a kill and some of the others. TILLER_MOVING_HELPER names
+// another build of the program that moves the arm.
 #include <QTest>
 #include <algorithm>
 
@@ -21,6 +22,10 @@ const char* name(Loss loss) {
     return loss == Loss::Killed ? "kill -9" : loss == Loss::Suspended ? "suspended" : "cut cable";
 }
 
+QString program() {
+    return qEnvironmentVariable("TILLER_MOVING_HELPER", QStringLiteral(MOVING_HELPER));
+}
+
 }  // namespace
 
 class TestKilledProcess : public QObject {
@@ -34,12 +39,11 @@ private Q_SLOTS:
         QTest::addColumn<bool>("hand");
         QTest::addColumn<ScriptState>("end");
         // fast  speed at the event [m/s]
-        const auto row = [](const char* way, double fast, bool hand = false,
-                            ScriptState end = ScriptState::Expired) {
+        auto row = [count = 0](const char* way, double fast, bool hand = false,
+                               ScriptState end = ScriptState::Expired) mutable {
             for (const Loss loss : kLosses) {
                 // Every motion is tested with a kill. The other events are combined with some motions, or
                 // with all motions in a complete run.
-                static int count = 0;
                 if (loss == Loss::Killed || qEnvironmentVariableIsSet("TILLER_ALL") || count++ % 7 == 0) {
                     QTest::addRow("%s, %s", way, name(loss))
                         << QString::fromLatin1(way) << static_cast<int>(loss) << fast << hand << end;
@@ -89,9 +93,8 @@ private Q_SLOTS:
         QVERIFY(robot.start().ok());
         robot.changeWorld([](simulator::arm::Environment& world) { world.setConveyorSpeed(0, 1000); });
         test::ArmWatcher watcher(robot, control::ControllerOptions().registers);
-        test::MovingProcess helper(QStringLiteral(MOVING_HELPER),
-                                   {robot.listenAddress(), QString::number(robot.ports().primary),
-                                    QString::number(robot.ports().rtde), way});
+        test::MovingProcess helper(program(), {robot.listenAddress(), QString::number(robot.ports().primary),
+                                               QString::number(robot.ports().rtde), way});
         const double patience = 60;  // [s] robot time
         QVERIFY(watcher.look());
         const double begin = watcher.time;
@@ -154,9 +157,8 @@ private Q_SLOTS:
         options.poweredOn = true;
         simulator::Simulator robot(options);
         QVERIFY(robot.start().ok());
-        test::MovingProcess helper(QStringLiteral(MOVING_HELPER),
-                                   {robot.listenAddress(), QString::number(robot.ports().primary),
-                                    QString::number(robot.ports().rtde), QStringLiteral("pulse")});
+        test::MovingProcess helper(program(), {robot.listenAddress(), QString::number(robot.ports().primary),
+                                               QString::number(robot.ports().rtde), QStringLiteral("pulse")});
         const auto isOn = [&robot](int output) { return (robot.truth().digitalOutputs >> output & 1U) != 0; };
         // Returns the robot time at which the output was switched [s]; negative if it was not switched in
         // time.
