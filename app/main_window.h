@@ -129,8 +129,8 @@ public:
     Perspectives& perspectives() { return *perspectives_; }
 
 Q_SIGNALS:
-    /// The user requested to replace this window by a new window in the selected language. This window has
-    /// released the robot and is closed.
+    /// The user requested a new window in the selected language. This window has released the robot and is
+    /// closed.
     /// before  session state before closing
     void closedForNewWindow(const tiller::SessionState& before);
 

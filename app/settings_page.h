@@ -45,7 +45,7 @@ public:
     void setHoldNote(const QString& text);
     /// Shows that the command line has enabled "monitor only", so that it cannot be changed.
     void lockMonitorOnly();
-    /// Shows the reason why the window cannot be replaced at the moment.
+    /// Shows why the window cannot be reopened in the selected language at the moment.
     void refuseNewWindow(const QString& reason);
     void showRecording();
 

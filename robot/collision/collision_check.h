@@ -49,7 +49,7 @@ private:
 
 class CollisionCheck {
 public:
-    /// safetyDistance  kept by obstruction() and jogs [m], 0 or more
+    /// safetyDistance  minimum distance that obstruction() and jogs require [m], 0 or more
     /// known           pairs to reuse; recomputed if the arm or the tool differs. If null, the pairs
     ///                 are computed for this check only.
     CollisionCheck(const RobotModel& model, const ToolBody& tool, Surroundings surroundings,

@@ -86,7 +86,7 @@ enum class StopCause : std::uint8_t {
     DeviceLost,
     DataStale,
     UnsafeMode,
-    EventLoopStalled,  ///< the caller did not refresh in time
+    EventLoopStalled,  ///< the caller did not refresh the motion within kHoldTime
     Sleep,
     LinkLost,
     LimitReached,

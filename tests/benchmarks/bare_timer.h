@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A thread that only wakes up every 2 ms, as a reference for the measured code. It has the same priority or a
-// higher one. Any program on this computer has at least the delays of this thread.
+// A thread that only wakes up every 2 ms, as a reference for the measured code. Its priority is the same or
+// higher. Its delays are the minimum that any program can reach on this computer.
 
 #include <atomic>
 #include <chrono>
@@ -14,7 +14,7 @@
 
 namespace tiller::benchmark {
 
-/// Threads: one, from construction until stop().
+/// Runs one thread from construction until stop().
 class BareTimer {
 public:
     explicit BareTimer(int priority) : thread_([this, priority] { run(priority); }) {}

@@ -43,7 +43,7 @@ class TestPortable(unittest.TestCase):
         self.assertGreater(len(code), 50)
         wanted = 0
         for path in code:
-            # Programs find their libraries by their own search path. Libraries use that of the program that loads them.
+            # Programs contain a search path for libraries. Libraries use the search path of the program that loads them.
             own = path.parent == self.folder / "bin"
             way = {} if own else {"LD_LIBRARY_PATH": str(self.folder / "lib")}
             loaded = subprocess.run(["ldd", str(path)], env=dict(os.environ, **way), capture_output=True, text=True, check=True).stdout

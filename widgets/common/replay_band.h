@@ -26,7 +26,7 @@ public:
     QString words() const;
 
 Q_SIGNALS:
-    /// The user requested to return to live data.
+    /// The user clicked "Back to live".
     void liveWanted();
 
 protected:

@@ -8,7 +8,7 @@ namespace tiller {
 
 namespace {
 
-// The X protocol defines this layout, so no header of the display server is required.
+// Event layout of the X protocol. It is declared here so that the XCB headers are not required.
 struct XWindowEvent {
     quint8 type;
     quint8 detail;

@@ -12,8 +12,8 @@ namespace tiller {
 struct NativeWindowEvent {
     enum class Kind {
         Other,
-        FocusLost,  ///< a window of this program lost the focus; not reported for grabs, which return it
-        Hidden,     ///< the window is no longer on the screen: minimised, or on another desktop
+        FocusLost,  ///< a window of Tiller lost the focus; not reported for a grab, after which the focus returns
+        Hidden,  ///< the window is no longer on the screen: minimised, or on another desktop
     };
     Kind kind = Kind::Other;
     WId window = 0;

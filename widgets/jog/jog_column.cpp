@@ -307,7 +307,7 @@ bool JogColumn::isDriven(int joint, int direction) const {
 
 std::optional<ShownJog> JogColumn::shownJog() const {
     ShownJog shown;
-    Vector6 wish = Vector6::Zero();  // direction by pad axis
+    Vector6 wish = Vector6::Zero();  // requested direction, one component per pad axis
     QStringList names;
     for (const JogKey* key : pad_->keys()) {
         if (key->isHolding()) {

@@ -69,11 +69,13 @@ private:
 
     bool owned_ = false;  ///< in control or taking control in the last state
     bool inControl_ = false;
-    std::optional<std::int64_t> controlLostNs_;  ///< time of the loss; empty if control was released
-    std::optional<std::int64_t> lastMotionNs_;   ///< last motion while in control, or shortly after
-    bool dark_ = false;             ///< true if there are no data, so that the motion of the arm is unknown
-    bool movedBeforeDark_ = false;  ///< true if the arm was moving when, or shortly before, the data ended
-    std::optional<std::int64_t> stoppedDarkNs_;  ///< time of the first stop since the data ended
+    std::optional<std::int64_t>
+        controlLostNs_;  ///< time of the loss of control; empty if control was released
+    std::optional<std::int64_t> lastMotionNs_;  ///< last motion while in control, or shortly after
+    bool dark_ = false;             ///< robot data are stale or lost, so the motion of the arm is unknown
+    bool movedBeforeDark_ = false;  ///< the arm moved less than kReflexMs before the robot data were lost
+    std::optional<std::int64_t>
+        stoppedDarkNs_;  ///< time of the first stop request since the robot data were lost
 };
 
 }  // namespace tiller

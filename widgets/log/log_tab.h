@@ -57,7 +57,7 @@ public Q_SLOTS:
     void showFrom(tiller::Severity severity);
 
 Q_SIGNALS:
-    /// The user requested to open the recording of a row.
+    /// The user opened the recording of a row.
     /// moment  position in the recording [s]; if empty, the time of the incident
     void recordingWanted(const QString& path, std::optional<double> moment);
     /// The user wants to return to live data.

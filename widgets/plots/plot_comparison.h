@@ -90,7 +90,7 @@ private:
     divergence::Limits limits_;
     QHash<QString, Entry> entries_;
     std::uint64_t runs_ = 0;
-    QSet<QString> told_;     ///< files for which parted() was emitted
+    QSet<QString> told_;     ///< path and text of every emitted parted()
     SerialExecutor worker_;  ///< last member, so that its jobs end before the other members are destroyed
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Draws the rows of the program and of the palette. The rows are low, because a program has many steps. With
-// Touch density, they are high enough for fingers.
+// Draws the rows of the program and of the step palette. The rows are compact, because a program has many
+// steps. With Touch density, they are tall enough for touch input.
 
 #include <QStyledItemDelegate>
 #include <algorithm>

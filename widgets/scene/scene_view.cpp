@@ -556,7 +556,7 @@ QRectF SceneView::drawJog(ScenePainter& scene) {
     if (jog_->joint >= 0) {
         const auto frames = kinematics::linkFrames(model_.dh, q_);
         const auto joint = static_cast<std::size_t>(jog_->joint);
-        // The arrow is around the centre of the joint housing.
+        // Draw the arrow around the centre of the joint housing.
         Eigen::Vector3d centre = frames[joint].translation();
         for (const collision::LinkCapsule& part : collision::armCapsules(model_)) {
             if (part.link == jog_->joint + 1) {

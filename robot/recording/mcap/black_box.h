@@ -42,9 +42,9 @@ struct BlackBoxOptions {
     std::function<void(const Incident&)> written{};
 };
 
-/// Keeps the samples and writes the files in the threads of a publisher. By default, each start creates a
-/// publisher. Notes, alarms and the project arrive through a mutex.
-/// Threads  start() and stop(): one thread. All others: any
+/// The threads of a publisher store the samples and write the files. If no publisher is passed to the
+/// constructor, each start() creates one. A mutex protects the notes, alarms and the project.
+/// Threads  start() and stop(): one thread. All other functions: any
 class BlackBox {
 public:
     BlackBox();
@@ -57,13 +57,13 @@ public:
     /// Starts recording. Calls stop() first if already running.
     /// Errors   InvalidArgument (no folder)
     Result<void> start(const BlackBoxOptions& options, const receive::Receiver& receiver);
-    /// Ends the thread. An incident in progress is written with the data received so far. Blocks: until the
-    /// file is written
+    /// Stops recording. If an incident is in progress, its file is written with the data received so far.
+    /// Blocks: until the file is written
     void stop();
 
-    /// Also records the samples of another receiver of the same robot, with additional fields, from now on and
-    /// until the next call. The rows of a file contain these fields from the time at which they arrived. Call
-    /// after start(), which ends it. An invalid subscription: none.
+    /// Also records the samples of another receiver of the same robot, with additional fields, until the next
+    /// call. The rows of a file contain these fields from their first arrival. Call this function after each
+    /// start(), because start() removes the subscription. Pass an invalid subscription to remove it.
     void followExtra(receive::Subscription extra);
     /// Adds a log line. The lines of the last minute are written to the incident file.
     void note(const RecordedNote& note);

@@ -58,22 +58,22 @@ struct ArmState {
     Vector6 jointVoltage = Vector6::Zero();      ///< actual_joint_voltage [V]
     double positionDeviationRatio{};  ///< joint_position_deviation_ratio; 1 causes a protective stop
 
-    // tool: base frame, with the TCP offset, unless the name contains flange or tool
+    // tool: values of the TCP in the base frame, unless noted otherwise
     Pose targetTcpPose;           ///< target_TCP_pose
     Twist targetTcpSpeed;         ///< target_TCP_speed
     Twist targetTcpAcceleration;  ///< target_TCP_acceleration [m/s2, rad/s2]
     Pose actualTcpPose;           ///< actual_TCP_pose
     Twist actualTcpSpeed;         ///< actual_TCP_speed
     Twist actualTcpAcceleration;  ///< actual_TCP_acceleration [m/s2, rad/s2]
-    Pose actualFlangePose;        ///< flange pose, without the TCP offset
+    Pose actualFlangePose;        ///< pose of the flange in the base frame
     Wrench tcpForce;              ///< actual_TCP_force: external force on the tool, base axes
     double tcpForceScalar{};      ///< tcp_force_scalar [N]
     Wrench ftRawWrench;           ///< ft_raw_wrench: flange frame, neither compensated nor zeroed
     Wrench wrenchFromCurrents;    ///< wrench_calc_from_currents: base axes at the TCP
     Eigen::Vector3d toolAccelerometer =
         Eigen::Vector3d::Zero();  ///< actual_tool_accelerometer, tool frame [m/s2]
-    Eigen::Vector3d elbowPosition = Eigen::Vector3d::Zero();  ///< elbow_position [m]
-    Eigen::Vector3d elbowVelocity = Eigen::Vector3d::Zero();  ///< elbow_velocity [m/s]
+    Eigen::Vector3d elbowPosition = Eigen::Vector3d::Zero();  ///< elbow_position, base frame [m]
+    Eigen::Vector3d elbowVelocity = Eigen::Vector3d::Zero();  ///< elbow_velocity, base frame [m/s]
     Wrench targetBaseWrench;  ///< target_base_wrench: force and torque at the base, base axes
     double momentum{};        ///< actual_momentum [kg m/s]
 

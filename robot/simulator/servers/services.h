@@ -36,7 +36,7 @@ public:
 
     /// Reads data from all clients and sends replies. Does not advance time. Excludes the fault port.
     void service();
-    /// Sends the results of the last control period.
+    /// Advances the gripper by one control period, and sends the results of the period to all clients.
     void publish();
     /// Closes all connections except those of the fault port.
     void closeClients();

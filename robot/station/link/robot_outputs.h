@@ -23,12 +23,12 @@ struct SessionBackend;
 
 /// Options for a command whose result the caller needs, or which the caller may cancel while it is queued.
 struct OutputOrder {
-    /// A temporary change. The robot measures the time and then restores the outputs, independently of this
-    /// program. Requires control.
+    /// A temporary change. The robot measures the time and then restores the outputs, independently of the
+    /// application. Requires control.
     struct Pulse {
         double seconds = 0;
         /// Called on the worker. The returned value must change while the button is held. The pulse ends when
-        /// the value has not changed for 200 ms, or when the heartbeat of this program stops.
+        /// the value has not changed for 200 ms, or when Tiller stops sending its heartbeat.
         std::function<std::uint32_t()> holds;
     };
 
@@ -96,7 +96,7 @@ private:
     /// A pulse timed by the robot, without a held button.
     struct RunningPulse {
         int output = 0;
-        std::int64_t dueNs = 0;  ///< latest end of the pulse by the robot
+        std::int64_t dueNs = 0;  ///< time by which the robot has ended the pulse
     };
     void writeDigitalOutput(int output, bool on);
 
@@ -104,13 +104,13 @@ private:
     std::int64_t usedNs_ = 0;     ///< time of the last command or of the last frame in control
     bool heldByControl_ = false;  ///< claimed since control was taken
     bool releasing_ = false;
-    int heldPulses_ = 0;  ///< pulses that are still running and restore their outputs at the end
+    int heldPulses_ = 0;  ///< running hold-to-run pulses, which restore their outputs at the end
     std::optional<double> sliderWanted_;  ///< newest request while another is executed
     bool sliderBusy_ = false;
     std::optional<double> sliderLogged_;  ///< last logged value
     double sliderSeen_ = 0;               ///< value in the last frame
     std::int64_t sliderMovedNs_ = 0;      ///< time of the last change of the value
-    std::int64_t sliderAskedNs_ = 0;      ///< time of the last request by this program; 0: never
+    std::int64_t sliderAskedNs_ = 0;      ///< time of the last request from Tiller; 0: none
 };
 
 }  // namespace tiller

@@ -19,7 +19,8 @@ QString limitText(const collision::MoveLimit& limit, const collision::Surroundin
 QString surroundingsText(collision::Contact::With with, int other,
                          const collision::Surroundings& surroundings);
 
-/// Why the object cannot be checked, with the suggested actions; without the final period.
+/// Explains why the collision check cannot include the object, and suggests actions. The text has no final
+/// period.
 QString unplacedText(const collision::UnplacedObject& object);
 
 /// Name of the body that slows down a jog, e.g. "Upper arm", "“crate”".

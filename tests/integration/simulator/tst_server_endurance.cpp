@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A hundred thousand invalid inputs for each service, and clients that connect and disconnect. There must be
-// no crash, no leaked descriptor and no blocked control period, and a valid client must be served as before.
+// no crash, no leaked descriptor and no blocked control period, and the simulator must still serve a valid client.
 // The default run is short. Longer runs:
 //
 //     tst_server_endurance --seconds 3600        clients connect and disconnect for an hour
@@ -43,7 +43,7 @@ qint64 residentMemory() {
     return 0;
 }
 
-/// Returns true if a valid client is served as before.
+/// Returns true if the simulator still accepts a valid RTDE client and sends data to it.
 bool servesAsBefore(VirtualRobot& robot) {
     if (!robot.controller.inject("clear").ok()) {
         return false;

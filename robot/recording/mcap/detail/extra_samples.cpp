@@ -16,7 +16,7 @@ double stampOf(const receive::Sample& sample) {
     return index ? sample.at(*index) : receive::kAbsent;
 }
 
-/// All fields of both layouts, in this order.
+/// Returns the fields of `first`, followed by the fields that only `second` contains.
 RowJoiner::Layout united(const receive::SampleLayout& first, const receive::SampleLayout& second) {
     std::vector<std::string> names;
     for (const receive::SampleLayout* layout : {&first, &second}) {

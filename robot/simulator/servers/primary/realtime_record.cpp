@@ -21,8 +21,8 @@ void unused(ByteWriter& out, int count) {
     }
 }
 
-/// Writes a double, like all other fields, or a 64-bit integer, as in the vendor's table. See
-/// BehaviourOptions::realtimeBits.
+/// Writes the digital inputs or outputs as a double, like all other fields, or as a 64-bit integer, as in the
+/// vendor's table. BehaviourOptions::realtimeBits selects the format.
 void bits(ByteWriter& out, const Telemetry& now, std::uint64_t pins) {
     if (now.bitsAsIntegers) {
         out.u64(pins);

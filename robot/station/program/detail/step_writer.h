@@ -92,15 +92,15 @@ public:
     /// Writes the steps of another program as a function, once per scope.
     /// Returns  its name; empty after a problem
     QString programFunction(const QUuid& program);
-    /// Call if the step contains text in a parallel section or in its own thread. Such text may move the arm
-    /// while the program waits.
+    /// Call this function if the URScript text of a step runs in a parallel section or starts a thread, because
+    /// it may then move the arm while the program waits.
     void noteOwnThread();
     /// Waits until the condition is true, at most for `limit` [s].
     void waitUntil(const QString& condition, std::optional<double> limit);
 
     // ---- moves ------------------------------------------------------------------------------------------
-    /// TCP of the targets. Reports a problem if a waypoint was taught with a TCP other than that of the
-    /// program.
+    /// Returns the TCP that moves to the waypoint: the TCP of the enclosing TCP section or, outside such a
+    /// section, of the first waypoint. Reports a problem if the waypoint was taught with a different TCP.
     std::optional<Pose> tcpFor(const project::Waypoint& waypoint, const char* key);
     /// Records a move for the blend check.
     /// target  TCP pose in the base frame, if known

@@ -174,7 +174,7 @@ void ProgramExecution::monitor() {
         add();
     }
     const std::lock_guard lock(mutex_);
-    // At its own end, a program resets the register.
+    // A program that reaches its end resets the register.
     if (*outcome_ && log_.isCutShort()) {
         outcome_ = Error{ErrorCode::Stopped, QStringLiteral("run the program"),
                          QStringLiteral("the program was ended on the robot")};

@@ -522,7 +522,8 @@ private:
         return result;
     }
 
-    /// Completes the result of a repetition that has reached a state of the undisturbed run.
+    /// Completes the result of a repetition whose state equals a state of the run without a stop. From there,
+    /// both runs are identical.
     void finishAs(const Group& group, const Snapshot& reached, const SwitchCounts& switches,
                   Repetition& result) const {
         const Boundary& begin = group.boundaries[0];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A long move that is stopped before its end.
+// Starts two asynchronous moves and stops each of them before it reaches its target.
 #include <ur_rtde/rtde_control_interface.h>
 #include <ur_rtde/rtde_receive_interface.h>
 

@@ -385,9 +385,9 @@ private Q_SLOTS:
                 for (const project::Program& each : program.project.programs) {
                     step = step != nullptr ? step : findStep(each.steps, row.step);
                 }
-                const bool isStep =
-                    row.result == ImportRow::Result::Text ||
-                    (row.result == ImportRow::Result::Step && row.reason.isEmpty());  // not a new program
+                // A Step row with a reason was imported as a separate program, so it has no step.
+                const bool isStep = row.result == ImportRow::Result::Text ||
+                                    (row.result == ImportRow::Result::Step && row.reason.isEmpty());
                 QVERIFY2((step != nullptr) == isStep, qPrintable(sample.name + (": " + row.name)));
                 QVERIFY2(step == nullptr || step->kind == row.kind,
                          qPrintable(sample.name + (": " + row.name)));

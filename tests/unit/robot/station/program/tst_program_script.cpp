@@ -163,7 +163,8 @@ private Q_SLOTS:
         QVERIFY(!groupName(row->group).isEmpty());
     }
 
-    // The arm is not at standstill between the steps of a force section, and parallel steps never wait.
+    // A program does not pause in a force section, where the arm is not at standstill between the steps, or in
+    // parallel steps, which must not wait.
     void forceSectionsAndParallelStepsDoNotPause() {
         project::Project project = sampleProject();
         const project::Program called = makeProgram("called", {step("wait")});
