@@ -38,7 +38,8 @@ public:
         bool operator==(const Entry&) const = default;
     };
 
-    /// stage     contains all panels; shows the first perspective
+    /// Shows the first perspective.
+    /// stage     contains all panels
     /// settings  must outlive the object
     Perspectives(DockStage& stage, Settings& settings, Journal& journal, Hooks hooks,
                  QObject* parent = nullptr);

@@ -54,7 +54,7 @@ QWidget* scrolling(QWidget* page, const QString& name) {
 QLabel* note(const QString& text, const char* role) {
     auto* label = new QLabel(text);
     label->setWordWrap(true);
-    // Align with the field, because a row of the form may be higher than the text.
+    // Align with the field, because a row of the form may be taller than the text.
     label->setAlignment(Qt::AlignLeading | Qt::AlignTop);
     label->setProperty("role", QLatin1String(role));
     return label;

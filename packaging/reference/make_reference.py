@@ -51,7 +51,7 @@ def for_doxygen(text, name):
         elif line.strip():
             at_head = at_head and not head
         rest.append(line)
-    # The class with the name of the file, otherwise the first class without a comment.
+    # Use the class with the name of the file, otherwise the first class without a comment.
     opens = [(at, match[1]) for at, line in enumerate(rest)
              if (match := re.match(r"(?:class|struct|enum class) (?:\[\[\w+\]\] )?(\w+)[^;]*$", line))]
     named = [at for at, what in opens if what.lower() == name.replace("_", "")]

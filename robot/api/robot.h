@@ -132,13 +132,13 @@ public:
 
     /// The pendant service: power, brakes, programs, recovery. Connects if necessary. After a lost
     /// connection, a new object replaces the previous one.
-    /// Errors   as dashboard::openService()
+    /// Errors   as for dashboard::openService()
     /// Threads  one at a time. Blocks: until the deadline
     Result<dashboard::RobotService*> service(const Deadline& deadline);
 
     /// Starts recording every packet. A recording in progress ends first. See recording::RecorderOptions for
     /// the format.
-    /// Errors   as recording::Recorder::start(); NotConnected
+    /// Errors   as for recording::Recorder::start(); NotConnected
     Result<void> record(const recording::RecorderOptions& options);
     /// Completes the file.
     /// Errors   DiskFull or FileNotWritable if rows are missing

@@ -69,7 +69,7 @@ public:
     std::optional<Contact> along(std::span<const JointPositions> way) const;
     /// The first position on the path at which the safety distance is violated. If the path starts within the
     /// safety distance, only positions closer than the start count, so the arm can move away.
-    /// Real-time: as along()
+    /// Real-time: as for along()
     std::optional<Contact> obstruction(std::span<const JointPositions> way) const;
 
     /// True if the two bodies of this contact are closer than the safety distance at this position.

@@ -112,14 +112,14 @@ public:
 
     /// Takes control of a running control program without sending one: either the program of a client that
     /// has called leave(), or the program of this controller after a pause.
-    /// Errors   as takeControl(); NotInControl if the running program is not a control program
-    /// Threads  as takeControl()
+    /// Errors   as for takeControl(); NotInControl if the running program is not a control program
+    /// Threads  as for takeControl()
     Result<void> joinProgram(const Deadline& deadline);
 
     /// Closes the connection and leaves the control program running for another client (joinProgram()).
     /// supervision  Heartbeat: the active motion ends. Unattended: an active move or path continues to its
     ///              target without a client that could stop it; all other motions and force mode end
-    /// Threads      as release(). Blocks: as release()
+    /// Threads      as for release(). Blocks: as for release()
     void leave(Supervision supervision = Supervision::Heartbeat);
 
     /// Ends the active motion and the control program, and closes the connection. Cancels waiting calls

@@ -88,17 +88,17 @@ public:
     ///         does not report it), Cancelled
     /// Blocks  until the robot reports the new values, at most until the deadline
     Result<void> setDigitalOutputs(std::uint32_t mask, std::uint32_t values, const Deadline& deadline);
-    /// Sets a single output. Errors and blocking as setDigitalOutputs().
+    /// Sets a single output. Errors and blocking: as for setDigitalOutputs()
     Result<void> setDigitalOutput(int output, bool on, const Deadline& deadline);
 
     /// fraction  0.02 ... 1
-    /// Errors    as setDigitalOutputs(); InvalidArgument for NaN or a value outside the range, including 0
+    /// Errors    as for setDigitalOutputs(); InvalidArgument for NaN or a value outside the range, including 0
     Result<void> setSpeedSlider(double fraction, const Deadline& deadline);
 
-    /// Sets level and domain of an output.
+    /// Sets the level and the domain of an analog output.
     /// output  0 or 1
     /// level   0 ... 1, for 4 to 20 mA or 0 to 10 V
-    /// Errors  as setDigitalOutputs()
+    /// Errors  as for setDigitalOutputs()
     Result<void> setAnalogOutput(int output, AnalogDomain domain, double level, const Deadline& deadline);
 
     /// Succeeds if the group of outputs can be set; otherwise the error contains the reason.

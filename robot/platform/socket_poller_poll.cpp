@@ -21,7 +21,7 @@ int pollNow(std::vector<PollItem>& items) {
     return WSAPoll(items.data(), static_cast<ULONG>(items.size()), 0);
 }
 #else
-// Not run in the project's CI.
+// This file is not tested in the project's CI.
 using PollItem = pollfd;
 using Handle = int;
 

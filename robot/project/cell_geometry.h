@@ -21,7 +21,7 @@ inline constexpr double kMaxSafetyDistance = 0.5;        ///< [m]
 struct CellBox {
     QUuid id;
     QString name;
-    QUuid frame;  ///< frame of `pose`; null: base frame. Unplaced if it does not exist
+    QUuid frame;  ///< frame of `pose`; null: base frame. If the frame does not exist, the position is unknown
     Pose pose;    ///< pose of the centre; the edges are parallel to its axes [m, rad]
     Eigen::Vector3d size = Eigen::Vector3d::Constant(0.1);  ///< edges along X, Y, Z [m]
     bool enabled = true;                                    ///< false: neither displayed nor checked
@@ -33,7 +33,7 @@ struct CellBox {
 struct CellPlane {
     QUuid id;
     QString name;
-    QUuid frame;  ///< frame of `pose`; null: base frame. Unplaced if it does not exist
+    QUuid frame;  ///< as for CellBox
     Pose pose;    ///< [m, rad]
     bool enabled = true;
     QJsonObject extra;

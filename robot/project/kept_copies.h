@@ -52,7 +52,7 @@ private:
 /// Copies of closed windows in the folder, newest first.
 /// Threads  any. Blocks: for the file system. Real-time: no
 QList<KeptCopy> keptCopies(const QString& folder);
-/// Errors   as loadProject()
+/// Errors   as for loadProject()
 Result<Project> loadKeptCopy(const KeptCopy& copy);
 
 }  // namespace tiller::project

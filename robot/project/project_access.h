@@ -43,10 +43,10 @@ public:
     /// content.
     /// replaced  revision of the document that the content replaces. Pending saves of this and older
     ///           revisions are skipped.
-    /// Errors    as loadProject()
+    /// Errors    as for loadProject()
     Result<Project> load(std::optional<std::uint64_t> replaced = std::nullopt);
     /// Like load(), for a damaged file.
-    /// Errors   as recoverProject()
+    /// Errors   as for recoverProject()
     Result<RecoveredProject> recover();
     /// Takes the lock for a new file. The first save requires that the file does not exist.
     void start();
@@ -54,7 +54,7 @@ public:
     void replaceAny();
     /// Writes the project unless another window holds the lock or another program has changed the file.
     /// revision  increases with every change of the document; revisions older than the last save are skipped
-    /// Errors    as saveProject()
+    /// Errors    as for saveProject()
     Result<SaveResult> save(const Project& project, std::uint64_t revision);
     /// Checks whether saving is possible. Takes the lock if its owner has released it.
     Check check();

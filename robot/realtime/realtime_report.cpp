@@ -50,7 +50,7 @@ QString kernelAdvice() {
 
 #elif defined(__APPLE__)
 
-// Not run in this project's CI.
+// This code is not tested in the project's CI.
 QString bindToCpus(const std::vector<int>&) {
     return QStringLiteral("macOS cannot bind threads to CPUs.");
 }

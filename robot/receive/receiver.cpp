@@ -228,8 +228,8 @@ struct Receiver::Worker {
             if (stopping) {
                 break;
             }
-            // Only received data are a success, so that a peer that accepts and closes connections is retried
-            // slowly.
+            // Only received data reset the retry delay. A peer that accepts and then closes connections is
+            // retried at increasing intervals.
             failures = sequence != before ? 0 : failures;
             receiving = false;
             {

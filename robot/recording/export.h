@@ -46,7 +46,7 @@ struct ExportReport {
 /// Errors   FieldUnknown with all missing names
 Result<std::vector<std::size_t>> chooseColumns(const Recording& recording,
                                                const std::vector<std::string>& names);
-/// As Recording::timeColumn().
+/// See Recording::timeColumn().
 std::optional<std::size_t> timeColumn(const Recording& recording);
 /// Like chooseColumns(), but adds the time column of the recording as the first column if it is missing.
 Result<std::vector<std::size_t>> columnsWithTime(const Recording& recording,

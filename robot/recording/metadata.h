@@ -19,7 +19,7 @@ using Metadata = std::map<std::string, std::string>;
 /// True for 1 to 60 letters, digits, spaces and _ - . that begin and end with no space.
 bool isMetadataName(std::string_view name);
 /// Adds an entry of the user, "name=value" or "name: value". An earlier entry with the same name is replaced.
-/// Errors  InvalidArgument: not such an entry, or a name that the recorder uses
+/// Errors  InvalidArgument: the entry has a different format, or the recorder uses its name
 Result<void> addMetadata(Metadata& metadata, const QString& entry);
 
 }  // namespace tiller::recording

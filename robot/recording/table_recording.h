@@ -48,7 +48,7 @@ public:
     const Metadata& facts() const override { return table_.facts; }
     const QStringList& problems() const override { return table_.problems; }
     Result<std::vector<double>> times(RowRange rows) const override;
-    // As in Recording.
+    // See Recording.
     Result<std::vector<std::vector<double>>> read(std::span<const std::size_t> columns,
                                                   RowRange rows) const override;
 

@@ -18,8 +18,8 @@ namespace tiller::simulator {
 
 struct ControllerServices;
 
-/// Executes a line.
-/// Returns  the requested value, usually empty
+/// Injects the fault or executes the action that the line describes.
+/// Returns  the value requested by the line; empty if it requests none
 /// Errors   InvalidArgument, with the reason
 /// Threads  the simulator thread
 Result<QString> injectFault(ControllerServices& controlBox, const QString& line);

@@ -43,7 +43,7 @@ public:
     LockStep(const LockStep&) = delete;
     LockStep& operator=(const LockStep&) = delete;
 
-    /// Errors  as Simulator::start()
+    /// Errors  as for Simulator::start()
     Result<void> start();
     void stop();  ///< Stops the robot and closes all connections. No effect if it is not running.
 

@@ -48,7 +48,7 @@ QString nameOf(const MatrixCell& cell);
 /// The complete matrix. Cells without a modifier exist in one order only.
 QList<MatrixCell> wholeMatrix();
 /// A small part of the matrix that covers each pair of values of key, layout, modifier and order.
-/// Deterministic.
+/// The result is always the same.
 QList<MatrixCell> everyPair();
 
 struct CellOutcome {

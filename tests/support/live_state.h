@@ -22,14 +22,14 @@ inline SessionState liveState(const JointPositions& q = kReadyJoints) {
     return state;
 }
 
-/// The same state with another TCP position, for code that only reads the pose.
+/// Like liveState(), but with this TCP pose, which need not match the joint positions.
 inline SessionState liveAt(const Pose& tcpPose) {
     SessionState state = liveState();
     state.tcpPose = tcpPose;
     return state;
 }
 
-/// The joint positions of that state with one joint rotated.
+/// Returns kReadyJoints with one joint rotated.
 /// by  [rad]
 inline JointPositions moved(int joint, double by) {
     JointPositions q = kReadyJoints;

@@ -92,7 +92,7 @@ struct Bench : WindowBench {
         QTest::mouseClick(step, Qt::LeftButton);
         return true;
     }
-    /// Holds a button of the pad for some time and releases it. Returns the distance moved by the TCP [mm].
+    /// Holds a button of the pad briefly and releases it. Returns the distance moved by the TCP [mm].
     double jog() {
         auto* key = window.findChild<HoldToRunButton*>("jog.Z+");
         until([&] { return key->isEnabled(); });

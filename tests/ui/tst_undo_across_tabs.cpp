@@ -199,7 +199,8 @@ private Q_SLOTS:
         QCOMPARE(document().tooling().tools.size(), std::size_t(0));
     }
 
-    // When a page opens or closes, the focus must stay in its panel: Return on “Arm keyboard” would arm it.
+    // When a page opens or closes, the focus must stay in its panel. If it moved to "Arm keyboard", pressing
+    // Return would enable keyboard jogging.
     void theFocusDoesNotFallOnTheJogColumn() {
         window().showTab("frames");
         QVERIFY(QTest::qWaitForWindowActive(&window()));

@@ -459,7 +459,7 @@ private Q_SLOTS:
         QVERIFY(isAt(1));
     }
 
-    // A window that hangs does not hold the button, and a pulsed output must not stay on.
+    // When the window hangs, the hold ends, so a pulsed output must be switched off.
     void aHangingWindowEndsThePulse() {
         teach({pulse(2, 60), setOutput(1, true)});
         hold(through());

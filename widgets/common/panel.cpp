@@ -24,7 +24,7 @@ Panel::Panel(const QString& title, QWidget* parent)
     setAccessibleName(title);
     layout_->setContentsMargins(1, 1, 1, 1);
     layout_->setSpacing(0);
-    // The header may be higher than this value, depending on its content and the density.
+    // The header may be taller than this value, depending on its content and the density.
     header_->setMinimumHeight(kHeaderHeight);
     header_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     headerLayout_->setContentsMargins(12, 0, 12, 0);

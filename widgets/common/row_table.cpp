@@ -58,7 +58,7 @@ RowDelegate::RowDelegate(QString editorName, QObject* parent)
 QWidget* RowDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem& option,
                                    const QModelIndex& index) const {
     QWidget* editor = named(QStyledItemDelegate::createEditor(parent, option, index), index);
-    // The cells are not high enough for the margins of the style sheet.
+    // The cells are not tall enough for the margins of the style sheet.
     editor->setStyleSheet(QStringLiteral("min-height: 0; padding: 0 8px;"));
     return editor;
 }

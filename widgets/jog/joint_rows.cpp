@@ -23,7 +23,7 @@ constexpr double kWarnAngle = toRadians(15);
 constexpr int kNameSize = 15;   // [px]
 constexpr int kRowMargin = 12;  // same as the margin of the panel's content
 constexpr int kNumberPeriodMs = 100;
-constexpr int kSpeedWidth = 56;    // width of "0.36 °/s" before the bar of a low row [px]
+constexpr int kSpeedWidth = 56;    // width of "0.36 °/s" before the bar of a compact row [px]
 constexpr int kBarWithSpeed = 34;  // minimum remaining width of the bar [px]
 
 }  // namespace
@@ -237,7 +237,7 @@ void JointRow::paintEvent(QPaintEvent*) {
     const Theme& theme = Theme::current();
     QPainter painter(this);
     const QRect text = textRect();
-    // Next to wide buttons, there is no space for both texts on one line, but high rows have space for two
+    // Next to wide buttons, there is no space for both texts on one line, but tall rows have space for two
     // lines.
     const bool two = compact_ && touchHeight() > 0;
     painter.setPen(theme.text);

@@ -27,7 +27,7 @@ constexpr std::int64_t kMaxAnalysisSamples = 2'000'000;
 constexpr std::int64_t kMaxPoints = 50'000;  // maximum number of points in an XY plot
 constexpr int kMinLetters = 8;               // minimum width of a signal's name [characters]
 constexpr int kSecondDigits = 3;
-/// The worker computes results for more samples than this.
+/// Maximum number of samples that are analysed in the GUI thread. The worker analyses larger ranges.
 constexpr std::int64_t kOnTheSpot = 65'536;
 
 }  // namespace

@@ -86,7 +86,7 @@ public:
     void follow();
     void scrollBy(double seconds);
     void showRange(double from, double to);
-    /// Shows all data and sets the best scale for each plot.
+    /// Shows the whole time range and scales each plot to its data.
     void fit();
 
     std::optional<double> cursor(Cursor which) const { return cursors_[index(which)]; }
@@ -228,7 +228,7 @@ private:
     Cursor active_ = Cursor::A;
     int readoutSignal_;
     std::map<const SeriesBuffer*, ColumnGrid> grids_;
-    bool showsLive_ = true;  // the page shows a live signal, or none
+    bool showsLive_ = true;  // the page shows a live signal, or no signal
     std::int64_t shownEnd_ = -1;
     double shownNewest_ = 0;
     double sinceShown_ = 0;  // time since the last repaint [s]

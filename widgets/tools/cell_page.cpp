@@ -172,7 +172,7 @@ void VectorEditor::changeEvent(QEvent* event) {
 // ---- page
 // ---------------------------------------------------------------------------------------------------
 
-/// Returns the part, with the base frame instead of a frame that is missing.
+/// Returns a copy of the part. If its frame does not exist, the frame of the copy is the base frame.
 template <class Part>
 Part CellPage::placed(Part part) const {
     part.frame = document_.frames().pose(part.frame) ? part.frame : QUuid();

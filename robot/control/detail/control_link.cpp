@@ -259,7 +259,7 @@ void ControlLink::run(script::PrimaryClient& primary) {
     // then.
     constexpr std::int64_t kTakingTimeoutNs = 2 * kNsPerSecond;
     const auto isDead = [&](std::int64_t nowNs) {
-        // After a delay of this PC, data may still be in transit.
+        // Minimum number of checks. After a delay of this PC, data may have arrived that were not read yet.
         constexpr int kLooks = 10;
         const std::int64_t silentNs = nowNs - std::max(lastData(), begunNs);
         const std::int64_t takingNs = loop_.status().loss == ControlLoss::Taking ? kTakingTimeoutNs : 0;

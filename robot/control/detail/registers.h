@@ -184,7 +184,7 @@ enum Inputs : std::size_t { kCommandInputs, kWatchdogInputs, kWrenchInputs, kInp
 std::vector<std::string> inputNames(RegisterRange range, Inputs recipe = kCommandInputs);
 std::string watchdogName(RegisterRange range);
 
-/// Resolves the values of a recipe once, so that decoding only copies.
+/// Resolves the values of a recipe once, so that decoding a packet only copies values.
 class FeedbackLayout {
 public:
     /// Errors   FieldUnknown with the required outputs that this robot lacks

@@ -10,7 +10,9 @@
 
 namespace tiller::control {
 
-/// Real-time: yes, unless there is an error. Code None means success.
+/// Limits for the targets and parameters of a stream. The functions return an error with the code None if the
+/// value is valid.
+/// Real-time: yes, for valid values
 struct SetpointRules {
     ArmLimits arm;
     double toolSpeed = 0;  ///< [m/s]

@@ -10,13 +10,13 @@
 namespace tiller::recording {
 
 struct ExportedEvent {
-    std::uint64_t row = 0;  ///< of the exported rows: the last one at or before the event, or the first one
+    std::uint64_t row = 0;  ///< last exported row at or before the event, otherwise the first exported row
     RecordedEvent event;
 };
 
-/// The events in the time range of the export, in time order. Events before the first row of the recording belong to
-/// its start.
-/// rows  the exported rows
+/// Returns the events in the time range of the export, in chronological order. Events before the first row of
+/// the recording are assigned to this row.
+/// rows  range of the exported rows
 Result<std::vector<ExportedEvent>> exportedEvents(const Recording& recording, const ExportChoice& choice,
                                                   const RowRange& rows);
 

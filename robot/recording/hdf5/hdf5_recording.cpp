@@ -378,7 +378,7 @@ private:
     bool hasPeriod_ = false;
     bool isOwn_ = false;
     TimeLine line_;                            ///< times of a file of another program
-    std::optional<std::size_t> timeColumn_{};  ///< time column of such a file
+    std::optional<std::size_t> timeColumn_{};  ///< time column of a file of another program
     std::vector<RecordedColumn> columns_;
     std::vector<std::pair<std::size_t, std::size_t>> places_;  ///< data set and component within the data set
     std::uint64_t rows_ = 0;

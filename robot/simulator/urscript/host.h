@@ -440,7 +440,7 @@ public:
     virtual void programEnded(ProgramKind kind) = 0;
 };
 
-/// Named frames. Kept between programs.
+/// The named frames, which are preserved between programs.
 class WorldHost {
 public:
     virtual ~WorldHost() = default;

@@ -26,7 +26,7 @@ struct HistoryNote {
 /// notes    notes of the signals' recording or of the live data. Notes in the range are exported, together
 ///          with those in the file of the recording
 /// Returns  number of rows written
-/// Errors   as exportCsv() and recording::exportRecording(); Rejected if the signals have different time
+/// Errors   as for exportCsv() and recording::exportRecording(); Rejected if the signals have different time
 ///          axes, if the range contains too many values, or if the format for live signals is not .csv
 Result<std::int64_t> exportSignals(const SignalStore& store, const std::vector<int>& shown, double t0,
                                    double t1, const QString& path,

@@ -46,7 +46,7 @@ public:
     Result<Rows> read(recording::RowRange range);
 
     /// Reads the rows in file order, in several steps.
-    /// each    gets the rows and the number of the first row; returns false to stop
+    /// each    receives the rows and the number of the first row; returns false to stop
     /// Errors  as for Recording; Cancelled
     Result<void> readAll(recording::RowRange range, const CancelToken& cancel,
                          const std::function<bool(std::uint64_t first, const Rows& rows)>& each);

@@ -411,7 +411,7 @@ void RobotOutputs::setSpeedSlider(double fraction) {
         return;
     }
     if (sliderBusy_) {
-        // The slider moves faster than the robot confirms, so only the newest value is kept.
+        // The value may change faster than the robot confirms it, so only the newest value is kept.
         sliderWanted_ = fraction;
         return;
     }

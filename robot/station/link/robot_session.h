@@ -135,9 +135,9 @@ public:
     // Control. The result is reported by stateChanged and in the journal.
     /// Handling of another client's program that is running or paused on the robot.
     enum class ForeignProgram { Ask, Stop };
-    /// Uploads the control program. Requires RUNNING, and Remote control if the controller supports it. This
-    /// ends any other program on the robot. Unless `program` is Stop, only emits takeControlQuestion() if
-    /// there is such a program, or reports the reason if there are no robot data.
+    /// Uploads the control program, which ends any other program on the robot. Requires RUNNING, and Remote
+    /// control if the controller supports it. If `program` is Ask and another program is running or paused,
+    /// only emits takeControlQuestion(). If `program` is Ask and there are no robot data, reports the reason.
     void takeControl(ForeignProgram program = ForeignProgram::Ask);
     /// Ends the control program, so that other clients can use the robot.
     void releaseControl();

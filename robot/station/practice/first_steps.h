@@ -27,11 +27,11 @@ public:
     /// session, document  must outlive the object
     FirstSteps(RobotSession& session, ProjectDocument& document, QObject* parent = nullptr);
 
-    /// Events count only if `following` is true. Initially false.
+    /// Sets whether events complete steps. Initially false.
     void setFollowing(bool following);
     bool isDone(FirstStep step) const { return done_[static_cast<std::size_t>(step)]; }
     bool allDone() const;
-    /// Names of the completed steps, for saving in the settings and restoring them.
+    /// Names of the completed steps. The settings store these names.
     QStringList done() const;
     void setDone(const QStringList& names);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Implements "Record path": records the arm motion by hand guiding or jogging between two presses of the
+// Implements "Record path": records the motion of the arm during hand guiding or jogging, between two presses of the
 // button, and reduces it to waypoints within a tolerance. Recording does not move the arm. Also imports and
 // exports paths.
 

@@ -220,7 +220,7 @@ Result<void> RouteRunner::permits(Way way) const {
     return port_.permits ? port_.permits(moves) : Result<void>();
 }
 
-/// The waypoints from `place` on that the arm passes without stopping.
+/// Returns the waypoint at `place` and, with blends, the waypoints after it up to the next stop.
 QVector<int> RouteRunner::legFrom(int place, Way way) const {
     QVector<int> leg{place};
     while (way == Way::Through && leg.last() + 1 < route_.size() &&

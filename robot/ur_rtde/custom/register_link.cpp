@@ -18,7 +18,7 @@ constexpr milliseconds kSilenceLimit(2500);  // maximum time without data for an
 constexpr int kClearRecipe = 4;
 constexpr int kKickRecipe = 11;
 
-// Follows the registers of all recipes and of RTDEIOInterface.
+// First integer register after the registers of the recipes and of RTDEIOInterface.
 constexpr int kHeartbeatRegister = 23;
 
 /// Layout: integer registers from 0, then double registers from 0, then one more field.

@@ -52,7 +52,7 @@ struct RegisterState {
 /// destructor end it within 50 ms. The thread reads the packets and notifies waiting threads.
 class RegisterLink {
 public:
-    /// Errors   as rtde::Connection::open(); FieldUnknown if the robot does not have these registers
+    /// Errors   as for rtde::Connection::open(); FieldUnknown if the robot does not have these registers
     static Result<std::unique_ptr<RegisterLink>> open(const RegisterLinkOptions& options,
                                                       const Deadline& deadline);
     ~RegisterLink();
@@ -73,13 +73,14 @@ public:
     /// Makes waiting threads evaluate their conditions again.
     void wake() { changed_.notify_all(); }
 
+    /// Sends a command to the robot through the input registers of a recipe.
     /// recipe  1 ... 20
-    /// values  in order of the recipe, starting with the command
+    /// values  in the order of the recipe, starting with the command
     /// Returns  false if the command cannot be sent to the robot
     bool send(int recipe, const std::vector<double>& values);
     /// Sends "no command".
     bool clear();
-    /// Clears only if this is still the last command sent.
+    /// Sends "no command" only if `command` is still the last command sent.
     bool clear(CommandId command);
     /// Returns true if this is the last command sent.
     bool holds(CommandId command) const { return command_ == static_cast<int>(command); }

@@ -35,7 +35,7 @@ public:
 };
 
 Deadline within(std::chrono::milliseconds time);
-/// Sleeps until `end` in slices.
+/// Sleeps until `end`, and calls the interrupt check every 50 ms.
 void sleepUntil(std::chrono::steady_clock::time_point end);
 
 /// Throws std::runtime_error with the text of the error, or Interrupted after an interrupt.

@@ -81,7 +81,7 @@ private Q_SLOTS:
         QCOMPARE(hotCounts().locks - before.locks, 0U);
     }
 
-    // A jog that is limited by all kinds of obstacles in a cell: tool, floor and boxes.
+    // Jogs with a tool, in directions in which the floor, the boxes or the arm limit the speed.
     void aJogNearObstaclesAllocatesAndLocksNothing() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());

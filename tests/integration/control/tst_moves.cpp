@@ -212,7 +212,7 @@ private Q_SLOTS:
         QCOMPARE(move->plan()->limiter.kind, LimiterKind::None);
     }
 
-    // For some time, the robot and this computer receive no data from each other.
+    // The robot and this computer receive no data from each other for a limited time.
     void aFreeMoveSurvivesAnOutageWithinItsTimeout_data() {
         QTest::addColumn<int>("silenceMs");
         QTest::addColumn<Holding>("holding");

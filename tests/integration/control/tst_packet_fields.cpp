@@ -43,7 +43,7 @@ class TestPacketFields : public QObject {
 
 private Q_SLOTS:
     void theCallbackReceivesEveryFieldOfItsPacket() {
-        // "actual_q" is also one of the controller's own fields.
+        // The controller always receives "actual_q", even if it is not requested.
         FieldsBench robot({"actual_current", "joint_temperatures", "actual_q"});
         const auto taken = robot.takeControl();
         QVERIFY2(taken.ok(), why(taken));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A client writes commands to a program at the maximum rate. The program continues, the newest command takes
-// effect soon, and unread data remain in the client's buffers.
+// effect quickly, and unread data remain in the client's buffers.
 #include <QDeadlineTimer>
 #include <QTcpServer>
 #include <QTest>

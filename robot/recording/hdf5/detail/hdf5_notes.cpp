@@ -43,7 +43,7 @@ bool putTexts(hid_t file, const char* name, const std::vector<std::string>& text
     return put(file, name, type.get(), type.get(), texts.size(), bytes.data());
 }
 
-/// A data set with one value per note; nothing if it has another form.
+/// A data set with one value per note; an invalid handle if it has a different layout.
 Handle openColumn(hid_t file, const char* name, H5T_class_t kind, std::size_t count) {
     Handle set(H5Dopen2(file, name, H5P_DEFAULT), H5Dclose);
     const Handle type(set ? H5Dget_type(set.get()) : -1, H5Tclose);

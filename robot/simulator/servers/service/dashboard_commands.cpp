@@ -142,7 +142,7 @@ DashboardCommands::Reply DashboardCommands::run(std::string_view line, Rights ri
 // ---- program --------------------------------------------------------------------------------------------
 
 namespace {
-/// Some clients send file names in quotes.
+/// Removes the quotes that some clients put around file names.
 QString unquoted(const std::string& name) {
     const bool quoted = name.size() >= 2 && name.front() == '"' && name.back() == '"';
     return QString::fromStdString(quoted ? name.substr(1, name.size() - 2) : name);

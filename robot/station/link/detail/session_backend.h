@@ -167,7 +167,7 @@ struct SessionBackend {
     bool readySeen = false;                     ///< the last reported robot mode was Running
     QString startedProgram;                     ///< name in the controller's newest message about a start
     QString programNode;                        ///< newest node label of the running program
-    bool changesConfirmed = false;  ///< the operator agreed to changes while this program runs, own or not
+    bool changesConfirmed = false;              ///< the operator confirmed changes during the running program
 
     QStringList extraFields;                 ///< requested in addition to the standard fields
     std::vector<receive::Sample> extraRoom;  ///< reused buffer for extra samples

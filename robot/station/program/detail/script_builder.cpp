@@ -436,7 +436,8 @@ ProgramScript StepWriter::Private::write(const QUuid& id) {
         report({}, ProgramText::tr("The project does not contain this program. Select a different program."));
         return result;
     }
-    result.name = QStringLiteral("program_") + scriptName(program->name);  // must not be a function name
+    result.name =
+        QStringLiteral("program_") + scriptName(program->name);  // must differ from the names of functions
     if (options.model && project.robot && *options.model != *project.robot) {
         report({}, ProgramText::tr("The project was taught with a %1, but the robot is a %2. Use “Adapt "
                                    "project to this robot…” first.")

@@ -33,7 +33,7 @@ public:
     bool hasEnded() const { return phase_ == Phase::Ended; }
     /// True if the program was stopped before its end. A program that reaches its end resets the step register.
     bool isCutShort() const { return hasEnded() && value_ > 0; }
-    /// True while the program is paused by the pendant or another client.
+    /// True while the program is paused on the teach pendant or by another client.
     bool isPausedOnRobot() const { return isPausedOnRobot_; }
     /// One per step; step number 1 is at index 0. Times are relative to the start of the program. The
     /// totals exclude the time for which the program waits before a step.

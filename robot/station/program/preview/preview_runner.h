@@ -10,7 +10,7 @@
 
 namespace tiller::program {
 
-/// The task thread works on copies of project and script, and returns the preview.
+/// The task thread uses copies of the project and the script, and returns the preview.
 class PreviewRunner {
 public:
     /// Cancels the running preview and starts this one.

@@ -38,7 +38,7 @@ public:
     /// Input values set so far, as changes at time 0.
     std::vector<InputChange> inputs() const;
     int questions() const { return questions_; }  ///< number of questions to the operator so far
-    /// Indices of the answers of another type than the question.
+    /// Indices of the answers whose type does not match the question.
     const std::vector<int>& unfitAnswers() const { return unfitAnswers_; }
 
 private:

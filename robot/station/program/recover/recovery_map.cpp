@@ -362,7 +362,7 @@ private:
         return wasMarked;
     }
 
-    /// True if the step is the first of an iteration of the endless loop, except the first iteration.
+    /// True if the step begins the second or a later iteration of the endless loop.
     static bool isIteration(const Group& group, int step, int& marks) {
         if (group.iterationStep == 0 || step != group.iterationStep) {
             return false;

@@ -10,7 +10,7 @@
 
 namespace tiller::program {
 
-/// The task thread works on copies of project and script, and returns the marks.
+/// The task thread uses copies of the project and the script, and returns the marks.
 class RecoveryRunner {
 public:
     /// Cancels the running check and starts this one.

@@ -139,7 +139,7 @@ public:
     bool isPaused() const { return gate_.isPaused(log_); }
     /// True if the program is paused and has reached the next step.
     bool isWaiting() const { return state_ == State::Running && isPaused() && log_.isWaiting(); }
-    /// True while the program is paused by the pendant or another client. Only these can resume it.
+    /// True while the program is paused on the teach pendant or by another client, which must also resume it.
     bool isPausedOnRobot() const { return state_ == State::Running && log_.isPausedOnRobot(); }
     State state() const { return state_; }
     bool isActive() const { return state_ != State::Idle && state_ != State::Ended; }

@@ -85,7 +85,7 @@ void TestHdf5::exportedDataAreReadBack() {
     }
     QCOMPARE(back->times({0, kRows}).value(), source->times({0, kRows}).value());
     QCOMPARE(back->rowAt(1.0).value(), std::uint64_t(500));
-    // The notes of the recording, of a part of it, and of a part of this part.
+    // Notes of a complete export, of a partial export, and of a partial export of the partial export.
     const auto noteIn = [&](const Recording& recording, double from, double until, const char* name) {
         const QString to = path(name);
         const auto exported = exportHdf5(recording, {.path = to, .from = from, .until = until});

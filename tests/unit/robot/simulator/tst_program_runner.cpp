@@ -44,7 +44,7 @@ private Q_SLOTS:
         QCOMPARE(plant.telemetry().runtimeState, RuntimeState::Playing);
         QCOMPARE(plant.telemetry().robotStatusBits(), 3U);
         QCOMPARE(plant.pins().digitalOutputs, 1ULL);
-        // Sufficient for a client that reads every second package.
+        // A client that reads every second package must also receive this state.
         steps(plant, 3);
         QCOMPARE(plant.telemetry().runtimeState, RuntimeState::Playing);
         steps(plant, 3);

@@ -277,7 +277,7 @@ void TestArmMoves::lineThroughASingularityStopsBeforeIt() {
 }
 
 void TestArmMoves::lineNearASingularityIsSlowed() {
-    // Past the base, axis 1 must rotate fast, so the tool must move slowly.
+    // Near the axis of the base joint, this joint must rotate fast, so the tool must slow down.
     WatchedArm arm;
     arm.finish(arm->motion().moveJ(Pose(-0.3, -0.18, 0.4, 0, 3.1416, 0), {.a = 1.4, .v = 1.05}));
     QVERIFY(!arm->protectiveStop());

@@ -105,7 +105,7 @@ void TestIncidentWatch::aNewLinkEndsTheIncidentOfThePreviousLink() {
     session.shutDown();
 }
 
-/// The link receives neither of these two registers.
+/// The session subscribes to the two displayed registers only while they are displayed.
 void TestIncidentWatch::displayedRegistersAreRecordedWhileTheyAreDisplayed() {
     const QTemporaryDir folder;
     VirtualClock clock;

@@ -135,7 +135,7 @@ private Q_SLOTS:
     }
 
     void theLimiterLineNamesNearBodiesAndTheKeyThatMovesAway() {
-        // A pose that is low enough for a floor 15 mm below the arm, with the floor also below the shoulder.
+        // In this pose, a floor 15 mm below the arm is also below the shoulder.
         Pose low = kinematics::forwardTcp(dh(), kMiddle);
         low.position.z() -= 0.2;
         const JointPositions q = kinematics::inverseNearest(dh(), low, {}, kMiddle).value();

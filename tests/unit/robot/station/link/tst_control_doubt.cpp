@@ -105,7 +105,7 @@ private Q_SLOTS:
         QVERIFY(bench.state().controlInDoubt);
         bench.cell.advanceMs(200);
         QVERIFY(!bench.state().controlInDoubt);
-        // The doubt does not return. A later delay of the data contains no information about the previous
+        // controlInDoubt does not become true again. A later delay of the data contains no information about the previous
         // connection.
         bench.silence();
         QVERIFY(!bench.state().isFresh());
@@ -129,7 +129,7 @@ private Q_SLOTS:
         QVERIFY(!bench.state().controlInDoubt);
     }
 
-    // The control program may have hung. A connection that fails before the end of the doubt is a dead connection.
+    // If the connection fails while it is uncertain whether the control program has ended, the 15 s start again.
     void aConnectionLostAfterMissingAnswersProlongsTheDoubt() {
         DoubtBench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
