@@ -95,7 +95,7 @@ private:
     QString file_;
     std::function<void(const Error&)> writeFailed_;
     bool failed_ = false;
-    // Values that this window last read or wrote, for writing only the differences.
+    // Values that this window last read or wrote. The window writes only values that differ from them.
     mutable std::optional<SettingsMap> knownPreferences_;
     mutable std::optional<SettingsMap> knownIoNames_;
     mutable std::optional<TutorialProgress> knownTutorial_;

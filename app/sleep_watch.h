@@ -17,11 +17,11 @@ public:
     explicit SleepWatch(QObject* parent = nullptr);
 
 public Q_SLOTS:
-    /// Connected to org.freedesktop.login1.Manager.PrepareForSleep.
+    /// Handles the D-Bus signal org.freedesktop.login1.Manager.PrepareForSleep.
     void onPrepareForSleep(bool begins);
-    /// Connected to org.freedesktop.login1.Session.Lock.
+    /// Handles the D-Bus signal org.freedesktop.login1.Session.Lock.
     void onLock();
-    /// Connected to org.freedesktop.ScreenSaver.ActiveChanged.
+    /// Handles the D-Bus signal org.freedesktop.ScreenSaver.ActiveChanged.
     void onScreenSaver(bool active);
 
 Q_SIGNALS:

@@ -15,7 +15,7 @@ namespace tiller::app {
 
 namespace {
 
-/// Never reset, because a terminal may send several events.
+/// This value is never reset, because a terminal may send several events.
 HANDLE endRequested() {
     static const HANDLE event = CreateEventW(nullptr, TRUE, FALSE, nullptr);
     return event;

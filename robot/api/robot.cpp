@@ -22,7 +22,7 @@ receive::ReceiverOptions receiverOptions(const Text& host, const RobotOptions& o
     wanted.clock = options.clock;
     if (!options.fields.empty()) {
         wanted.fields = options.fields;
-        // Required for events and for the confirmation of outputs.
+        // These fields are required for events and for the confirmation of outputs.
         for (const char* name : {"robot_mode", "safety_mode", "runtime_state", "actual_digital_output_bits",
                                  "target_speed_fraction", "analog_io_types", "standard_analog_output0",
                                  "standard_analog_output1"}) {

@@ -120,7 +120,7 @@ struct RobotiqClient::Link {
             if (auto reply = takeReply()) {
                 return std::move(*reply);
             }
-            // Checked in every iteration, because the loop would never end with a peer that sends
+            // Check the deadline in every iteration, because the loop would never end with a peer that sends
             // continuously.
             if (received.size() > kMaxReplyLength) {
                 const QString begin = QString::fromStdString(received.substr(0, kQuoted));

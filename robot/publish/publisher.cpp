@@ -47,7 +47,7 @@ struct Publication::Entry {
     bool isLast = false;
     bool hasEnded = false;
 
-    // Used by one thread at a time, in turns.
+    // The following members are used by one thread at a time, in turns.
     std::shared_ptr<SampleSink> sink;  ///< null after the end
     receive::Subscription subscription;
     receive::Sample sample;
@@ -101,7 +101,7 @@ struct Publisher::Worker {
 
     const Sinks sinks;
     std::mutex mutex;
-    std::condition_variable changed;     ///< wakes the thread of the publisher: turns, ends
+    std::condition_variable changed;     ///< wakes the thread of the publisher
     std::condition_variable handedOver;  ///< wakes the threads in `others`
     std::condition_variable ended;       ///< wakes callers that wait for an end
     std::vector<Entry> entries;

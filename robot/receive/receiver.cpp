@@ -182,7 +182,7 @@ struct Receiver::Worker {
     std::vector<std::string> absent;
     realtime::PriorityReport priority;
 
-    // Used by the receive thread only.
+    // Only the receive thread uses the following members.
     std::vector<std::size_t> places;        ///< word index in the record for each number of a packet
     std::vector<std::size_t> absentPlaces;  ///< record words for which the packet has no number
     std::size_t timestampPlace = 0;

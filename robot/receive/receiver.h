@@ -43,7 +43,7 @@ struct ReceiverOptions {
     int priority = 90;
     /// CPUs of the thread, counted from 0; empty: chosen by the system.
     std::vector<int> cpus = {};
-    /// Used for time stamps and ages. Must outlive the receiver.
+    /// Clock for time stamps and ages. It must outlive the receiver.
     const Clock* clock = &SteadyClock::shared();
     /// Limit for one attempt to connect and complete the handshake. This limit plus the longest delay is
     /// below 2 s, so data resume within 2 s after the network has recovered.

@@ -58,7 +58,7 @@ private:
     std::size_t size_ = 0;
 
 public:
-    // Not copyable, because the maps contain pointers into the vectors.
+    // The class is not copyable, because the maps contain pointers into the vectors.
     SampleLayout(const SampleLayout&) = delete;
     SampleLayout& operator=(const SampleLayout&) = delete;
 };

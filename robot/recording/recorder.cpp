@@ -99,7 +99,7 @@ struct Recorder::Worker : publish::SampleSink {
     std::atomic<int> files{0};
     std::atomic<int> restarts{0};
 
-    // Used by the publisher while the recording runs.
+    // The publisher uses the following members while the recording runs.
     RecorderOptions options;
     RecordingSetup setup;
     RecordingFileFactory makeFile;

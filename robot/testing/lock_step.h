@@ -71,8 +71,8 @@ public:
     /// Returns  whether the condition is true
     bool stepUntil(const std::function<bool()>& condition, double atMost);
 
-    /// Advances the time in a separate thread while an object of this class exists. For calls that wait for
-    /// the robot.
+    /// Advances the time in a separate thread while an object of this class exists. Use it for calls that
+    /// wait for the robot.
     class Flow {
     public:
         explicit Flow(LockStep& bench) : bench_(bench) { bench_.beginFlow(); }

@@ -198,7 +198,7 @@ bool spin(int ms, Condition condition) {
 void mouse(QWidget& key, QEvent::Type type) {
     const QPointF at = QRectF(key.rect()).center();
     const bool down = type == QEvent::MouseButtonPress;
-    // Posted like an event of the window system, so that it waits for pending paint events.
+    // Post the event like a window system does, so that it is processed after pending paint events.
     QCoreApplication::postEvent(
         &key, new QMouseEvent(type, at, key.mapToGlobal(at), Qt::LeftButton,
                               down ? Qt::MouseButtons(Qt::LeftButton) : Qt::NoButton, Qt::NoModifier));

@@ -99,8 +99,7 @@ private Q_SLOTS:
         QVERIFY2(arm().stays(1), "the arm moved again after the program resumed");
     }
 
-    // A program sends a press to the window that did not come from the keyboard. A release would never
-    // follow.
+    // Another program sends a synthetic key press to the window. No release would follow.
     void theArmStopsAfterASyntheticKeyPress() {
         const Vector6 from = arm().joints();
         hand().sendKey(cell().place("mainWindow").window, kRight, true);

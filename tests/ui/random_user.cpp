@@ -811,7 +811,7 @@ void RandomUser::closeAllDialogs() {
     }
 }
 
-/// Not called by the timer event itself, because a timer does not fire recursively and the action may open
+/// The timer event does not call this function directly, because a timer does not fire recursively and the action may open
 /// the next dialog with its own event loop.
 void RandomUser::visit() {
     if (QThread::currentThread()->loopLevel() == 0) {

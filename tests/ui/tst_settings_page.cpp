@@ -159,7 +159,7 @@ private Q_SLOTS:
         QVERIFY2(tcpSpeed(bench.cell) > 0.09, qPrintable(QString::number(tcpSpeed(bench.cell))));
         Preferences lower;
         lower.speedCap = 0.020;
-        // Applied in the same way as by the page. Opening the page would stop the arm.
+        // Apply the preferences without the page, because opening the page would stop the arm.
         bench.window.applyPreferences(lower);
         bench.cell.advanceMs(200);
         QVERIFY2(standsStill(bench.cell), "the lower speed cap did not stop the jog");

@@ -12,7 +12,7 @@ namespace tiller {
 
 namespace {
 
-/// Used on platforms without a key-state query.
+/// Probe for platforms without a key-state query.
 class NoKeyStateProbe : public KeyStateProbe {
 public:
     bool isThere() const override { return false; }

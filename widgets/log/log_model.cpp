@@ -100,7 +100,7 @@ QString LogModel::rowText(int row) const {
         text += QStringLiteral(". ") + entry.detail;
     }
     text.replace(QLatin1Char('\n'), QLatin1Char(' ')).replace(QLatin1Char('\t'), QLatin1Char(' '));
-    // Not translated, because other programs read the text.
+    // The text is not translated, because other programs read it.
     static const char* const kWords[] = {"Info", "Warning", "Error"};
     return QStringLiteral("%1\t%2\t%3")
         .arg(entry.first.toString(QStringLiteral("yyyy-MM-dd HH:mm:ss.zzz")),

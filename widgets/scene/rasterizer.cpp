@@ -43,7 +43,7 @@ public:
         gloss *= gloss;
         gloss *= gloss;
         gloss *= gloss;
-        gloss *= gloss;  // result: raised to the power of 16
+        gloss *= gloss;  // the original value to the power of 16
         const float white = 255 * shine_ * gloss * 0.55F;
         red = std::min(255.0F, base[0] * light + white);
         green = std::min(255.0F, base[1] * light + white);

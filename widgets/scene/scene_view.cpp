@@ -38,7 +38,7 @@ constexpr double kToolAxes = 0.095;       // length of the tool axes, per 0.85 m
 constexpr double kFrameAxes = 0.07;
 constexpr double kMark = 5;      // half the size of a mark [px]
 constexpr double kSeenMove = 1;  // smaller motions of the arm are not redrawn [device px]
-constexpr int kSoonMs = 4;       // [ms]; a shorter delay is not noticed, so repaint immediately
+constexpr int kSoonMs = 4;       // [ms]; if less time remains, repaint immediately
 
 }  // namespace
 

@@ -150,7 +150,7 @@ void RecoveryPage::build() {
     title_ = label("recoveryTitle", "strong");
     title_->setFont(textFont(20, QFont::Bold));
     what_ = label("recoveryWhat", "");
-    // Constant height, so that a changed text does not move the check boxes.
+    // Use a constant height, so that a different text does not move the check boxes.
     constexpr int kLines = 3;
     what_->setMinimumHeight(kLines * what_->fontMetrics().lineSpacing());
     what_->setAlignment(Qt::AlignLeft | Qt::AlignTop);

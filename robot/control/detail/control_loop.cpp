@@ -194,7 +194,7 @@ void ControlLoop::measureStop(const Feedback& data) {
 }
 
 ControllerStatus ControlLoop::status() const {
-    // Read first, so that the other values include the answered packet.
+    // Read this value first, so that the other values include the answered packet.
     const double answeredTime = answeredTime_.load(std::memory_order_acquire);
     ControllerStatus status = published_.load();
     status.answeredTime = answeredTime;

@@ -101,7 +101,7 @@ enum class RequestKind : std::int32_t {
     FreedriveStatus = 32,
 };
 
-/// Sent to the control program with every package until it is answered.
+/// A request that every package to the control program contains until the request is answered.
 struct Request {
     std::int32_t number = 0;  ///< unique number of each request
     RequestKind kind = RequestKind::None;

@@ -194,7 +194,7 @@ void FoxgloveServer::welcome() {
             }
         });
         connect(socket, &QWebSocket::disconnected, this, [this, socket] { forget(socket); });
-        // Connected after Qt's handler, so that this handler runs after Qt has consumed the data.
+        // Connect this handler after Qt's handler, so that it runs after Qt has consumed the data.
         connect(tcp, &QTcpSocket::readyRead, this, [this, socket, tcp = tcp, incoming = incoming] {
             incoming->unread = tcp->bytesAvailable();
             closeIfUnread(socket);

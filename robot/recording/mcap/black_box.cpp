@@ -84,7 +84,7 @@ struct BlackBox::Worker : publish::SampleSink {
     std::map<std::string, std::string> facts;
     std::atomic<std::uint64_t> packets{0};
 
-    // Used by the publisher only.
+    // Only the threads of the publisher use the following members.
     std::optional<SampleStore> store;
     std::optional<ExtraSamples> extra;
     std::optional<SafetyMode> previous;

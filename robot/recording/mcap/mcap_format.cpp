@@ -151,7 +151,7 @@ private:
     }
 
     std::uint16_t channel(const char* type, const std::string& definition, const char* topic, Facts facts) {
-        // Required by the profile; empty: no specific quality of service.
+        // The profile requires this entry. An empty value means no specific quality of service.
         facts["offered_qos_profiles"] = "";
         return writer_.addChannel(writer_.addSchema(type, "ros2msg", definition), topic, "cdr", facts);
     }

@@ -66,7 +66,7 @@ enum class StopReason : std::uint8_t {
     PoseUnreachable,     ///< a target or a point of a Cartesian path is out of reach
     JointPositionLimit,  ///< a joint reached the end of its range
     JointSpeedLimit,     ///< the path cannot be followed within the joint limits
-    TcpForceLimit,       ///< contact with the environment above the limit
+    TcpForceLimit,       ///< the contact force exceeds the limit
     PathDeviation,       ///< force mode: a non-compliant axis left its path
     Overload,            ///< the joints cannot hold the load
     WrongPayload,        ///< freedrive with an unknown load, or with the arm pushed at the start

@@ -14,8 +14,8 @@ class ScriptSuperposition : public virtual urscript::SuperpositionHost {
 public:
     explicit ScriptSuperposition(Plant& plant) : plant_(plant) {}
 
-    /// Must be called once per control period, after the scripts. Updates the encoder counts and moves the
-    /// conveyors.
+    /// Updates the encoder counts and moves the conveyors. Must be called once per control period, after the
+    /// scripts.
     void stepConveyors();
 
     Result<void> enablePathOffset() override;

@@ -55,20 +55,20 @@ struct Since {
     FirstVersions first;
     std::optional<FirstVersions> listed = {};
 
-    /// isListed  use the later of the possible first versions
+    /// isListed  true: use `listed`, the latest possible first version
     bool availableIn(const SoftwareVersion& version, bool isListed = false) const {
         return (isListed && listed ? *listed : first).isIn(version);
     }
 };
 inline constexpr Since kPolyScopeX{{kNever, 0, kNever}, FirstVersions{kNever, 11, kNever}};
-/// Not in the list of 3.3, but in the lists of 2019 (3.11 and 5.5).
+/// The function is not in the list of 3.3, but in the lists of 2019 (3.11 and 5.5).
 inline constexpr Since kAfter33{{0, 0, 4}, FirstVersions{5, 0, 11}};
-/// Not in the lists of 2019, but in those of 5.15.
+/// The function is not in the lists of 2019, but in the list of 5.15.
 inline constexpr Since kAfter2019{{6}, FirstVersions{15}};
 /// Like kAfter2019, but first listed in 2021 (5.11) or 2022 (5.12).
 inline constexpr Since kAfter2019By2021{{6}, FirstVersions{11}};
 inline constexpr Since kAfter2019By2022{{6}, FirstVersions{12}};
-/// Not in the lists of 5.15, but in those of 5.24 and 10.11.
+/// The function is not in the list of 5.15, but in the lists of 5.24 and 10.11.
 inline constexpr Since kAfter515{{16, 0, kNever}, FirstVersions{24, 11, kNever}};
 inline constexpr Since kStructSince{{0, 0, 6}};
 inline constexpr Since kStringsSince{{2, 0, 8}};

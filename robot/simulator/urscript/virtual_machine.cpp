@@ -76,7 +76,7 @@ void Interpreter::Machine::abortMove() {
     }
 }
 
-// Must be called before any thread runs. Otherwise, a thread that is still waiting for its motion could block
+// This function must be called before any thread runs. Otherwise, a thread that is still waiting for its motion could block
 // a thread that starts a command in this frame.
 void Interpreter::Machine::pollMotion() {
     if (context_.motionOwner < 0) {

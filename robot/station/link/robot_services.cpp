@@ -48,7 +48,7 @@ void send(
         session.state().service == ServiceKind::RobotApi ? kDoneTime : kReplyTime);
 }
 
-/// True if the command starts, pauses or ends a program that is not Tiller's own.
+/// True if the command starts, pauses or ends an external program.
 bool changesProgram(RobotCommand command, const SessionState& state) {
     switch (command) {
         case RobotCommand::Play:

@@ -32,8 +32,8 @@ public:
     RobotServices(RobotSession& session, SessionBackend& backend) : session_(session), d_(backend) {}
 
     /// confirmed  the operator agrees to the effect on the program of the robot. Without confirmation,
-    ///            commands that start a program, or pause or end one that is not Tiller's own, are not sent,
-    ///            and RobotSession::commandQuestion() is emitted
+    ///            commands that start a program, or that pause or end an external program, are not sent, and
+    ///            RobotSession::commandQuestion() is emitted
     void perform(RobotCommand command, bool confirmed = false);
     /// Requires the operator's explicit confirmation.
     void unlockProtectiveStop(const UnlockConsent& consent);

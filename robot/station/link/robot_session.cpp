@@ -61,8 +61,8 @@ bool isOperatorStop(control::StopCause cause) {
            cause == StopCause::Space || cause == StopCause::StopButton || cause == StopCause::SecondButton;
 }
 
-/// True if a program with step numbers ended during a step, e.g. because of the stop button of the pendant. At its
-/// own end, a program resets the step number.
+/// True if a program with step numbers ended during a step, e.g. because of the stop button of the pendant. A
+/// program that reaches its end resets the step number.
 bool wasStoppedOnRobot(const receive::Receiver& receiver) {
     receive::Sample newest;
     const auto hasEnded = [&] {

@@ -238,7 +238,7 @@ Q_SIGNALS:
     void takeControlQuestion();
     /// A change could disturb the running program. If the operator agrees, call confirmChanges() and `change`.
     void changeQuestion(const QString& what, const std::function<void()>& change);
-    /// RobotServices::perform() would start, pause or end a program that is not Tiller's own. If the operator
+    /// RobotServices::perform() would start, pause or end an external program. If the operator
     /// agrees, call it again with `confirmed`.
     void commandQuestion(tiller::RobotCommand command);
     /// A complete message from the controller. Messages for the operator are also added to the journal.

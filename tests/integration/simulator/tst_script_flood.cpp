@@ -119,7 +119,7 @@ private Q_SLOTS:
             many += command(i);
         }
         const double begin = cell.robot.controller.truth().timestamp;
-        // Measured in robot time, so the speed of the computer does not matter.
+        // The duration is measured in robot time, so it does not depend on the speed of the computer.
         while (cell.robot.controller.truth().timestamp < begin + 0.3) {
             client->write(many);
             while (client->bytesToWrite() > (1 << 20) && client->waitForBytesWritten(100)) {

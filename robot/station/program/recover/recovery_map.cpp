@@ -249,7 +249,7 @@ private:
         }
     }
 
-    // ---- the undisturbed run ----------------------------------------------------------------------------
+    // ---- the uninterrupted run ----------------------------------------------------------------------------
 
     bool isCancelled() {
         if (options_.preview.isCancelled && ++periods_ % kPollEvery == 0 && options_.preview.isCancelled()) {
@@ -522,7 +522,7 @@ private:
         return result;
     }
 
-    /// Completes the result of a repetition whose state equals a state of the run without a stop. From there,
+    /// Completes the result of a repetition whose state equals a state of the uninterrupted run. From there,
     /// both runs are identical.
     void finishAs(const Group& group, const Snapshot& reached, const SwitchCounts& switches,
                   Repetition& result) const {
@@ -606,7 +606,7 @@ private:
                        : ProgramText::tr("%1 would have a different value.").arg(name);
     }
 
-    /// The first difference between the undisturbed run and a stop followed by the repetition, as a sentence.
+    /// The first difference between the uninterrupted run and a stop followed by the repetition, as a sentence.
     QString difference(const Moment& moment, const Boundary& begin, const Boundary& end,
                        const Repetition& again) const {
         switch (again.end) {

@@ -124,7 +124,7 @@ void TestTiming::timerKeepsToItsGrid() {
     for (int i = 0; i < 5; ++i) {
         periods += 1 + timer.wait();
     }
-    // Never early: each wake-up is at or after its grid point. The delay depends on the machine.
+    // No wake-up is early: each wake-up is at or after its grid point. The delay depends on the machine.
     QVERIFY(clock.nowNs() - before >= static_cast<std::int64_t>(periods) * 2 * kNsPerMs);
 }
 

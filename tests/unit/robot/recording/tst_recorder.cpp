@@ -40,7 +40,7 @@ receive::ReceiverOptions to(std::uint16_t port) {
     options.port = port;
     options.priority = 0;
     options.reconnectDelays = {1ms};
-    // Too long to expire, even if a thread is scheduled late.
+    // This timeout is too long to expire, even if a thread is scheduled late.
     options.connectTimeout = 1h;
     options.silenceLimit = 1h;
     return options;

@@ -320,7 +320,7 @@ void provoke(const QByteArray& rule, Holder& holder) {
     } else if (rule == "the application is inactive") {
         Q_EMIT qApp->applicationStateChanged(Qt::ApplicationInactive);
     } else if (rule == "the application quits") {
-        // Sent to an object that does not handle the event.
+        // Send the event to an object that does not handle it.
         QObject other;
         send(other, QEvent::Quit);
     } else if (rule == "the event loop is stalled") {

@@ -625,7 +625,7 @@ private Q_SLOTS:
         }
     }
 
-    // Checked in every language. Texts do not overlap.
+    // The texts do not overlap in any language.
     void everyModeIsShownInFull_data() {
         QTest::addColumn<QString>("language");
         QTest::addColumn<int>("width");

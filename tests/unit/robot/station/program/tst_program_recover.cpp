@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Recoverability marks, compared with executed stops. Each program is stopped in the simulated controller and
-// continued from the step of the mark. The result must equal that of the undisturbed program if and only if
+// continued from the step of the mark. The result must equal that of the uninterrupted program if and only if
 // the mark predicts this.
 
 #include <QRandomGenerator>
@@ -229,7 +229,7 @@ QString differenceOf(const Result& expected, const Result& actual, std::size_t o
     return distance > tolerance ? QStringLiteral("position %1").arg(distance) : QString();
 }
 
-/// A program with its marks and its undisturbed result.
+/// A program with its marks and its uninterrupted result.
 class Case {
 public:
     Case(project::Project project, project::Program program, std::vector<InputChange> inputs = {})
@@ -327,7 +327,7 @@ private:
         return mark.recovery == Recovery::Unsafe &&
                (mark.reason.contains("force section") || mark.reason.contains("URScript text"));
     }
-    /// Output states at the start of the step in the undisturbed program.
+    /// Output states at the start of the step in the uninterrupted program.
     std::uint64_t outputsBefore(const QUuid& step) {
         Bench bench(start(), tcp(), inputs_);
         const int number = script.numberOf(step);
