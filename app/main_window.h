@@ -123,7 +123,7 @@ public:
 
     int waypointCount() const;
     void selectWaypoint(int row);
-    /// Shows a tab. For the demonstration and tests.
+    /// Shows a tab. Used by the demonstration and by tests.
     /// name  "waypoints", "program", "frames", "tools", "io", "gripper" (a page of "io") or "log"
     void showTab(const QString& name);
     Perspectives& perspectives() { return *perspectives_; }

@@ -112,7 +112,7 @@ public:
     std::uint64_t stop() { return controller_->stop(control::StopCause::ApiCall); }
     control::ControllerStatus status() const { return controller_->status(); }
 
-    /// Newest packet; empty before the first one. For typed access: receive::RobotState(sample).
+    /// Newest packet; empty before the first one. Use receive::RobotState(sample) for typed access.
     receive::Sample latest() const { return receiver_->latest(); }
     /// Subscription to all packets from now on.
     receive::Subscription subscribe() const { return receiver_->subscribe(); }

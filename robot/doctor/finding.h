@@ -21,7 +21,7 @@ enum class Verdict {
     Skipped,    ///< not checked because another condition failed
 };
 
-/// In the order of their dependencies.
+/// The examined conditions. Each condition may depend on the conditions before it.
 enum class Condition {
     Address,
     Host,

@@ -145,8 +145,8 @@ public:
     /// The newest sample; sequence 0 without data. Real-time: latest(Sample&) yes, latest() no
     Sample latest() const;
     void latest(Sample& into) const;  ///< Like latest(), without an allocation.
-    /// Waits for a sample of the current connection that is not older than 100 ms, and returns it. For
-    /// programs that compute their first target from the arm position.
+    /// Waits for a sample of the current connection that is not older than 100 ms, and returns it. Use
+    /// this function in programs that compute their first target from the arm position.
     /// onRefusal  reaction if the connection is refused or the host name cannot be resolved before any data
     ///            have arrived: fail at once, or wait as for a robot that is booting
     /// Errors     the reason why the connection failed, if known (ConnectionRefused, HostUnreachable,

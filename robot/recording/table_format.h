@@ -33,7 +33,7 @@ struct TableFormat {
     /// of seconds of a pair such as secs and nsecs selects both columns.
     std::optional<std::string> timeColumn{};
     std::optional<TimeUnit> timeUnit{};
-    /// Comma, semicolon, tab, vertical bar, or blank for any number of blanks. Only for text files.
+    /// Comma, semicolon, tab, vertical bar, or blank for any number of blanks. Applies only to text files.
     std::optional<char> separator{};
     std::optional<char> decimal{};    ///< point or comma; only for text files
     std::optional<bool> hasHeader{};  ///< only for text files; without a header, columns are "column 1", ...

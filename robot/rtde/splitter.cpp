@@ -8,7 +8,7 @@
 
 namespace tiller::rtde {
 
-// Twice the largest package, so that after compacting, the remaining bytes of a package always fit.
+// The buffer holds twice the largest package, so that the rest of a package fits after compacting.
 PackageSplitter::PackageSplitter(std::size_t limit)
     : limit_(std::clamp(limit, kHeaderSize, kMaxPackageSize)), buffer_(2 * limit_) {}
 

@@ -130,7 +130,7 @@ private Q_SLOTS:
             QVERIFY(std::abs(times[row] - times[row - 1] - 4 * 0.002) < 1e-6);
         }
 
-        // Select another content in the menu. The previous file is not changed.
+        // Select different content in the menu. The previous file is not changed.
         Q_EMIT menu->aboutToShow();
         for (QAction* action : menu->actions()) {
             if (action->data().toInt() == 10) {

@@ -143,7 +143,7 @@ private Q_SLOTS:
         QVERIFY(!bench.store().isModified());
         QCOMPARE(project::loadProject(mine)->waypoints.at(0).name, QString("mine"));
         QCOMPARE(app::Settings(bench.file).recentProjects(), QStringList{mine});
-        // Opened again, the sample is unchanged.
+        // When the sample is opened again, it is unchanged.
         QVERIFY(bench.open("gluing"));
         QCOMPARE(bench.window.document().waypoints().at(0).name, QString("start"));
         QVERIFY2(!QFile::exists(bench.folder.filePath("gluing.tiller")),

@@ -241,7 +241,7 @@ void GripperPanel::build() {
     scroll->setWidgetResizable(true);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setWidget(page);
-    // Transparent, so that the panel behind it is visible.
+    // Make the viewport transparent, so that the panel behind it is visible.
     scroll->viewport()->setAutoFillBackground(false);
     page->setAutoFillBackground(false);
     auto* layout = new QVBoxLayout(this);

@@ -16,7 +16,7 @@ class CsvWriter {
 public:
     /// fields   fields that are not in the layout are omitted; timestamp is added as the first column, and
     ///          the number of lost packets as the last
-    /// asGiven  neither timestamp nor the number of lost packets is added
+    /// asGiven  if true, neither timestamp nor the number of lost packets is added
     CsvWriter(const receive::SampleLayout& layout, const std::vector<std::string>& fields,
               bool asGiven = false);
 

@@ -65,7 +65,7 @@ public:
     bool isHeld() const;
     void setReadings(const Readings& readings);
     /// Ends all motion: discards all commands, ends force mode and freedrive, and stops in joint space with
-    /// `deceleration` [rad/s2] of the leading axis. For stops of the program and stops of category 1.
+    /// `deceleration` [rad/s2] of the leading axis. Used for stops of the program and stops of category 1.
     void abort(double deceleration = 10.0);
 
     /// Ends path offset or conveyor tracking and decelerates all joints with `deceleration` [rad/s2] of the

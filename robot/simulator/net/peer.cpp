@@ -13,7 +13,7 @@ namespace tiller::simulator {
 namespace {
 /// Capacity of the system's socket buffer while the cable is unplugged [bytes].
 constexpr std::size_t kSystemBuffer = 256 * 1024;
-/// Large enough for the longest delay at the highest data rate [bytes].
+/// Maximum number of delayed bytes, sufficient for the longest delay at the highest data rate.
 constexpr std::size_t kMaxBuffered = 16 * 1024 * 1024;
 /// Maximum number of waiting segments for splitting. Further segments are not split, because the queue could
 /// never be sent in time.

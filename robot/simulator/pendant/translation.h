@@ -40,8 +40,8 @@ public:
     void unfinished(const XmlElement& at, const QString& why) { keep(unfinished_, at, why); }
     const std::optional<Error>& refusal() const { return refusal_; }
     const std::optional<Error>& unfinishedNode() const { return unfinished_; }
-    /// Reasons recorded so far. restore() discards the reasons that disabled parts of the program have added
-    /// since.
+    /// Copy of the recorded reasons. After the translation of a disabled part of the program, restore()
+    /// discards the reasons that this part has added.
     struct Reasons {
         std::optional<Error> refusal, unfinished;
     };

@@ -40,7 +40,7 @@ public:
     void setStepLabel(const QString& label) { stepLabel_ = label; }
 
 Q_SIGNALS:
-    /// The samples from this time of the plots' time axis on are of another robot than the samples before.
+    /// Marks the time at which the robot changed. Later samples belong to a different robot than earlier ones.
     /// time   [s]
     /// robot  name and address
     void robotChanged(double time, const QString& robot);

@@ -38,7 +38,7 @@ public:
     /// Sets the number that the user has measured; empty if not entered. Only some tasks require it.
     virtual void setAnswer(std::optional<double> /*figure*/) {}
 
-    /// True once the check has passed. Never reset to false.
+    /// True once the check has passed. The value then remains true.
     bool passed() const { return passed_; }
     /// Describes the progress and the missing steps.
     QString text() const { return text_; }

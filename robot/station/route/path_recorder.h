@@ -54,7 +54,7 @@ Q_SIGNALS:
     /// Emitted when isRecording(), seconds() or isBusy() has changed.
     void changed();
     /// The recording has ended because no data arrive, the controller has restarted, or the maximum duration
-    /// is reached. Call stop() to keep it.
+    /// is reached. Call stop() to keep the recorded path.
     void ended();
     /// A path was added. `summary` describes the recording and the result.
     void kept(const QString& summary);

@@ -12,10 +12,10 @@ namespace tiller {
 
 class WaypointRoute {
 public:
-    /// Sets the waypoints and restarts before the first one.
+    /// Sets the waypoints and restarts the route.
     void setWaypoints(const QVector<QUuid>& ids);
-    /// Call after an edit of the list. Keeps the next waypoint, or restarts the route if that waypoint was
-    /// removed.
+    /// Call after an edit of the list. Keeps the next waypoint if it still exists and the route has begun.
+    /// Otherwise, restarts the route.
     void follow(const QVector<QUuid>& ids);
     /// If true, the first waypoint follows the last waypoint.
     void setLoop(bool loop);

@@ -25,7 +25,7 @@ constexpr int kWarmUp = 100;
 constexpr int kConnects = 1000;
 constexpr int kMinConnects = 100;
 constexpr auto kTime = 45s;  // a busy machine makes fewer connections
-/// Allowed growth of all connections [bytes]. It does not depend on their number, which varies.
+/// Allowed growth of the memory over the whole test [bytes], regardless of the number of connections.
 constexpr double kMaxGrowth = 64'000;
 
 auto entries(const char* folder) {

@@ -327,7 +327,7 @@ private Q_SLOTS:
         Pose target = cell.tcp();
         target.position.z() += 0.03;
         QVERIFY(servo->send(target).ok());
-        // The speed does not exceed its parameter, regardless of the distance.
+        // The speed does not exceed the speed parameter, regardless of the distance.
         double fastest = 0;
         cell.everyTick = [&] { fastest = std::max(fastest, cell.robot.truth().tcpSpeed.linear.norm()); };
         QVERIFY(cell.stepMs(1500));

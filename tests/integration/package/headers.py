@@ -17,7 +17,7 @@ import subprocess
 import sys
 import tempfile
 
-PRECOMPILED = 6  # each takes as much time as two chains
+PRECOMPILED = 6  # number of precompiled headers; each takes as much time as two chains
 LEAST_USERS = 4
 
 

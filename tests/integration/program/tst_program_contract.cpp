@@ -380,7 +380,7 @@ private Q_SLOTS:
         QVERIFY2(problem.isEmpty(), qPrintable(problem));
     }
 
-    // Every event during a linear move.
+    // Tests every event during a linear move.
     void everyEventStopsALinearMove_data() {
         QTest::addColumn<int>("event");
         for (std::size_t i = 0; i < events().size(); ++i) {

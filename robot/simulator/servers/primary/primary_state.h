@@ -11,7 +11,7 @@
 
 namespace tiller::simulator::primary {
 
-/// first  whether to include KinematicsInfo and ConfigurationData, which a client gets only once
+/// first  whether to include KinematicsInfo and ConfigurationData, which each client receives only once
 std::vector<std::uint8_t> robotState(const Telemetry& now, bool first);
 
 }  // namespace tiller::simulator::primary

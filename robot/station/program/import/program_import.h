@@ -32,9 +32,9 @@ struct ImportSource {
 struct ImportRow {
     enum class Result {
         Step,     ///< a step of kind `kind`
-        Text,     ///< URScript text, for `reason`
-        Merged,   ///< part of another item: `reason`
-        Omitted,  ///< not imported because it has no effect in the program: `reason`
+        Text,     ///< a URScript step; `reason` explains why
+        Merged,   ///< part of another item; see `reason`
+        Omitted,  ///< not imported, because it has no effect in the program; see `reason`
     };
     int line = 0;  ///< line in the program tree (.urp), or in the file; 0: none
     QString name;  ///< text in the program tree, or the statement

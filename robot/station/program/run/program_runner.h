@@ -20,7 +20,7 @@
 
 namespace tiller::program {
 
-/// A script for the connected robot, or why it cannot run.
+/// A script for the connected robot, or the reason why it cannot run.
 struct RunPlan {
     project::Project project;  ///< project that contains the program
     QUuid program;

@@ -329,7 +329,8 @@ void TestDivergence::aRecordingOfAnotherModelIsRecognised_data() {
     QTest::newRow("by the actual poses") << "" << QStringList{poses[0]} << true;
 }
 
-// The limits do not distinguish the arms: the TCP position is computed from the difference of target and actual.
+// The deviation limits alone do not distinguish the arms, because only differences between target and actual
+// positions are compared with them.
 void TestDivergence::aRecordingOfAnotherModelIsRecognised() {
     QFETCH(QString, stated);
     QFETCH(QStringList, dropped);
@@ -370,7 +371,7 @@ void TestDivergence::aModelIsConfirmedOnlyIfTheDataDistinguishIt() {
         const Report report = compare(robot.recording(), choice).value();
         QVERIFY(!report.first() && !report.otherModel && !report.isModelConfirmed);
     }
-    // Without poses.
+    // The comparison without poses in the recording:
     robot.drop("target_TCP_pose");
     robot.drop("actual_TCP_pose");
     Choice choice;
@@ -413,7 +414,7 @@ void TestDivergence::aCalibratedArmConfirmsItsModel() {
     QVERIFY(compare(robot.recording(), choice).value().isModelConfirmed);
     choice.model = RobotModelId::UR10e;
     QCOMPARE(compare(robot.recording(), choice).value().otherModel, std::optional(RobotModelId::UR5e));
-    // Without the offset.
+    // The models are also distinguished without the TCP offset.
     robot.drop("tcp_offset");
     QCOMPARE(compare(robot.recording(), choice).value().otherModel, std::optional(RobotModelId::UR5e));
 }

@@ -90,7 +90,7 @@ void TestSplitter::acceptsSingleBytes() {
 }
 
 void TestSplitter::acceptsRandomSegmentsOfALongStream() {
-    // Long enough for the buffer to wrap around many times.
+    // The stream is so long that the buffer wraps around many times.
     std::mt19937 random(1);
     Bytes bytes;
     std::vector<Bytes> payloads;

@@ -109,7 +109,7 @@ void TestValues::wrongSizesAreRefusedAndChangeNothing() {
     QVERIFY(!encodeValues(layout, tooFew, out));
     QVERIFY(!encodeValues(layout, std::array{1.0, 2.0}, std::span(out).first(11)));
     QCOMPARE(out, std::vector<std::uint8_t>(12, 0xAA));
-    // Too short for the header and the id.
+    // The buffer has no space for the header and the recipe ID.
     QCOMPARE(writeDataPackage(out, 1, layout, std::array{1.0, 2.0}), std::size_t(0));
 }
 

@@ -262,7 +262,7 @@ private Q_SLOTS:
         QVERIFY(
             bench.withoutData([&] { return bench.state().controlLoss == control::ControlLoss::LinkLost; }));
         QVERIFY(bench.withoutData([&] { return bench.state().isFresh(); }));
-        // The control program ends, and is not a program of another client until then.
+        // Until the control program has ended, it is not reported as a program of another client.
         QVERIFY(bench.cell.advanceUntil([&] { return !bench.runs(); }, 5500));
         bench.cell.advanceMs(100);
         QVERIFY(bench.state().controlInDoubt);

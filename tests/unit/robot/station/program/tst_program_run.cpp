@@ -557,7 +557,7 @@ private Q_SLOTS:
         QVERIFY(bench.awaitEnd());
         QCOMPARE(bench.runner.end(), ProgramRunner::End::Completed);
         QCOMPARE(bench.runner.log().timings()[3].count, 2);
-        // A breakpoint that is removed during a run has no effect, also on the displayed state.
+        // A breakpoint that is removed during a run affects neither the run nor the displayed state.
         bench.runner.setBreakpoints({id(3)});
         QVERIFY(bench.begin(Holding::Free));
         bench.runner.setBreakpoints({});
