@@ -40,7 +40,8 @@ public:
         back->setToolTip(PanelDock::tr("Moves this panel back to the main window."));
         auto* close = quietKey(PanelDock::tr("Close"), "dock.close." + dock.objectName());
         close->setToolTip(PanelDock::tr("Closes this panel. Use the View menu to show it again."));
-        // Queued, because both slots may destroy the window to which Qt is still delivering key events.
+        // Use a queued connection, because both slots may destroy the window to which Qt is still delivering
+        // key events.
         connect(
             back, &QToolButton::clicked, &dock, [&dock] { dock.setFloating(false); }, Qt::QueuedConnection);
         connect(

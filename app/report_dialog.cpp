@@ -20,8 +20,8 @@
 namespace tiller::app {
 namespace {
 
-/// Maximum displayed length of a file [characters], which is sufficient for a review. A longer text would take
-/// long to lay out.
+/// Maximum displayed length of a file [characters], which is sufficient for a review. A longer text would
+/// take long to lay out.
 constexpr qsizetype kShown = 200'000;
 
 QLabel* line(const QString& text) {

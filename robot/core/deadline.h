@@ -19,7 +19,7 @@ class CancelToken {
 public:
     CancelToken() : CancelToken(nullptr) {}
     /// The token is also cancelled when `asked` returns true. The waiting thread calls `asked` about every 10
-    /// ms. For hosts such as Python, which can detect an interrupt only in this thread.
+    /// ms. Use it for hosts such as Python, which can detect an interrupt only in this thread.
     explicit CancelToken(std::function<bool()> asked) : state_(std::make_shared<State>(std::move(asked))) {}
     /// Cancels all copies.
     void cancel() const { state_->cancelled.store(true, std::memory_order_release); }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// State enumerations of the controller, with the numbers used by RTDE. Source: RTDE guide. Newer software also
-// reports the numbers above 13, which the guide does not contain.
+// State enumerations of the controller, with the numbers used by RTDE. Source: RTDE guide. Only newer
+// software reports the numbers above 13.
 
 #include <QString>
 #include <cstdint>

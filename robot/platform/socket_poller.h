@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Detects received data and new connections with one system call for all clients and ports. This is efficient,
-// because neither occurs in most control periods of the simulated controller.
+// Detects received data and new connections with one system call for all clients and ports. This is
+// efficient, because neither occurs in most control periods of the simulated controller.
 
 #include <vector>
 

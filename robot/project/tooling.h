@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Named tools (tool centre points) and payloads at the flange, and the selected tool and payload. The controller
-// has separate settings. If they differ, the user is asked which settings to use.
+// Named tools (tool centre points) and payloads at the flange, and the selected tool and payload. The
+// controller has separate settings. If they differ, the user is asked which settings to use.
 
 #include <QJsonObject>
 #include <QString>

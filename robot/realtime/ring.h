@@ -84,9 +84,9 @@ public:
     bool pop(Cursor& cursor, std::span<std::uint64_t> record) const {
         return popEach(cursor, [&](std::size_t i, std::uint64_t word) { record[i] = word; });
     }
-    /// Calls sink(index, word) for every word of the next record, without an intermediate copy. If the producer
-    /// overwrites the record in the meantime, the function starts again at index 0 with the next record. If it
-    /// returns true, the words of the last record passed to `sink` are valid.
+    /// Calls sink(index, word) for every word of the next record, without an intermediate copy. If the
+    /// producer overwrites the record in the meantime, the function starts again at index 0 with the next
+    /// record. If it returns true, the words of the last record passed to `sink` are valid.
     /// Returns  false if there is no unread record
     template <class Sink>
     bool popEach(Cursor& cursor, Sink sink) const {

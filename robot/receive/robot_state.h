@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Typed access to the values of a sample, e.g. joint positions and modes. The class is a view that does not own
-// the values.
+// Typed access to the values of a sample, e.g. joint positions and modes. The class is a view that does not
+// own the values.
 
 #include <cstdint>
 #include <optional>

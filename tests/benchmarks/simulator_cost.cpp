@@ -138,7 +138,8 @@ QString load() {
     return text.empty() ? QStringLiteral("unknown") : QString::fromStdString(text);
 }
 
-/// Runs this number of controllers for the measuring time. Prints the results of each controller and of a bare timer.
+/// Runs this number of controllers for the measuring time. Prints the results of each controller and of a
+/// bare timer.
 std::optional<QJsonArray> measure(QTextStream& out, int controllers, int clients, int priority, int seconds) {
     std::vector<std::unique_ptr<Cell>> cells;
     for (int i = 1; i <= controllers; ++i) {

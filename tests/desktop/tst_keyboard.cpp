@@ -28,8 +28,8 @@ class TestKeyboard : public DesktopTest {
     }
 
 private Q_SLOTS:
-    // Regression test for a bug found in manual tests: if Shift was pressed while "1" was held, the release was
-    // reported for "!", and the base joint kept moving.
+    // Regression test for a bug found in manual tests: if Shift was pressed while "1" was held, the release
+    // was reported for "!", and the base joint kept moving.
     void shiftBetweenPressAndReleaseOnAGermanKeyboard() {
         QVERIFY(cell().setLayout("de"));
         holdJoint();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Parses arbitrary bytes as a stream of HTTP requests that is received in two pieces, and as an uploaded form.
-// The parsers must not crash or buffer more data than their limits.
+// Parses arbitrary bytes as a stream of HTTP requests that is received in two pieces, and as an uploaded
+// form. The parsers must not crash or buffer more data than their limits.
 
 #include <cstddef>
 #include <cstdint>

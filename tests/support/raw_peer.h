@@ -49,7 +49,8 @@ public:
                 }
             }
         }
-        /// Returns the next line without the line end; null if the client has disconnected or the test is over.
+        /// Returns the next line without the line end; null if the client has disconnected or the test is
+        /// over.
         QByteArray readLine() {
             while (!received_.contains('\n')) {
                 if (isOver()) {

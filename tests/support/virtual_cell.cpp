@@ -176,8 +176,8 @@ void VirtualCell::awaitFirstAnswers(std::uint64_t inputs) {
         return;
     }
     const bool answers = inputs > inputsBeforeTaking_;
-    // The timeout is much longer than the delay of a thread on a busy machine. If the robot advanced earlier, the program
-    // would end, and taking control would fail.
+    // The timeout is much longer than the delay of a thread on a busy machine. If the robot advanced earlier,
+    // the program would end, and taking control would fail.
     if (answers && !robot.waitForInputPackages(inputs + 1, Deadline::after(std::chrono::seconds(2)))) {
         inputsBeforeTaking_ = inputs;  // the program has ended; do not wait until it starts again
     }

@@ -811,8 +811,8 @@ void RandomUser::closeAllDialogs() {
     }
 }
 
-/// The timer event does not call this function directly, because a timer does not fire recursively and the action may open
-/// the next dialog with its own event loop.
+/// The timer event does not call this function directly, because a timer does not fire recursively and the
+/// action may open the next dialog with its own event loop.
 void RandomUser::visit() {
     if (QThread::currentThread()->loopLevel() == 0) {
         stuck_ = 0;

@@ -277,7 +277,8 @@ private Q_SLOTS:
         question()->findChild<QPushButton*>("powerOffQuestion.take")->click();
         QVERIFY(bench.within([&] { return bench.cell.truth().robotMode == RobotMode::PowerOff; }));
     }
-    // The command palette runs its first entry with Return. A typing error must not stop a production program.
+    // The command palette runs its first entry with Return. A typing error must not stop a production
+    // program.
     void pausingResumingAndStoppingAnotherProgramAsks_data() {
         QTest::addColumn<QString>("command");
         QTest::addColumn<QString>("name");

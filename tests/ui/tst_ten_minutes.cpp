@@ -179,7 +179,8 @@ private Q_SLOTS:
         std::uint64_t missing = 0;
         std::uint64_t marked = 0;
         for (std::size_t row = 1; row < stamps.size(); ++row) {
-            // Compute the number of packets from the controller's clock, which advances by one period per packet.
+            // Compute the number of packets from the controller's clock, which advances by one period per
+            // packet.
             const auto packets = std::llround((stamps[row] - stamps[row - 1]) / kPeriod);
             QVERIFY2(packets >= 1, qPrintable(QStringLiteral("row %1 is out of order").arg(row)));
             const auto lost = static_cast<std::uint64_t>(packets - 1);

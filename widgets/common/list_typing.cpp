@@ -10,8 +10,8 @@ namespace tiller {
 
 namespace {
 
-/// Minimum time after a letter during which another letter continues the search. Longer than Qt's default, for
-/// slow typists.
+/// Minimum time after a letter during which another letter continues the search. It is longer than Qt's
+/// default, for slow typists.
 constexpr qint64 kMinPauseMs = 1000;
 
 bool isLetter(const QKeyEvent& key) {

@@ -79,9 +79,9 @@ private:
     void samplePoints(const SeriesBuffer& history, int column, std::int64_t begin, std::int64_t end);
     void addLine(double x0, double y0, double x1, double y1);
 
-    /// Returns the maximum distance between two consecutive values that are connected by a line, in columns or
-    /// samples. With Missing::Undefined, it is three times `closest`, because the inputs of a computed signal
-    /// may be sampled less often than the table.
+    /// Returns the maximum distance between two consecutive values that are connected by a line, in columns
+    /// or samples. With Missing::Undefined, it is three times `closest`, because the inputs of a computed
+    /// signal may be sampled less often than the table.
     /// closest  smallest distance between two values
     std::int64_t longestLine(std::int64_t closest) const;
 

@@ -35,7 +35,7 @@ public:
     /// Returns  false, without adding a page, if there are already kMaxPages pages
     bool addPage(const PageLayout& page);
     /// Removes all signals of recordings, and the pages that showed nothing else,
-    /// except pages with another name.
+    /// except pages that the user has renamed.
     void dropRecordings();
     /// Removes a page. The last remaining page is instead reset to the standard plots.
     void removePage(int page);

@@ -96,7 +96,7 @@ private:
              const std::function<void()>& accepted);
     /// Continues a paused program. Asks first if a variable was changed in this run.
     void continueRun(const std::function<void()>& proceed);
-    /// Asks before a run without hold whose preview did not run all steps of this script.
+    /// Asks for confirmation of a run without hold-to-run if the preview did not run all steps of the script.
     void askToRun(std::int32_t permitted, const QString& script);
     /// True if the preview of the current script ran every step that moves the arm or takes time.
     bool isPreviewedInFull() const;

@@ -28,8 +28,8 @@ constexpr double kClearDeceleration = 0.5;
 // along a wall.
 constexpr double kClearBand = 0.0003;
 constexpr double kDeepInside = 0.0006;
-// Approach below this fraction of the body's maximum speed is sliding. Deep within the safety distance, only
-// rounding errors are sliding.
+// An approach below this fraction of the body's maximum speed counts as sliding. Deep within the safety
+// distance, only rounding errors count as sliding.
 constexpr double kSliding = 2e-3;
 constexpr double kSlidingDeepInside = 1e-4;
 

@@ -52,7 +52,7 @@ void PathMotion::prepare(double dtProgramMax) {
     tailActive_ = true;
     tailIsRunOut_ = false;
     current_ = next_;
-    // A negative time: the segment starts within this step.
+    // A negative time means that the segment starts within this step.
     current_.time = std::min(0.0, tail_.time - switchTime_);
     nextWaiting_ = false;
 }

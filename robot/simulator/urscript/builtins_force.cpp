@@ -118,7 +118,8 @@ constexpr BuiltinRow kForceRows[] = {
     {"end_force_mode()", endForceMode},
     {"force_mode_set_damping(damping)", setDamping, kPlain, {{0, 0, 5}}},
     {"force_mode_get_damping()", getDamping, kPlain, kAfter515},
-    // The function is available in series 3, because control scripts for both series call these functions conditionally.
+    // The function is available in series 3, because control scripts for both series call these functions
+    // conditionally.
     {"force_mode_set_gain_scaling(scaling)", setGain},
     {"force_mode_get_gain_scaling()", getGain, kPlain, kAfter515},
     {"freedrive_mode(freeAxes?, feature?)", freedriveMode},

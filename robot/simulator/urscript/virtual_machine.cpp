@@ -76,8 +76,8 @@ void Interpreter::Machine::abortMove() {
     }
 }
 
-// This function must be called before any thread runs. Otherwise, a thread that is still waiting for its motion could block
-// a thread that starts a command in this frame.
+// This function must be called before any thread runs. Otherwise, a thread that is still waiting for its
+// motion could block a thread that starts a command in this frame.
 void Interpreter::Machine::pollMotion() {
     if (context_.motionOwner < 0) {
         return;

@@ -40,7 +40,8 @@ public:
     void setStepLabel(const QString& label) { stepLabel_ = label; }
 
 Q_SIGNALS:
-    /// Marks the time at which the robot changed. Later samples belong to a different robot than earlier ones.
+    /// Marks the time at which the robot changed. Later samples belong to a different robot than earlier
+    /// ones.
     /// time   [s]
     /// robot  name and address
     void robotChanged(double time, const QString& robot);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Implements "Record path": records the motion of the arm during hand guiding or jogging, between two presses of the
-// button, and reduces it to waypoints within a tolerance. Recording does not move the arm. Also imports and
-// exports paths.
+// Implements "Record path": records the motion of the arm during hand guiding or jogging, between two presses
+// of the button, and reduces it to waypoints within a tolerance. Recording does not move the arm. Also
+// imports and exports paths.
 
 #include <QObject>
 #include <memory>

@@ -56,7 +56,8 @@ private:
 /// Threads  any
 class ControlSession {
 public:
-    /// Connects to the robot, and starts the control program or uses a running user program. Throws the same exceptions as RTDEControlInterface.
+    /// Connects to the robot, and starts the control program or uses a running user program. Throws the same
+    /// exceptions as RTDEControlInterface.
     explicit ControlSession(const SessionOptions& options);
     ~ControlSession();
 

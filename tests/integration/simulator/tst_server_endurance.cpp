@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // A hundred thousand invalid inputs for each service, and clients that connect and disconnect. There must be
-// no crash, no leaked descriptor and no blocked control period, and the simulator must still serve a valid client.
-// The default run is short. Longer runs:
+// no crash, no leaked descriptor and no blocked control period, and the simulator must still serve a valid
+// client. The default run is short. Longer runs:
 //
 //     tst_server_endurance --seconds 3600        clients connect and disconnect for an hour
 //     tst_server_endurance --inputs 1000000 --seed 7

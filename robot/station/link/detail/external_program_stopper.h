@@ -99,7 +99,7 @@ private:
     control::StopMeter meter_;
     std::uint64_t measuredFrom_ = 0;  ///< number of the newest sample at the request
     bool isExternal_ = false;         ///< not in control in the last frame: the controller does not measure
-    bool motionAllowed_ = false;      ///< by the safety mode of the previous sample
+    bool motionAllowed_ = false;      ///< the safety mode of the previous sample permits motion
 };
 
 }  // namespace tiller

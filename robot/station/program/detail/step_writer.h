@@ -92,8 +92,8 @@ public:
     /// Writes the steps of another program as a function, once per scope.
     /// Returns  its name; empty after a problem
     QString programFunction(const QUuid& program);
-    /// Call this function if the URScript text of a step runs in a parallel section or starts a thread, because
-    /// it may then move the arm while the program waits.
+    /// Call this function if the URScript text of a step runs in a parallel section or starts a thread,
+    /// because it may then move the arm while the program waits.
     void noteOwnThread();
     /// Waits until the condition is true, at most for `limit` [s].
     void waitUntil(const QString& condition, std::optional<double> limit);

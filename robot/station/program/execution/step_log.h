@@ -31,7 +31,8 @@ public:
     double seconds() const { return time_; }       ///< Duration of the run so far [s].
     bool hasBegun() const { return phase_ != Phase::Before && phase_ != Phase::Stopped; }
     bool hasEnded() const { return phase_ == Phase::Ended; }
-    /// True if the program was stopped before its end. A program that reaches its end resets the step register.
+    /// True if the program was stopped before its end. A program that reaches its end resets the step
+    /// register.
     bool isCutShort() const { return hasEnded() && value_ > 0; }
     /// True while the program is paused on the teach pendant or by another client.
     bool isPausedOnRobot() const { return isPausedOnRobot_; }

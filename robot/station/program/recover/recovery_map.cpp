@@ -606,7 +606,8 @@ private:
                        : ProgramText::tr("%1 would have a different value.").arg(name);
     }
 
-    /// The first difference between the uninterrupted run and a stop followed by the repetition, as a sentence.
+    /// The first difference between the uninterrupted run and a stop followed by the repetition, as a
+    /// sentence.
     QString difference(const Moment& moment, const Boundary& begin, const Boundary& end,
                        const Repetition& again) const {
         switch (again.end) {

@@ -5,8 +5,8 @@
 // and at regular intervals. A program continues from the top-level step that contains the stop
 // (ScriptOptions::from), with the arm at the start position of that step. The check runs that step again in
 // the simulated controller with the outputs and registers that the stop has left. It compares outputs,
-// registers, variables, steps and position with those of the uninterrupted run. Workpieces and contacts are not
-// simulated, and a waiting input does not change while the program is stopped.
+// registers, variables, steps and position with those of the uninterrupted run. Workpieces and contacts are
+// not simulated, and a waiting input does not change while the program is stopped.
 
 #include <QString>
 #include <QUuid>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A file is opened in the format in which it was written, regardless of its name. Tested for every format of
-// the table.
+// A file is opened in the format in which it was written, regardless of its name. The test covers every
+// format in the table.
 #include <QSet>
 #include <QTemporaryDir>
 #include <QTest>

@@ -191,7 +191,8 @@ private Q_SLOTS:
         QVERIFY(project::poseDifference(placeOf(0), place).distance < 1e-12);
     }
 
-    // The question follows an arm that moves on. The pose at the confirmation is stored.
+    // While the question is shown, it follows the moving arm. The pose at the time of the confirmation is
+    // stored.
     void touchUpFollowsTheArm() {
         teachWithWaypoints(1);
         const Pose before = frame(0).T_base_frame;

@@ -65,7 +65,8 @@ using namespace tiller;
 
 namespace {
 
-/// 500 Hz, with Fz [N] equal to the time [s], so that every value can be checked by mental arithmetic.
+/// Samples at 500 Hz with Fz [N] equal to the time [s], so that every value can be checked by mental
+/// arithmetic.
 struct Bench {
     RobotSession session;
     LiveHistory live{session};

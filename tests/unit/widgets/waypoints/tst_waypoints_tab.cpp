@@ -326,8 +326,8 @@ private Q_SLOTS:
             qPrintable(QString("%1 of %2").arg(table()->columnWidth(WaypointModel::Number)).arg(needed)));
     }
 
-    // The first letter typed in the list starts a search for a name. The letters that follow it are part of the
-    // search and do not trigger commands.
+    // The first letter typed in the list starts a search for a name. The letters that follow it are part of
+    // the search and do not trigger commands.
     void typingAWordInTheListIsNotACommand() {
         const int interval = QApplication::keyboardInputInterval();
         const auto restore = qScopeGuard([interval] { QApplication::setKeyboardInputInterval(interval); });

@@ -105,8 +105,8 @@ private Q_SLOTS:
         QVERIFY(bench.state().controlInDoubt);
         bench.cell.advanceMs(200);
         QVERIFY(!bench.state().controlInDoubt);
-        // controlInDoubt does not become true again. A later delay of the data contains no information about the previous
-        // connection.
+        // controlInDoubt does not become true again. A later delay of the data contains no information about
+        // the previous connection.
         bench.silence();
         QVERIFY(!bench.state().isFresh());
         QVERIFY(!bench.state().controlInDoubt);
@@ -129,7 +129,8 @@ private Q_SLOTS:
         QVERIFY(!bench.state().controlInDoubt);
     }
 
-    // If the connection fails while it is uncertain whether the control program has ended, the 15 s start again.
+    // If the connection fails while it is uncertain whether the control program has ended, the 15 s start
+    // again.
     void aConnectionLostAfterMissingAnswersProlongsTheDoubt() {
         DoubtBench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));

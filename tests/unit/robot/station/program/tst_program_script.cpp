@@ -163,8 +163,8 @@ private Q_SLOTS:
         QVERIFY(!groupName(row->group).isEmpty());
     }
 
-    // A program does not pause in a force section, where the arm is not at standstill between the steps, or in
-    // parallel steps, which must not wait.
+    // A program does not pause in a force section, where the arm is not at standstill between the steps, or
+    // in parallel steps, which must not wait.
     void forceSectionsAndParallelStepsDoNotPause() {
         project::Project project = sampleProject();
         const project::Program called = makeProgram("called", {step("wait")});
