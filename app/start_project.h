@@ -14,8 +14,9 @@ struct StartProject {
     QString missing;  ///< path of the last file if that file does not exist; otherwise empty
 };
 
-/// Returns the most recently used project file that exists. Without one, returns cell.tiller in the application
-/// data folder (used by earlier versions) if it exists, otherwise in projectFolder(), and creates that folder.
+/// Returns the most recently used project file that exists. If there is none, returns cell.tiller in the
+/// application data folder (used by earlier versions) if it exists, otherwise in projectFolder(), and creates
+/// that folder.
 StartProject startProject(const Settings& settings);
 
 QString unsavedWorkFolder();

@@ -142,7 +142,7 @@ void Controller::release() {
     d_->end([this] {
         stop(StopCause::ControlLost);
         d_->loop.requestEnd();
-        // Sufficient to stop a jog. The deceleration of a longer path continues unsupervised.
+        // This time is sufficient to stop a jog. The deceleration of a longer path continues unsupervised.
         waitUntil(Deadline::after(kLastWords), [this] { return !d_->isInControl(); });
     });
 }

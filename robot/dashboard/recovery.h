@@ -50,7 +50,7 @@ using RecoveryProgress = std::function<void(RecoveryStep)>;
 
 /// Brings the robot to RUNNING with safety mode NORMAL or REDUCED. If the controller restarts during the
 /// recovery, the function reconnects until the deadline.
-/// Errors   as DashboardClient; Rejected, with the missing condition, if a step requires a consent that was
+/// Errors   as for DashboardClient; Rejected, with the missing condition, if a step requires a consent that was
 ///          not given, or an action at the robot (emergency stop pressed, safeguard open). In this
 ///          case, only the reported steps have been performed.
 /// Threads  the thread that connected the client. Blocks: until the deadline

@@ -45,7 +45,7 @@ public:
     /// Reads the newest value from a receiver that subscribed to the registers (e.g. "input_int_register_24").
     static Newest fromReceiver(const receive::Receiver& receiver);
 
-    /// Errors  as rtde::Connection::open; InvalidArgument for an invalid register number; registers used by other
+    /// Errors  as for rtde::Connection::open(); InvalidArgument for an invalid register number; registers used by other
     ///         clients do not cause an error here
     Result<void> connect(const Deadline& deadline);
     void disconnect();  ///< Disconnects and releases the registers.

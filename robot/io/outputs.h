@@ -73,7 +73,7 @@ public:
     Outputs& operator=(const Outputs&) = delete;
 
     /// Opens a new connection, replacing an existing one. The set functions connect automatically.
-    /// Errors  as rtde::Connection::open; inputs used by other clients do not cause an error here
+    /// Errors  as for rtde::Connection::open(); inputs used by other clients do not cause an error here
     Result<void> connect(const Deadline& deadline);
     /// Disconnects and ends waiting calls. Waits for a connection attempt in progress; the token of its
     /// deadline can cancel the attempt.

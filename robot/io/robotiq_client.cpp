@@ -16,7 +16,7 @@ namespace {
 using std::chrono::milliseconds;
 using Status = native_socket::Status;
 
-/// Longer than any valid reply [bytes]. A longer line cannot come from a gripper.
+/// Maximum length of a line [bytes]. A longer line is not a valid reply of a gripper.
 constexpr std::size_t kMaxReplyLength = 1024;
 constexpr std::size_t kQuoted = 80;  // quoted length of an invalid reply [bytes]
 /// Polling interval while waiting.

@@ -13,7 +13,7 @@ namespace {
 /// CREATE_WAITABLE_TIMER_HIGH_RESOLUTION, which the headers of MinGW-w64 lack.
 constexpr DWORD kHighResolution = 0x00000002;
 
-/// A timer with a resolution of about 0.5 ms (Windows 10 version 1803 and newer; else of 1 to 16 ms).
+/// A timer with a resolution of about 0.5 ms (Windows 10 version 1803 and newer; otherwise 1 to 16 ms).
 class WaitableTimer {
 public:
     WaitableTimer() : timer_(create(kHighResolution)) {

@@ -16,7 +16,7 @@
 
 namespace tiller::test {
 
-/// Longer than any reply takes on a working computer. Reaching this limit is a failure.
+/// Timeout that exceeds the time of any reply on a working computer. Reaching it is a failure.
 inline constexpr int kWaitTimeoutMs = 20'000;
 
 template <class Number>

@@ -10,7 +10,7 @@
 
 namespace tiller::test {
 
-/// Longer than any operation takes on a working computer. Reaching this limit is a failure.
+/// Timeout that exceeds the time of any operation on a working computer. Reaching it is a failure.
 inline Deadline patience() {
     return Deadline::after(std::chrono::seconds(60));
 }

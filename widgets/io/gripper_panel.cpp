@@ -247,7 +247,7 @@ void GripperPanel::build() {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(scroll);
-    // Constant height, so that a suggestion does not move other elements.
+    // Use a constant height, so that a suggestion does not move other elements.
     remedy_->setMinimumHeight(kRemedyLines * QFontMetrics(textFont(15)).lineSpacing() + 10);
     listOutputs();
     fitValues();

@@ -74,7 +74,7 @@ IoTab::IoTab(RobotSession& session, QWidget* parent)
     scroll->setWidgetResizable(true);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setWidget(page);
-    // Transparent, so that the panel behind it is visible.
+    // Make the viewport transparent, so that the panel behind it is visible.
     scroll->viewport()->setAutoFillBackground(false);
     page->setAutoFillBackground(false);
     nothing_ = new EmptyState(*scroll);

@@ -290,7 +290,8 @@ void CurveRaster::paintColumn(const Curve& curve, std::size_t at, double perUnit
     const int fullTo = std::clamp(floorRow(middle - ramp / 2 + thickness), fullFrom, to);
     // The coverage is a linear function of the row number. Compute it incrementally in units of 1/65536.
     constexpr int kWhole = 1 << 16;
-    // Larger than any row number, but small enough that the incremental value does not overflow.
+    // This value is larger than any row number, but small enough that the incremental value does not
+    // overflow.
     constexpr double kFar = 20000;
     const double perRow = 1 / ramp;
     const auto step = static_cast<int>(kWhole * perRow);

@@ -217,7 +217,7 @@ void Rasterizer::addFace(const Vertex& a, const Vertex& b, const Vertex& c, std:
     if (!(most >= 0 && least < width && bottom >= 0 && top < height)) {
         return;
     }
-    // Oriented so that the area is positive when the Y axis points down.
+    // The vertices are oriented so that the area is positive when the Y axis points down.
     const double area = (double(c.x) - a.x) * (double(b.y) - a.y) - (double(b.x) - a.x) * (double(c.y) - a.y);
     if (!(area > 1e-6)) {
         return;

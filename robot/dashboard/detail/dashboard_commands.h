@@ -2,7 +2,7 @@
 #pragma once
 
 // The documented dashboard commands that are not in DashboardClient: program and installation, pendant,
-// identification, operational mode, reports. Threads, blocking and errors as DashboardClient.
+// identification, operational mode, reports. Threads, blocking and errors: as for DashboardClient.
 
 #include "robot/core/text.h"
 #include "robot/dashboard/dashboard_client.h"

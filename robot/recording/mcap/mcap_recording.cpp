@@ -317,7 +317,7 @@ private:
             }
             if (!steps.empty()) {
                 std::sort(steps.begin(), steps.end());
-                // Rounded to microseconds, because this exceeds the error of the clock conversion.
+                // Round to microseconds, because this exceeds the error of the clock conversion.
                 constexpr double kMicroseconds = 1e6;
                 const double seconds =
                     static_cast<double>(steps[steps.size() / 2]) / static_cast<double>(kNsPerSecond);

@@ -14,8 +14,8 @@ struct Release {
     int day, month, year;
 };
 
-// Sorted by version. The build numbers and dates of 3.15.8 and 5.12.0 are from the dashboard guide. No public
-// source lists the others, so they are plausible values. Clients only compare the numbers.
+// The entries are sorted by version. The build numbers and dates of 3.15.8 and 5.12.0 are from the dashboard
+// guide. No public source lists the others, so they are plausible values. Clients only compare the numbers.
 constexpr Release kReleases[] = {
     {{3, 15, 8, 106339}, 20, 6, 2022},  {{5, 11, 6, 1080301}, 10, 12, 2021},
     {{5, 12, 0, 1101319}, 22, 3, 2022}, {{5, 22, 1, 1214193}, 12, 3, 2025},

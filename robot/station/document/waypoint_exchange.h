@@ -28,7 +28,7 @@ struct Imported {
     std::vector<project::Frame> frames;        ///< frames of these waypoints that the project does not have
 };
 /// If the project has a frame with the same name, that frame is used instead.
-/// Errors   as project::parseProject
+/// Errors   as for project::parseProject
 Result<Imported> fromJson(const QByteArray& bytes, const project::FrameList& frames);
 
 }  // namespace tiller::waypoint_exchange

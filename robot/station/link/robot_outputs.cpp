@@ -120,8 +120,8 @@ const OutputHolders& RobotOutputs::holders() const {
 }
 
 void RobotOutputs::followControl() {
-    // Longer than the interval between commands while the slider is dragged, and shorter than the retries of
-    // a client that could not claim the inputs.
+    // This time is longer than the interval between commands while the slider is dragged, and shorter than
+    // the retries of a client that could not claim the inputs.
     constexpr std::int64_t kUnusedNs = 2 * kNsPerSecond;
     const std::int64_t nowNs = d_.clock->nowNs();
     if (d_.state.control == ControlState::InControl && !d_.monitorOnly) {

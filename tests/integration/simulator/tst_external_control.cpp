@@ -57,7 +57,7 @@ struct Cell {
         auto options = VirtualRobot::options();
         options.time = simulator::Time::Real;
         options.programsFolder = programs;
-        // Longer than the possible delay of this thread before it sends the next piece.
+        // This time is longer than the possible delay of this thread before it sends the next piece.
         options.scriptSilence = std::chrono::seconds(2);
         return options;
     }

@@ -8,7 +8,7 @@ namespace tiller::recording::hdf5 {
 
 namespace {
 
-// Exceeds the length of all texts in recordings.
+// This limit exceeds the length of all texts in recordings.
 constexpr std::size_t kMaxTextLength = 1u << 20;
 
 bool put(hid_t object, const char* name, hid_t type, const void* value) {

@@ -302,7 +302,7 @@ void TestTriggers::aRenamedFolderDoesNotEndTheRecording() {
     bench.send(20, 1);
     TRY_COMPARE(recorder.progress().rows, std::uint64_t(20));
     QVERIFY(QDir().rename(folder, bench.path("after")));
-    // Longer than the interval at which the free space is read.
+    // This time is longer than the interval at which the free space is read.
     QElapsedTimer time;
     time.start();
     int next = 21;

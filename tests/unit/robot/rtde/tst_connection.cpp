@@ -14,7 +14,7 @@ using test::ScriptedPeer;
 
 namespace {
 
-// Long enough for any machine. Only a hanging test uses the whole time.
+// Timeout that is sufficient for any machine. Only a hanging test uses the whole time.
 constexpr auto kPatience = 20s;
 
 ConnectionOptions to(std::uint16_t port, std::vector<std::string> outputs = {"timestamp", "actual_q"}) {

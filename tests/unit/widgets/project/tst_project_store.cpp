@@ -331,7 +331,7 @@ private Q_SLOTS:
         QCOMPARE(kept->waypoints.at(1).name, QString("more"));
     }
 
-    // Another window is about to save under the first free name.
+    // Another window saves a file with the first free name at the same time.
     void aFileCreatedByAnotherWindowIsNotReplaced() {
         QVERIFY(store_->openOrStart(path_).ok());
         document_->insertWaypoints(0, {named("mine")}, "Teach");

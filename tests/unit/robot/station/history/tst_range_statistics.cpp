@@ -306,7 +306,8 @@ private Q_SLOTS:
         QVERIFY(whole.open(QIODevice::ReadOnly));
         QByteArray bytes = whole.readAll();
         const QString path = long_->folder.filePath("damaged.mcap");
-        // Longer than the message index after each chunk, which is not needed for reading.
+        // The damaged part is longer than the message index after each chunk, which is not needed for
+        // reading.
         for (qsizetype i = bytes.size() / 3; i < bytes.size() / 3 + 50'000; ++i) {
             bytes[i] = static_cast<char>(bytes[i] ^ 0x5a);
         }
