@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace tiller {
 
@@ -129,7 +130,8 @@ void CurveRaster::setView(const QRectF& area, double t0, double t1, double y0, d
         now.offsets.push_back(curve->isVisible() ? curve->offset() : std::numeric_limits<double>::infinity());
     }
     const std::int64_t raster = (*found)->raster();
-    const bool keeps = painted_ == now && std::abs(raster - raster_) < static_cast<std::int64_t>(columns);
+    const bool keeps = !std::exchange(isOutdated_, false) && painted_ == now &&
+                       std::abs(raster - raster_) < static_cast<std::int64_t>(columns);
     // Use an odd number of cache lines as the stride, so that the pixels of neighbouring columns do not evict
     // each other from the cache.
     constexpr int kCacheLine = 16;  // pixels

@@ -27,8 +27,9 @@ public:
     /// Paints the changes since the last call.
     /// area  rectangle of t0 ... t1 and y0 ... y1 in chart coordinates
     void setView(const QRectF& area, double t0, double t1, double y0, double y1);
-    /// Repaints everything at the next setView(). Call this after a change of a pen or of the visibility.
-    void forget() { painted_ = {}; }
+    /// Repaints everything at the next setView(). Until then, the painted columns remain. Call this after a change of
+    /// a pen or of the visibility.
+    void forget() { isOutdated_ = true; }
     /// Number of columns painted by the last setView(); for tests and benchmarks.
     int columnsPainted() const { return columnsPainted_; }
 
@@ -59,6 +60,7 @@ private:
     QRectF area_;
     double t0_ = 0, t1_ = 1, y0_ = 0, y1_ = 1;
     Painted painted_;
+    bool isOutdated_ = false;  // see forget()
     std::int64_t raster_ = 0;  // number of the first column in the ring
     QImage ring_;
     std::vector<QRgb> block_;  // a block of consecutive columns

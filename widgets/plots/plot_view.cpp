@@ -168,8 +168,11 @@ void PlotView::build(const PageLayout& page) {
     const QSet<int> shown = signalsShown();
     showsLive_ = shown.isEmpty() || std::any_of(shown.begin(), shown.end(),
                                                 [this](int signal) { return !store_.isRecorded(signal); });
-    setReadoutSignal(readoutSignal_);
+    for (const auto& pane : panes_) {
+        pane->setEmphasis(readoutSignal_);
+    }
     layOut();
+    Q_EMIT readoutChanged();
 }
 
 PageLayout PlotView::page() const {
@@ -753,13 +756,12 @@ void PlotView::goTo(double time) {
 }
 
 void PlotView::setReadoutSignal(int signal) {
-    const QString before = recordingInFront();
     readoutSignal_ = signal;
     for (const auto& pane : panes_) {
         pane->setEmphasis(signal);
     }
-    if (recordingInFront() != before && isVisible()) {
-        show(0);
+    if (isVisible()) {
+        show(0);  // repaint the curves with their new pens, because a paused view draws no frames by itself
     }
     Q_EMIT readoutChanged();
 }

@@ -409,6 +409,48 @@ private Q_SLOTS:
         }
     }
 
+    /// A paused view draws no new frames by itself.
+    void theCurvesOfAPausedViewStayWhenAnotherSignalIsSelected_data() {
+        QTest::addColumn<QString>("way");
+        for (const char* way : {"click into the lower plot", "key", "legend"}) {
+            QTest::newRow(way) << QString::fromLatin1(way);
+        }
+    }
+    void theCurvesOfAPausedViewStayWhenAnotherSignalIsSelected() {
+        QFETCH(QString, way);
+        Bench b;
+        b.view().pause();
+        const auto drawn = [&b](int signal) {
+            const QImage image = b.view().grab().toImage();
+            const QColor color = b.curve(signal).pen().color();
+            const QRect area = b.view().panes()[b.forces().shows(signal) ? 0 : 1]->area().toRect();
+            int count = 0;
+            for (int y = area.top(); y <= area.bottom(); ++y) {
+                for (int x = area.left(); x <= area.right(); ++x) {
+                    count += image.pixelColor(x, y) == color ? 1 : 0;
+                }
+            }
+            return count;
+        };
+        const int force = b.id("actual_TCP_force_2");
+        const int current = b.id("actual_current_0");
+        QVERIFY(drawn(force) > 500 && drawn(current) > 500);
+        if (way == QLatin1String("key")) {
+            QTest::keyClick(&b.view(), Qt::Key_Down);
+        } else if (way == QLatin1String("legend")) {
+            b.clickLegend(current, Qt::ControlModifier);
+        } else {
+            const QPointF lower = b.view().panes()[1]->area().center();
+            QTest::mouseClick(b.view().viewport(), Qt::LeftButton, {}, lower.toPoint());
+        }
+        QVERIFY(b.view().readoutSignal() != force);
+        QVERIFY2(drawn(force) > 500 && drawn(current) > 500,
+                 qPrintable(QStringLiteral("%1 and %2 pixels").arg(drawn(force)).arg(drawn(current))));
+        const QImage emphasized = b.view().grab().toImage();
+        b.view().setSpan(b.view().window().span());
+        QVERIFY2(b.view().grab().toImage() == emphasized, "the emphasis appears only later");
+    }
+
     void aCursorIsDraggedByItsLine() {
         Bench b;
         b.view().pause();
