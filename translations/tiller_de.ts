@@ -10105,6 +10105,10 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <source>The program started without connection to Tiller, at most %1 s before this entry.</source>
         <translation>Das Programm startete ohne Verbindung zu Tiller, höchstens %1 s vor diesem Eintrag.</translation>
     </message>
+    <message>
+        <source>Another program of another client has replaced the running program.</source>
+        <translation>Ein anderes Programm eines anderen Clients hat das laufende Programm ersetzt.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RobotiqLink</name>

@@ -10092,6 +10092,10 @@ Release the button to stop the arm.</source>
         <source>The program started without connection to Tiller, at most %1 s before this entry.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Another program of another client has replaced the running program.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::RobotiqLink</name>

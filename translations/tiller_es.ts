@@ -10105,6 +10105,10 @@ Suelte el botón para detener el brazo.</translation>
         <source>The program started without connection to Tiller, at most %1 s before this entry.</source>
         <translation>El programa se inició sin conexión con Tiller, como máximo %1 s antes de esta entrada.</translation>
     </message>
+    <message>
+        <source>Another program of another client has replaced the running program.</source>
+        <translation>Otro programa de otro cliente ha sustituido al programa en ejecución.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RobotiqLink</name>

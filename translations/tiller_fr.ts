@@ -10105,6 +10105,10 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <source>The program started without connection to Tiller, at most %1 s before this entry.</source>
         <translation>Le programme a démarré sans connexion avec Tiller, au plus %1 s avant cette entrée.</translation>
     </message>
+    <message>
+        <source>Another program of another client has replaced the running program.</source>
+        <translation>Un autre programme d’un autre client a remplacé le programme en cours.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RobotiqLink</name>

@@ -10079,6 +10079,10 @@ Release the button to stop the arm.</source>
         <source>The program started without connection to Tiller, at most %1 s before this entry.</source>
         <translation>プログラムは Tiller との接続がない間に開始されました。この記録の最大 %1 秒前です。</translation>
     </message>
+    <message>
+        <source>Another program of another client has replaced the running program.</source>
+        <translation>他のクライアントの別のプログラムが、実行中のプログラムを置き換えました。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RobotiqLink</name>

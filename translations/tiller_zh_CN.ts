@@ -10079,6 +10079,10 @@ Release the button to stop the arm.</source>
         <source>The program started without connection to Tiller, at most %1 s before this entry.</source>
         <translation>程序在与 Tiller 断开连接期间启动，最多在此条目之前 %1 秒。</translation>
     </message>
+    <message>
+        <source>Another program of another client has replaced the running program.</source>
+        <translation>其他客户端的另一个程序替换了正在运行的程序。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RobotiqLink</name>

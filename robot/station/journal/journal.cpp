@@ -20,6 +20,10 @@ void Journal::add(Severity severity, const QString& text, Origin origin, const Q
     append({.severity = severity, .origin = origin, .text = text, .detail = detail});
 }
 
+void Journal::addLate(Severity severity, const QString& text, Origin origin, std::int64_t agoNs) {
+    append({.severity = severity, .origin = origin, .text = text}, agoNs);
+}
+
 void Journal::addNote(const QString& text, std::int64_t utcNs) {
     append({.kind = JournalEvent::Kind::Note, .origin = Origin::Operator, .text = text, .noteUtcNs = utcNs});
 }
@@ -54,12 +58,16 @@ void Journal::setWallClock(std::function<std::int64_t()> utcNs) {
     wallClock_ = std::move(utcNs);
 }
 
-void Journal::append(JournalEvent event) {
+void Journal::append(JournalEvent event, std::int64_t agoNs) {
     {
         const std::lock_guard lock(mutex_);
-        event.utcNs = wallClock_ ? wallClock_() : systemUtcNs();
+        event.utcNs = (wallClock_ ? wallClock_() : systemUtcNs()) - agoNs;
         event.robot = robot_;
         event.controllerSeconds = controllerSeconds_;
+        if (event.controllerSeconds) {
+            *event.controllerSeconds -=
+                std::chrono::duration<double>(std::chrono::nanoseconds(agoNs)).count();
+        }
         events_.push_back(event);
         if (events_.size() > kCapacity) {
             events_.pop_front();

@@ -27,6 +27,8 @@ public:
     /// detail  explanation and suggested action, as sentences; may be empty
     void add(Severity severity, const QString& text, Origin origin = Origin::Tiller,
              const QString& detail = {});
+    /// Adds a message about an event that was recognized only `agoNs` later. The entry carries the time of the event.
+    void addLate(Severity severity, const QString& text, Origin origin, std::int64_t agoNs);
     /// utcNs  the time that the note describes [ns since 1970]
     void addNote(const QString& text, std::int64_t utcNs);
     void addStep(const QString& text, bool isFirstRun);
@@ -49,7 +51,7 @@ Q_SIGNALS:
     void added(const tiller::JournalEvent& event);
 
 private:
-    void append(JournalEvent event);
+    void append(JournalEvent event, std::int64_t agoNs = 0);
 
     mutable std::mutex mutex_;  ///< protects the following members
     std::deque<JournalEvent> events_;

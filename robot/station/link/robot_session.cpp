@@ -846,7 +846,8 @@ void RobotSession::reportExternalProgram() {
     // Tiller's own program also stops or pauses after a loss of control. Only a program that plays without control
     // belongs to another client.
     const bool runs = state.isFresh() && !d_->takingControl && state.foreignProgramRuns() &&
-                      !state.programAbandoned && !d_->mayOwnProgramRun() &&
+                      !state.programAbandoned &&
+                      (!state.controlInDoubt || d_->externalRunSeen || d_->isReplaced()) &&
                       (state.runtimeState == RuntimeState::Playing || d_->externalRunSeen);
     if (!state.foreignProgramRuns() && !freeProgram()) {
         d_->changesConfirmed = false;
@@ -862,16 +863,40 @@ void RobotSession::reportExternalProgram() {
     }
     d_->externalRunSeen = runs;
     if (runs) {
-        // Only the first program after a loss of control has taken over.
-        const bool hasTakenOver = d_->isTakenOver() && !std::exchange(d_->takeoverReported, true);
-        journal_.add(hasTakenOver ? Severity::Warning : Severity::Info,
-                     hasTakenOver ? tr("A program of another client has taken over the robot, and "
-                                       "control was lost. Taking control again ends that program.")
-                                  : tr("A program of another client is running on the robot."),
-                     Origin::Robot, d_->unknownStartText());
+        // Only the first program after a loss of control has taken over. That is known only when the control program
+        // has not responded for some time.
+        constexpr std::int64_t kKnownLate = 3 * kNsPerSecond / 2;
+        const std::int64_t nowNs = d_->clock->nowNs();
+        const std::int64_t agoNs = d_->startedNs ? nowNs - *d_->startedNs : 0;
+        d_->externalSinceNs = nowNs;
+        if (d_->isTakenOver() && !std::exchange(d_->takeoverReported, true)) {
+            journal_.addLate(Severity::Warning,
+                             tr("A program of another client has taken over the robot, and "
+                                "control was lost. Taking control again ends that program."),
+                             Origin::Robot, agoNs <= kKnownLate ? agoNs : 0);
+        } else {
+            journal_.add(Severity::Info, tr("A program of another client is running on the robot."),
+                         Origin::Robot);
+        }
     } else if (state.runtimeState == RuntimeState::Paused && state.control != ControlState::InControl) {
         journal_.add(Severity::Info, tr("The program on the robot is paused."), Origin::Robot);
     }
+}
+
+void RobotSession::reportReplacement() {
+    // The start of a program is reported by its messages and by its data, up to this much apart.
+    constexpr std::int64_t kSameStart = kNsPerSecond / 2;
+    // A client that sends a program for each cycle would fill the log.
+    constexpr std::int64_t kAtMostEvery = 2 * kNsPerSecond;
+    const std::int64_t nowNs = d_->clock->nowNs();
+    const bool isStopping = d_->link->foreignStop->isPending() || d_->link->foreignStop->isMeasuring();
+    if (!d_->externalRunSeen || d_->takingControl || isStopping || nowNs - d_->externalSinceNs < kSameStart ||
+        (d_->replacementNs && nowNs - *d_->replacementNs < kAtMostEvery)) {
+        return;
+    }
+    d_->replacementNs = nowNs;
+    journal_.add(Severity::Info, tr("Another program of another client has replaced the running program."),
+                 Origin::Robot);
 }
 
 void RobotSession::reportEndOfExternalProgram(bool exists) {
@@ -885,9 +910,10 @@ void RobotSession::reportEndOfExternalProgram(bool exists) {
         d_->externalEndNs = nowNs;
     }
     if (d_->externalEndNs && nowNs - *d_->externalEndNs >= kEndedNs && !d_->takingControl) {
-        d_->externalEndNs.reset();
+        const std::int64_t endNs = *std::exchange(d_->externalEndNs, std::nullopt);
         if (d_->state.control != ControlState::InControl) {
-            journal_.add(Severity::Info, tr("The program of the other client has ended."), Origin::Robot);
+            journal_.addLate(Severity::Info, tr("The program of the other client has ended."), Origin::Robot,
+                             nowNs - endNs);
         }
     }
 }
@@ -927,7 +953,9 @@ void RobotSession::reportControllerMessages() {
         Q_EMIT controllerMessage(m);
         if (m.kind == MessageKind::Key && m.title.endsWith(QLatin1String("STARTED"))) {
             d_->startedProgram = m.text;
+            d_->startedNs = now;
             d_->programNode.clear();
+            reportReplacement();
             d_->changesConfirmed = false;  // a new program may have replaced the confirmed one without a stop
         }
         const Severity severity = m.severity >= script::MessageSeverity::Violation ? Severity::Error

@@ -251,6 +251,8 @@ private:
     void reportUnmeasuredStop();
     void reportExternalProgram();
     void reportEndOfExternalProgram(bool exists);
+    /// Call this when the controller has reported the start of a program.
+    void reportReplacement();
     void reportControllerMessages();
 
     Journal journal_;

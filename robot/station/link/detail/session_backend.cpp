@@ -68,7 +68,8 @@ void SessionBackend::read() {
         movedBefore = false;
         externalRunSeen = takeoverReported = externalExists = changesConfirmed = readySeen = false;
         externalEndNs.reset();
-        ownProgramNs.reset();
+        replacementNs.reset();
+        startedNs.reset();
         readNs = 0;
         stalledNs.reset();
         state.speedCap = limits.tcpSpeed;
@@ -293,6 +294,18 @@ QString SessionBackend::unknownStartText() const {
 /// True while the control program is uploaded again with a path. This is not a loss of control.
 bool SessionBackend::isSendingPath(const control::ControllerStatus& status) const {
     return link->path.sending > 0 && status.loss == control::ControlLoss::Taking && status.fresh;
+}
+
+bool SessionBackend::isReplaced() const {
+    // The control program counts the time without a client. When its answers have been missing for so long that control
+    // was lost, it would be recognized as abandoned within this time if it were running.
+    constexpr std::int64_t kAbandonedKnown = 400 * kNsPerMs;
+    const receive::RobotState robot(sample);
+    const bool isCountKnown = std::any_of(stateFields.begin(), stateFields.end(), [&](const auto& field) {
+        return std::isfinite(robot.number(field));
+    });
+    return isCountKnown && isTakenOver() && freshSinceLossNs &&
+           clock->nowNs() - *freshSinceLossNs >= kAbandonedKnown;
 }
 
 SessionState SessionBackend::stateNow() const {

@@ -165,6 +165,9 @@ struct SessionBackend {
     bool externalExists = false;                ///< a program of another client runs or is paused
     std::optional<std::int64_t> externalEndNs;  ///< end of that program; empty after the report
     bool readySeen = false;                     ///< the last reported robot mode was Running
+    std::int64_t externalSinceNs = 0;           ///< time of the report that it runs
+    std::optional<std::int64_t> replacementNs;  ///< last report that a program has been replaced
+    std::optional<std::int64_t> startedNs;      ///< time of the controller's newest message about a start
     QString startedProgram;                     ///< name in the controller's newest message about a start
     QString programNode;                        ///< newest node label of the running program
     bool changesConfirmed = false;              ///< the operator confirmed changes during the running program
@@ -189,10 +192,8 @@ struct SessionBackend {
     SessionState stateNow() const;
     control::StopEvidence stopEvidence() const;
     bool isTakenOver() const;
-    /// True if the running program may be the control program of a lost connection.
-    bool mayOwnProgramRun() const { return state.controlInDoubt && !ownProgramEnded; }
-    /// Since when the running program may have been running; empty if it started just now.
-    QString unknownStartText() const;
+    /// True if the running program cannot be the control program, although its connection works.
+    bool isReplaced() const;
 
 private:
     void readLink();

@@ -213,6 +213,78 @@ private Q_SLOTS:
         QCOMPARE(messages.filter("taken over").size(), 1);
     }
 
+    /// The control program has been replaced while its connection still exists.
+    void aTakeoverIsLoggedWithinHalfASecondWithItsTime() {
+        std::vector<JournalEvent> takeovers;  // outlives the session, which reports its end in the destructor
+        ProgramBench bench;
+        bench.session.journal().setWallClock([&] { return bench.clock.nowNs(); });
+        QObject::connect(&bench.session.journal(), &Journal::added, &bench.session,
+                         [&](const JournalEvent& event) {
+                             if (event.text.contains("another client") || event.text.contains("has ended")) {
+                                 takeovers.push_back(event);
+                             }
+                         });
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.cell.advanceMs(2000);
+        QVERIFY(bench.sendMovingProgram() && bench.within([&] { return bench.moves(); }));
+        const std::int64_t movesNs = bench.clock.nowNs();
+        QVERIFY(bench.within([&] { return bench.state().controlLoss == control::ControlLoss::EchoStalled; }));
+        const std::int64_t lostNs = bench.clock.nowNs();
+        QVERIFY(bench.within([&] { return !takeovers.empty(); }));
+        QVERIFY2(takeovers[0].text.contains("taken over"), qPrintable(takeovers[0].text));
+        const auto late = [](std::int64_t ns) { return QStringLiteral("%1 ms").arg(ns / kNsPerMs).toUtf8(); };
+        const std::int64_t recognizedNs = bench.clock.nowNs() - lostNs;
+        QVERIFY2(recognizedNs <= 500 * kNsPerMs, late(recognizedNs).constData());
+        const std::int64_t errorNs = takeovers[0].utcNs - movesNs;
+        QVERIFY2(std::abs(errorNs) <= 300 * kNsPerMs, late(errorNs).constData());
+        // A connection that is lost now is not a further takeover, and the program goes on.
+        QVERIFY(bench.cell.robot.inject("half-open").ok());
+        QVERIFY(
+            bench.withoutData([&] { return bench.state().controlLoss == control::ControlLoss::LinkLost; }));
+        QVERIFY(bench.withoutData([&] { return bench.state().isFresh(); }));
+        bench.cell.advanceMs(20'000);
+        QCOMPARE(takeovers.size(), std::size_t(1));
+    }
+
+    void theLogNamesAProgramThatReplacesAnother() {
+        QStringList messages;  // must outlive the session, which reports its end in the destructor
+        ProgramBench bench;
+        test::onMessage(bench.session.journal(), &bench.session,
+                        [&](Severity, const QString& text) { messages << text; });
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.sendMovingProgram() && bench.within([&] { return bench.moves(); }));
+        QVERIFY(bench.within([&] { return messages.filter("another client is running").size() == 1; }));
+        bench.cell.advanceMs(2000);
+        QCOMPARE(messages.filter("replaced").size(), 0);
+        QVERIFY(bench.send(QStringLiteral("def second():\n  while True:\n    sync()\n  end\nend\n")));
+        QVERIFY(bench.within([&] { return messages.filter("replaced").size() == 1; }));
+        QCOMPARE(messages.filter("has ended").size(), 0);
+    }
+
+    /// The end is confirmed late, but happened earlier.
+    void theEndOfAProgramIsLoggedWithItsTime() {
+        std::vector<JournalEvent> ends;
+        ProgramBench bench;
+        bench.session.journal().setWallClock([&] { return bench.clock.nowNs(); });
+        QObject::connect(&bench.session.journal(), &Journal::added, &bench.session,
+                         [&](const JournalEvent& event) {
+                             if (event.text.contains("other client has ended")) {
+                                 ends.push_back(event);
+                             }
+                         });
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.send(QStringLiteral("def cycle():\nsleep(0.5)\nend\n")));
+        QVERIFY(bench.within([&] { return bench.state().foreignProgramRuns(); }));
+        QVERIFY(bench.within([&] { return !bench.runs(); }));
+        const std::int64_t endNs = bench.clock.nowNs();
+        const double endSeconds = bench.state().robotTime;
+        QVERIFY(bench.within([&] { return !ends.empty(); }));
+        constexpr std::int64_t kToleranceNs = 100 * kNsPerMs;
+        QVERIFY2(std::abs(ends[0].utcNs - endNs) <= kToleranceNs,
+                 qPrintable(QStringLiteral("%1 ms late").arg((ends[0].utcNs - endNs) / kNsPerMs)));
+        QVERIFY(std::abs(ends[0].controllerSeconds.value() - endSeconds) <= 0.1);
+    }
+
     void theLogNamesTheEndOfProgramsOfOtherClients() {
         QStringList messages;  // outlives the session, which reports its end
         ProgramBench bench;
