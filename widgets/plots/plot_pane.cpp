@@ -2,6 +2,7 @@
 #include "widgets/plots/plot_pane.h"
 
 #include <QChart>
+#include <QFontMetricsF>
 #include <QGraphicsLayout>
 #include <QGraphicsScene>
 #include <QGraphicsTextItem>
@@ -47,14 +48,41 @@ double finestStep(const SignalStore& store, const std::vector<int>& shown) {
     return step;
 }
 
-/// A value of a grid line as mantissa and exponent, with as many digits as the grid step needs.
-QString shortNumber(double value, double step) {
-    if (value == 0) {
-        return QStringLiteral("0");
+/// Returns the labels of the value axis, all of them complete or marked with "…". The last number is followed by the
+/// unit, which is an additional text if there is no space for it.
+QStringList valueTexts(const std::vector<double>& values, double step, const QString& unit) {
+    const QFontMetricsF metrics(textFont(kLabelPixels));
+    const double room = PlotPane::kValueWidth - kValueGap;
+    const auto fits = [&](const QString& text) { return metrics.horizontalAdvance(text) <= room; };
+    const int digits = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
+    QStringList texts;
+    for (const double value : values) {
+        texts << format::number(value, digits);
     }
-    const double exponent = std::floor(std::log10(std::abs(value)) + 1e-9);
-    const int digits = std::max(0, static_cast<int>(exponent - std::floor(std::log10(step) + 1e-9)));
-    return QStringLiteral("%1e%2").arg(format::number(value / std::pow(10, exponent), digits)).arg(exponent);
+    if (!std::all_of(texts.begin(), texts.end(), fits)) {
+        QStringList shorter;
+        for (const double value : values) {
+            // As many digits as distinguish the value from its neighbours.
+            const double steps = std::round(value / step);
+            const int significant = 2 + static_cast<int>(std::log10(std::max(1.0, std::abs(steps))) + 1e-9);
+            shorter << format::exponential(steps == 0 ? 0 : value, significant);
+        }
+        if (std::all_of(shorter.begin(), shorter.end(), fits)) {
+            texts = shorter;
+        }
+    }
+    for (QString& text : texts) {
+        text = metrics.elidedText(text, Qt::ElideLeft, room);
+    }
+    if (!texts.isEmpty() && !unit.isEmpty()) {
+        const QString whole = texts.back() + QLatin1Char(' ') + unit;
+        if (fits(whole)) {
+            texts.back() = whole;
+        } else {
+            texts << metrics.elidedText(unit, Qt::ElideRight, room);
+        }
+    }
+    return texts;
 }
 
 }  // namespace
@@ -313,36 +341,27 @@ void PlotPane::updateValueAxis() {
     std::vector<double> lines;
     const QFontMetricsF metrics(values_->font());
     const double step = range_.step();
-    const int digits = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
     const auto first = std::llround(std::ceil(range_.min() / step));
     const auto last = std::llround(std::floor(range_.max() / step));
     // If the height is too small for all labels, omit some. The uppermost label is always shown.
     const double pitch = step / (range_.max() - range_.min()) * area_.height();
     const auto every = std::max(1LL, static_cast<long long>(std::ceil(kMinPitch / std::max(pitch, 0.1))));
-    const auto number = [&](long long i, bool isShort) {
-        const double value = static_cast<double>(i) * step;
-        return isShort ? shortNumber(value, step) : format::number(value, digits);
-    };
-    const bool isShort = metrics.horizontalAdvance(number(first, false)) > kValueWidth ||
-                         metrics.horizontalAdvance(number(last, false)) > kValueWidth;
+    std::vector<double> values;
     for (auto i = first; i <= last; ++i) {
-        const double y = yAt(static_cast<double>(i) * step);
-        lines.push_back(y);
-        if ((last - i) % every != 0) {
-            continue;
+        lines.push_back(yAt(static_cast<double>(i) * step));
+        if ((last - i) % every == 0) {
+            values.push_back(static_cast<double>(i) * step);
         }
-        QString label = number(i, isShort);
-        const QRectF box(area_.left() - kValueGap - kValueWidth, y - kLabelHeight / 2, kValueWidth,
-                         kLabelHeight);
-        if (const QString unit = this->unit(); i == last && !unit.isEmpty()) {
-            const QString withUnit = label + QLatin1Char(' ') + unit;
-            if (metrics.horizontalAdvance(withUnit) <= kValueWidth) {
-                label = withUnit;
-            } else {
-                labels.push_back({box.translated(-kUnitGap, -kUnitLine), unit});  // left of the legend
-            }
-        }
-        labels.push_back({box, label});
+    }
+    const QStringList texts = valueTexts(values, step, unit());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double y = yAt(values[i]);
+        labels.push_back(
+            {{area_.left() - kValueGap - kLabelWidth, y - kLabelHeight / 2, kLabelWidth, kLabelHeight},
+             texts[static_cast<qsizetype>(i)]});
+    }
+    if (!labels.empty() && texts.size() > static_cast<qsizetype>(values.size())) {
+        labels.push_back({labels.back().box.translated(0, -kMinPitch), texts.back()});
     }
     values_->setLabels(std::move(labels));
     grid_->setLines(area_, std::move(lines));

@@ -30,7 +30,7 @@ namespace tiller {
 
 namespace {
 
-constexpr double kLeft = 56;  // space for the labels of the vertical axes [px]
+constexpr double kLeft = PlotPane::kValueWidth;
 constexpr double kRight = 10;
 constexpr double kTop = 22;         // space for the letters of the cursors and the legend [px]
 constexpr double kBetween = 24;     // space between two plots, for the legend of the lower plot [px]

@@ -19,11 +19,34 @@ QString withDecimalSign(QString figure) {
     return sign == QLatin1String(".") ? figure : figure.replace(QLatin1Char('.'), sign);
 }
 
+/// Values from here on are displayed with an exponent.
+constexpr double kLongest = 1e15;
+constexpr int kDigitsOfLongest = 7;
+
+/// value  not negative
+QString exponentialOf(double value, int significant) {
+    QString mantissa = QString::number(value, 'e', significant - 1);
+    const qsizetype at = mantissa.indexOf(QLatin1Char('e'));
+    const int exponent = mantissa.mid(at + 1).toInt();
+    mantissa.truncate(at);
+    while (mantissa.contains(QLatin1Char('.')) &&
+           (mantissa.back() == QLatin1Char('0') || mantissa.back() == QLatin1Char('.'))) {
+        mantissa.chop(1);
+    }
+    if (value == 0 || exponent == 0) {
+        return mantissa;
+    }
+    return QStringLiteral("%1e%2%3")
+        .arg(mantissa, exponent < 0 ? QString(kMinus) : QString())
+        .arg(std::abs(exponent));
+}
+
 QString withSign(double value, int digits, bool plus) {
     if (!std::isfinite(value)) {
         return QStringLiteral("–");
     }
-    const QString plain = QString::number(std::abs(value), 'f', digits);
+    const QString plain = std::abs(value) < kLongest ? QString::number(std::abs(value), 'f', digits)
+                                                     : exponentialOf(std::abs(value), kDigitsOfLongest);
     const bool zero = std::all_of(plain.begin(), plain.end(),
                                   [](QChar c) { return c == QLatin1Char('0') || c == QLatin1Char('.'); });
     const QString magnitude = withDecimalSign(plain);
@@ -40,6 +63,14 @@ QString withSign(double value, int digits, bool plus) {
 
 QString number(double value, int digits) {
     return withSign(value, digits, false);
+}
+
+QString exponential(double value, int significant) {
+    if (!std::isfinite(value)) {
+        return QStringLiteral("–");
+    }
+    const QString magnitude = withDecimalSign(exponentialOf(std::abs(value), significant));
+    return value < 0 ? kMinus + magnitude : magnitude;
 }
 
 QString signedNumber(double value, int digits) {

@@ -7,6 +7,7 @@
 #include <QDir>
 #include <QDoubleSpinBox>
 #include <QFile>
+#include <QGraphicsScene>
 #include <QImage>
 #include <QLabel>
 #include <QLineEdit>
@@ -46,6 +47,7 @@
 #include "widgets/common/segmented_control.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/analysis_canvas.h"
+#include "widgets/plots/axis_labels.h"
 #include "widgets/plots/comparison_band.h"
 #include "widgets/plots/comparison_dialog.h"
 #include "widgets/plots/curve.h"
@@ -550,6 +552,72 @@ private Q_SLOTS:
         QTest::keyClick(&b.view(), Qt::Key_0, Qt::ControlModifier);
         QVERIFY(!b.forces().isZoomed());
         QCOMPARE(b.view().window().span(), time);
+    }
+
+    /// Without its leading digits, a label would be another number.
+    void labelsOfTheValueAxisAreNeverCutOff_data() {
+        QTest::addColumn<double>("low");
+        QTest::addColumn<double>("high");
+        QTest::newRow("small") << -1.0 << 1.0;
+        QTest::newRow("with unit") << -2400.0 << -1000.0;
+        QTest::newRow("tiny") << 1e-9 << 4e-9;
+        QTest::newRow("million") << -4e6 << 4e6;
+        QTest::newRow("1e37") << -1e37 << 3e37;
+        QTest::newRow("-1e-37") << -3e-37 << -1e-37;
+        QTest::newRow("small steps") << 1e9 << 1e9 + 3;
+    }
+    void labelsOfTheValueAxisAreNeverCutOff() {
+        QFETCH(double, low);
+        QFETCH(double, high);
+        Bench b;
+        PlotPane& pane = b.forces();
+        pane.holdValues(low, high);
+        const double room = pane.area().left();
+        const QFontMetricsF metrics(textFont(13));
+        int numbers = 0;
+        for (const QGraphicsItem* item : b.view().scene()->items()) {
+            const auto* labels = dynamic_cast<const AxisLabels*>(item);
+            for (const AxisLabels::Label& label :
+                 labels == nullptr ? std::vector<AxisLabels::Label>() : labels->labels()) {
+                const double y = label.box.center().y();
+                if (label.box.right() > room || y < pane.area().top() - 20 || y > pane.area().bottom()) {
+                    continue;  // another plot, or the time axis
+                }
+                QVERIFY2(metrics.horizontalAdvance(label.text) <= label.box.right(), qPrintable(label.text));
+                bool isNumber = false;
+                QString plain = label.text;
+                plain.replace(QChar(0x2212), QLatin1Char('-')).remove(QStringLiteral(" N"));
+                const double value = plain.toDouble(&isNumber);
+                QVERIFY2(isNumber || plain == QLatin1String("N") || plain.startsWith(QChar(0x2026)),
+                         qPrintable(label.text));
+                if (isNumber) {
+                    QVERIFY2(near(value, pane.valueAt(y), 0.05 * pane.range().step()),
+                             qPrintable(label.text));
+                }
+                numbers += plain == QLatin1String("N") ? 0 : 1;
+            }
+        }
+        QVERIFY(numbers >= 2);
+    }
+
+    void largeValuesAreShownWithAnExponent() {
+        Bench b;
+        b.view().pause();
+        QVERIFY(b.view().addSignals({QStringLiteral("big = 1e37 * actual_current_0")}, 0));
+        QTest::mouseClick(b.button("plots.valuesKey"), Qt::LeftButton);
+        b.view().setCursor(PlotView::Cursor::A, 40.0);
+        auto* table = b.dock.findChild<QTableWidget*>("plots.values.table");
+        const auto texts = [&] {
+            QStringList all;
+            for (int row = 0; row < table->rowCount(); ++row) {
+                all << table->item(row, 0)->text() + QLatin1Char('=') + table->item(row, 1)->text();
+            }
+            return all;
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(!texts().filter("big=").join(QString()).endsWith(QChar(0x2013)), 60'000);
+        QCOMPARE(texts().filter("big="), QStringList{"big=1e37"});
+        b.view().setReadoutSignal(b.forces().shown().back());
+        QVERIFY2(b.readout().contains("1e37"), qPrintable(b.readout()));
     }
 
     void zeroTaresTheForceAndShowsIt() {

@@ -23,6 +23,16 @@ private Q_SLOTS:
         QCOMPARE(format::number(std::numeric_limits<double>::quiet_NaN(), 2), QStringLiteral("–"));
         QCOMPARE(format::number(std::numeric_limits<double>::infinity(), 2), QStringLiteral("–"));
     }
+    void hugeNumbersHaveAnExponent() {
+        QCOMPARE(format::number(2.4e37, 3), QStringLiteral("2.4e37"));
+        QCOMPARE(format::signedNumber(-1.23456789e15, 1), QStringLiteral("−1.234568e15"));
+        QCOMPARE(format::number(9e14, 1), QStringLiteral("900000000000000.0"));
+        QCOMPARE(format::exponential(-2e-9, 3), QStringLiteral("−2e−9"));
+        QCOMPARE(format::exponential(1234, 2), QStringLiteral("1.2e3"));
+        QCOMPARE(format::exponential(100, 1), QStringLiteral("1e2"));
+        QCOMPARE(format::exponential(5, 3), QStringLiteral("5"));
+        QCOMPARE(format::exponential(0, 3), QStringLiteral("0"));
+    }
     void unitsAreConvertedAndShown() {
         QCOMPARE(format::degrees(-1.5401), QStringLiteral("−88.24°"));
         QCOMPARE(format::newtons(-9.81), QStringLiteral("−9.8 N"));
