@@ -594,6 +594,10 @@
         <source>“%1” contains a decimal comma. Write decimal numbers with a point: %2</source>
         <translation>„%1“ enthält ein Dezimalkomma. Schreiben Sie Dezimalzahlen mit einem Punkt: %2</translation>
     </message>
+    <message>
+        <source>Enter decimals with a point, and a space after a comma between two numbers.</source>
+        <translation>Geben Sie Dezimalzahlen mit Punkt ein, und ein Leerzeichen nach einem Komma zwischen zwei Zahlen.</translation>
+    </message>
 </context>
 <context>
     <name>DeviceTrainer</name>

@@ -594,6 +594,10 @@
         <source>“%1” contains a decimal comma. Write decimal numbers with a point: %2</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Enter decimals with a point, and a space after a comma between two numbers.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>DeviceTrainer</name>

@@ -594,6 +594,10 @@
         <source>“%1” contains a decimal comma. Write decimal numbers with a point: %2</source>
         <translation>«%1» contiene una coma decimal. Escriba los decimales con punto: %2</translation>
     </message>
+    <message>
+        <source>Enter decimals with a point, and a space after a comma between two numbers.</source>
+        <translation>Escriba los decimales con punto, y un espacio después de una coma entre dos números.</translation>
+    </message>
 </context>
 <context>
     <name>DeviceTrainer</name>

@@ -594,6 +594,10 @@
         <source>“%1” contains a decimal comma. Write decimal numbers with a point: %2</source>
         <translation>« %1 » contient une virgule décimale. Écrivez les nombres décimaux avec un point : %2</translation>
     </message>
+    <message>
+        <source>Enter decimals with a point, and a space after a comma between two numbers.</source>
+        <translation>Saisissez les décimales avec un point, et une espace après une virgule entre deux nombres.</translation>
+    </message>
 </context>
 <context>
     <name>DeviceTrainer</name>

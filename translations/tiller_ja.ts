@@ -594,6 +594,10 @@
         <source>“%1” contains a decimal comma. Write decimal numbers with a point: %2</source>
         <translation>「%1」に小数点のカンマが含まれています。小数はピリオドで入力してください: %2</translation>
     </message>
+    <message>
+        <source>Enter decimals with a point, and a space after a comma between two numbers.</source>
+        <translation>小数点にはピリオドを使い、2 つの数の間のコンマの後には空白を入れてください。</translation>
+    </message>
 </context>
 <context>
     <name>DeviceTrainer</name>

@@ -594,6 +594,10 @@
         <source>“%1” contains a decimal comma. Write decimal numbers with a point: %2</source>
         <translation>“%1”包含小数逗号。请用小数点书写小数：%2</translation>
     </message>
+    <message>
+        <source>Enter decimals with a point, and a space after a comma between two numbers.</source>
+        <translation>请用点号作小数点，并在两个数之间的逗号后加空格。</translation>
+    </message>
 </context>
 <context>
     <name>DeviceTrainer</name>

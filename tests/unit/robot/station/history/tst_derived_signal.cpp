@@ -355,6 +355,19 @@ private Q_SLOTS:
         QCOMPARE(store.derive("x = 2 * {m}").error().code, ErrorCode::InvalidArgument);
     }
 
+    /// As a second and third value of a function, "0,5" would give another result than 0.5.
+    void aDecimalCommaIsRefused() {
+        SignalStore store;
+        const auto made = store.derive("x = norm(actual_q_0, 0,5)");
+        QVERIFY(!made.ok());
+        QVERIFY2(made.error().controllerMessage.contains("point"),
+                 qPrintable(made.error().controllerMessage));
+        for (const char* text : {"x = norm(actual_q_0, 0, 5)", "x = norm(actual_q_0,0.5)",
+                                 "x = norm(actual_q_0,actual_q_1)", "x = mean(actual_q_0,0.5)"}) {
+            QVERIFY2(store.derive(QString::fromLatin1(text)).ok(), text);
+        }
+    }
+
     void divisionByZeroGivesNoValue() {
         Source s;
         const auto made = s.store.derive("x = 1 / (actual_q_1 - 2)");
