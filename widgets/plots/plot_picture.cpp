@@ -52,8 +52,8 @@ public:
         painter.setFont(textFont(13));
         painter.drawText(QRect(kMargin, 32, kPlots.width(), 20), Qt::AlignLeft | Qt::AlignVCenter,
                          text_.detail);
-        plots_.scene()->render(&painter, QRectF(QPointF(kMargin, kTitleHeight), kPlots),
-                               QRectF(QPointF(0, 0), kPlots));
+        // The view also draws notes, limits and the offset of the force. The scene does not contain them.
+        plots_.render(&painter, QRectF(QPointF(kMargin, kTitleHeight), kPlots), QRect(QPoint(0, 0), kPlots));
     }
 
 private:

@@ -855,7 +855,7 @@ void PlotView::drawForeground(QPainter* painter, const QRectF&) {
                         [this](int signal) { return offsets_.contains(signal); })) {
             marks << zeroText();
         }
-        if (pane->isZoomed()) {
+        if (pane->isZoomed() && !testAttribute(Qt::WA_DontShowOnScreen)) {
             marks << tr("Fixed scale · double-click the axis to scale automatically");
         }
         drawMark(*painter, *pane, marks.join(QStringLiteral("   ")));

@@ -991,6 +991,25 @@ private Q_SLOTS:
         QVERIFY(Theme::current().isDark());
     }
 
+    void exportedPicturesContainNotesAndLimits() {
+        Bench b;
+        QTemporaryDir folder;
+        b.view().pause();
+        const auto svgWith = [&](const QString& name) {
+            QFile file(folder.filePath(name));
+            return b.dock.exportTo(file.fileName()) && file.open(QIODevice::ReadOnly) ? file.readAll()
+                                                                                      : QByteArray();
+        };
+        QVERIFY(!svgWith("without.svg").contains("jammed"));
+        b.dock.marks().addNote(50, "jammed");
+        b.dock.marks().add({"actual_TCP_force_2", 55, true});
+        b.forces().holdValues(0, 100);
+        const QByteArray svg = svgWith("with.svg");
+        QVERIFY(svg.contains("jammed"));
+        QVERIFY(svg.contains(b.dock.marks().words(b.dock.marks().thresholds().front()).toUtf8()));
+        QVERIFY(!svg.contains("double-click"));
+    }
+
     void unknownFileTypeIsRefusedAndUnchanged() {
         Bench b;
         QTemporaryDir folder;
