@@ -65,6 +65,7 @@ constexpr int kMinSide = 150;
 constexpr int kUsualSide = 230;
 constexpr int kFramesPerHistoryText = 60;
 constexpr int kFramesPerAnalysis = 30;
+constexpr int kFramesPerAge = 30;
 
 struct SpanChoice {
     double seconds;
@@ -673,6 +674,9 @@ void PlotDock::compareWithModel() {
 }
 
 void PlotDock::closeRecordings() {
+    if (!view().recordingsShown().isEmpty()) {
+        pages_->returnToLive();  // otherwise, the live page would take over the time range of the recording
+    }
     comparison_->forgetAll();
     marks_->forgetRecordings();
     pages_->dropRecordings();
@@ -885,6 +889,10 @@ void PlotDock::onState(const SessionState& state) {
         if (const QString text = historyText(); historyLabel_->text() != text) {
             historyLabel_->setText(text);
         }
+    }
+    if (view().window().behind() > 0 && --framesToAge_ <= 0) {
+        framesToAge_ = kFramesPerAge;
+        updateHeader();
     }
     if (analysis_->isVisible() && view().window().follows() && --framesToAnalysis_ <= 0) {
         framesToAnalysis_ = kFramesPerAnalysis;

@@ -198,6 +198,7 @@ private:
     double recordingSeconds_ = 0;
     int framesToHistoryText_ = 0;
     int framesToAnalysis_ = 0;
+    int framesToAge_ = 0;
     SerialExecutor files_;  // last member, so that its jobs end before the other members are destroyed
 };
 

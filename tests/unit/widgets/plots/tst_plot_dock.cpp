@@ -341,6 +341,21 @@ private Q_SLOTS:
         QCOMPARE(b.button("plots.pause")->text(), QString("Pause"));
     }
 
+    void theAgeOfAPausedViewCountsOn() {
+        Bench b;
+        b.view().pause();
+        b.runTo(62);
+        for (int frame = 0; frame < 60; ++frame) {
+            Q_EMIT b.session.stateChanged(b.session.state());
+        }
+        QVERIFY2(b.readout().contains("2.0 s ago"), qPrintable(b.readout()));
+        b.runTo(70);
+        for (int frame = 0; frame < 60; ++frame) {
+            Q_EMIT b.session.stateChanged(b.session.state());
+        }
+        QVERIFY2(b.readout().contains("10.0 s ago"), qPrintable(b.readout()));
+    }
+
     void theTimeWindowIsSelectedFromTheMenu() {
         Bench b;
         for (QAction* action : b.button("plots.span")->menu()->actions()) {
@@ -837,6 +852,23 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(b.dock.pages().count(), 2, 60'000);
         const double begin = b.dock.store().timesOf(QStringLiteral("day.csv"))->firstTime();
         QCOMPARE(laneText(b.view(), begin), lane);
+    }
+
+    void closingTheRecordingsRestoresTheLiveRange() {
+        Bench b;
+        QTemporaryDir folder;
+        const QString path = folder.filePath("short.mcap");
+        QVERIFY(test::writeFile(path, test::madeFile(*recording::mcapFormat(), 1000)));
+        const double span = b.view().window().span();
+        const QStringList labels = b.view().timeLabels();
+        b.dock.openRecording(path);
+        QTRY_COMPARE_WITH_TIMEOUT(b.dock.pages().count(), 2, 60'000);
+        QVERIFY(b.view().window().span() < span);
+        b.dock.closeRecordings();
+        QCOMPARE(b.dock.pages().count(), 1);
+        QVERIFY(b.view().window().follows());
+        QCOMPARE(b.view().window().span(), span);
+        QCOMPARE(b.view().timeLabels(), labels);
     }
 
     void backToLiveRestoresTheTimeRange() {
