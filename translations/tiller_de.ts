@@ -8571,6 +8571,14 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <source>All %1 pages show recordings. Remove a page or close the recordings first.</source>
         <translation>Alle %1 Seiten zeigen Aufzeichnungen. Entfernen Sie zuerst eine Seite oder schließen Sie die Aufzeichnungen.</translation>
     </message>
+    <message>
+        <source>Opened the recording %1 incompletely. %2</source>
+        <translation>Aufzeichnung %1 unvollständig geöffnet. %2</translation>
+    </message>
+    <message>
+        <source>A part of the recording %1 could not be read. %2</source>
+        <translation>Ein Teil der Aufzeichnung %1 konnte nicht gelesen werden. %2</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotMarks</name>

@@ -8563,6 +8563,14 @@ Press “Measure…” to measure the payload with the arm.</source>
         <source>All %1 pages show recordings. Remove a page or close the recordings first.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Opened the recording %1 incompletely. %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A part of the recording %1 could not be read. %2</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotMarks</name>

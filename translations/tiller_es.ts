@@ -8571,6 +8571,14 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <source>All %1 pages show recordings. Remove a page or close the recordings first.</source>
         <translation>Las %1 páginas muestran registros. Elimine antes una página o cierre los registros.</translation>
     </message>
+    <message>
+        <source>Opened the recording %1 incompletely. %2</source>
+        <translation>Grabación %1 abierta de forma incompleta. %2</translation>
+    </message>
+    <message>
+        <source>A part of the recording %1 could not be read. %2</source>
+        <translation>No se pudo leer una parte de la grabación %1. %2</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotMarks</name>

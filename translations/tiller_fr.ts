@@ -8571,6 +8571,14 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <source>All %1 pages show recordings. Remove a page or close the recordings first.</source>
         <translation>Les %1 pages affichent des enregistrements. Supprimez d’abord une page ou fermez les enregistrements.</translation>
     </message>
+    <message>
+        <source>Opened the recording %1 incompletely. %2</source>
+        <translation>Enregistrement %1 ouvert partiellement. %2</translation>
+    </message>
+    <message>
+        <source>A part of the recording %1 could not be read. %2</source>
+        <translation>Une partie de l’enregistrement %1 n’a pas pu être lue. %2</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotMarks</name>

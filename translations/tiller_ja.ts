@@ -8552,6 +8552,14 @@ Press “Measure…” to measure the payload with the arm.</source>
         <source>All %1 pages show recordings. Remove a page or close the recordings first.</source>
         <translation>%1 ページすべてに記録が表示されています。先にページを削除するか、記録を閉じてください。</translation>
     </message>
+    <message>
+        <source>Opened the recording %1 incompletely. %2</source>
+        <translation>記録 %1 を開きましたが、一部を読み取れません。%2</translation>
+    </message>
+    <message>
+        <source>A part of the recording %1 could not be read. %2</source>
+        <translation>記録 %1 の一部を読み取れませんでした。%2</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotMarks</name>

@@ -8552,6 +8552,14 @@ Press “Measure…” to measure the payload with the arm.</source>
         <source>All %1 pages show recordings. Remove a page or close the recordings first.</source>
         <translation>全部 %1 个页面都显示记录。请先移除一个页面或关闭记录。</translation>
     </message>
+    <message>
+        <source>Opened the recording %1 incompletely. %2</source>
+        <translation>已打开录制 %1，但内容不完整。%2</translation>
+    </message>
+    <message>
+        <source>A part of the recording %1 could not be read. %2</source>
+        <translation>无法读取录制 %1 的一部分。%2</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotMarks</name>

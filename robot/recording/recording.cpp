@@ -34,6 +34,11 @@ const std::map<std::string, std::string>& Recording::facts() const {
     return none;
 }
 
+const std::vector<RowRange>& Recording::unreadable() const {
+    static const std::vector<RowRange> kNone;
+    return kNone;
+}
+
 QStringList Recording::attachments() const {
     return {};
 }

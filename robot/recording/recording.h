@@ -86,6 +86,7 @@ public:
     virtual QStringList attachments() const;
     virtual Result<QByteArray> attachment(const QString& name) const;  ///< Content of an attached file.
     /// One sentence for each part that could not be read, with the reason; empty: no problems.
+    /// Reading rows may add further problems.
     virtual const QStringList& problems() const = 0;
 
     /// Times of these rows since the first row [s], in ascending order.
@@ -105,6 +106,8 @@ public:
     virtual Result<std::vector<TimeMark>> timeMarks() const;
     /// The last row at or before this time; 0 before the first row.
     virtual Result<std::uint64_t> rowAt(double seconds) const;
+    /// Rows whose values and times could not be read because the file is damaged. Reading rows may add further ones.
+    virtual const std::vector<RowRange>& unreadable() const;
 };
 
 }  // namespace tiller::recording

@@ -636,7 +636,6 @@ void PlotDock::goTo(const QString& recording, std::optional<double> moment) {
 
 void PlotDock::showRecording(std::unique_ptr<recording::Recording> file, std::optional<double> incident,
                              std::optional<double> moment) {
-    const QStringList problems = file->problems();
     const std::uint64_t rows = file->rows();
     const Result<std::vector<double>> last =
         rows == 0 ? Result<std::vector<double>>(std::vector<double>()) : file->times({rows - 1, 1});
@@ -664,9 +663,24 @@ void PlotDock::showRecording(std::unique_ptr<recording::Recording> file, std::op
     if (incident) {
         comparison_->begin(*opened);
     }
-    session_.journal().add(problems.isEmpty() ? Severity::Info : Severity::Warning,
-                           tr("Opened the recording %1").arg(*opened), Origin::Operator,
-                           problems.join(QLatin1Char(' ')));
+    const QStringList problems = store_.takeProblems(*opened);
+    session_.journal().add(
+        problems.isEmpty() ? Severity::Info : Severity::Warning,
+        problems.isEmpty() ? tr("Opened the recording %1").arg(*opened)
+                           : tr("Opened the recording %1 incompletely. %2").arg(*opened, problems.first()),
+        Origin::Operator, problems.mid(1).join(QLatin1Char(' ')));
+}
+
+void PlotDock::reportProblems() {
+    const QStringList recordings = store_.recordings();
+    for (const QString& recording : recordings) {
+        if (const QStringList problems = store_.takeProblems(recording); !problems.isEmpty()) {
+            session_.journal().add(
+                Severity::Warning,
+                tr("A part of the recording %1 could not be read. %2").arg(recording, problems.first()),
+                Origin::Tiller, problems.mid(1).join(QLatin1Char(' ')));
+        }
+    }
 }
 
 void PlotDock::compareWithModel() {
@@ -884,6 +898,7 @@ void PlotDock::onState(const SessionState& state) {
         replay_->forgetBefore(history().firstTime());
     }
     pages_->refresh(RobotSession::kFrameMs / 1000.0);
+    reportProblems();
     if (side_->isVisible() && --framesToHistoryText_ <= 0) {
         framesToHistoryText_ = kFramesPerHistoryText;
         if (const QString text = historyText(); historyLabel_->text() != text) {

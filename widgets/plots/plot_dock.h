@@ -155,6 +155,8 @@ private:
     void goTo(const QString& recording, std::optional<double> moment);
     double placeOf(const recording::Recording& file, double length, std::optional<double> incident) const;
     PageLayout pageFor(const QString& recording) const;
+    /// Reports damage of recordings that was found while reading them.
+    void reportProblems();
     bool turnTo(const QString& recording);
     bool isOpen(const QString& path, std::optional<double> moment);
     void makeSpace();

@@ -91,6 +91,7 @@ public:
     }
     const std::map<std::string, std::string>& facts() const override { return facts_; }
     const QStringList& problems() const override { return problems_; }
+    const std::vector<RowRange>& unreadable() const override { return unreadable_; }
 
     QStringList attachments() const override {
         QStringList names;
@@ -233,6 +234,17 @@ private:
         }
     }
 
+    /// Adds the problem with a chunk and its position.
+    void problemOf(std::size_t chunk, const Error& error) const {
+        const auto rows = std::find_if(rowChunks_.begin(), rowChunks_.end(),
+                                       [chunk](const RowChunk& each) { return each.chunk == chunk; });
+        problem(rows == rowChunks_.end()
+                    ? QStringLiteral("At byte %1: %2.")
+                          .arg(reader_->chunks()[chunk].offset)
+                          .arg(error.controllerMessage)
+                    : QStringLiteral("About row %1: %2.").arg(rows->firstRow).arg(error.controllerMessage));
+    }
+
     void findShares() {
         for (std::size_t i = 0; i < reader_->chunks().size(); ++i) {
             const ChunkIndex& chunk = reader_->chunks()[i];
@@ -354,7 +366,7 @@ private:
                        const std::function<void(const Message&)>& sink) const {
         const auto records = reader_->records(reader_->chunks()[share.chunk]);
         if (!records) {
-            problem(records.error().controllerMessage);
+            problemOf(share.chunk, records.error());
             return;
         }
         Reader::forEachMessage(records.value(), [&](const Message& message) {
@@ -578,9 +590,13 @@ private:
                 problem(QStringLiteral("A part of the file ends in the middle of a message."));
             }
         } else {
-            problem(QStringLiteral("About row %1: %2.")
-                        .arg(chunk.firstRow)
-                        .arg(records.error().controllerMessage));
+            problemOf(chunk.chunk, records.error());
+        }
+        const RowRange missing{chunk.firstRow + std::min<std::uint64_t>(fresh.rows.size(), chunk.rows),
+                               chunk.rows - std::min<std::uint64_t>(fresh.rows.size(), chunk.rows)};
+        const auto isKnown = [&missing](const RowRange& each) { return each.first == missing.first; };
+        if (missing.count > 0 && std::none_of(unreadable_.begin(), unreadable_.end(), isKnown)) {
+            unreadable_.push_back(missing);
         }
         if (kept_.size() > kChunksKept) {
             kept_.pop_back();
@@ -590,6 +606,7 @@ private:
 
     std::unique_ptr<Reader> reader_;
     mutable QStringList problems_;
+    mutable std::vector<RowRange> unreadable_;
     std::map<std::uint16_t, StateChannel> states_;
     std::vector<RecordedColumn> columns_;
     std::map<std::uint16_t, std::vector<Share>> shares_;  ///< by channel, then in file order

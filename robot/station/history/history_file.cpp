@@ -217,6 +217,9 @@ void HistoryFile::fill(std::int64_t block) {
     constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
     const std::vector<double> axis =
         axisOf(times ? std::move(times).value() : std::vector<double>(), begin_, range.count);
+    for (const recording::RowRange& missing : file_.unreadable()) {
+        history_.addGap(static_cast<std::int64_t>(missing.first + missing.count));
+    }
     history_.setTimes(block, axis);
     for (std::size_t i = 0; i < columns_.size(); ++i) {
         std::vector<double> values = rows ? std::move((*rows)[i]) : std::vector<double>();

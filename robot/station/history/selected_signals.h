@@ -34,6 +34,7 @@ public:
     std::optional<std::int64_t> startUtcNs() const override { return file_.startUtcNs(); }
     const std::map<std::string, std::string>& facts() const override { return file_.facts(); }
     const QStringList& problems() const override { return file_.problems(); }
+    const std::vector<recording::RowRange>& unreadable() const override { return file_.unreadable(); }
     Result<std::vector<double>> times(recording::RowRange rows) const override { return file_.times(rows); }
     // Overrides of Recording.
     Result<std::vector<std::vector<double>>> read(std::span<const std::size_t> columns,

@@ -117,6 +117,13 @@ void SeriesBuffer::lieIn(SampleFile& file, std::int64_t samples, std::vector<Mar
     times_.resize(static_cast<std::size_t>((samples + kInBlock) >> SeriesColumn::kBlockBits));
 }
 
+void SeriesBuffer::addGap(std::int64_t sample) {
+    const auto next = std::lower_bound(gaps_.begin(), gaps_.end(), sample);
+    if (next == gaps_.end() || *next != sample) {
+        gaps_.insert(next, sample);
+    }
+}
+
 bool SeriesBuffer::hasRows(int column, std::int64_t begin, std::int64_t end) const {
     if (file_ == nullptr) {
         return true;

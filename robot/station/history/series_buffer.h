@@ -109,6 +109,8 @@ public:
     /// gaps   samples directly after lost samples, ascending
     void lieIn(SampleFile& file, std::int64_t samples, std::vector<Mark> marks,
                std::vector<std::int64_t> gaps);
+    /// Adds a gap before a sample. setTimes() must follow.
+    void addGap(std::int64_t sample);
     bool isInFile() const { return file_ != nullptr; }
     /// Incremented when data of a history stored in a file are read.
     std::uint64_t revision() const { return revision_; }

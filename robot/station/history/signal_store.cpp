@@ -39,6 +39,11 @@ Result<void> readTimes(const recording::Recording& file, SeriesBuffer& history, 
             rows[gap.row].gapBefore = true;
         }
     }
+    for (const recording::RowRange& missing : file.unreadable()) {
+        if (missing.first + missing.count < rows.size()) {
+            rows[missing.first + missing.count].gapBefore = true;
+        }
+    }
     history.appendRows(rows, [](std::size_t, std::size_t) { return kNoData; });
     return {};
 }
@@ -521,6 +526,14 @@ Result<QString> SignalStore::open(std::unique_ptr<recording::Recording> file, do
     prepareSamples(table);
     Q_EMIT signalAdded(count() - 1);
     return name;
+}
+
+QStringList SignalStore::takeProblems(const QString& recording) {
+    const auto table = std::find_if(tables_.begin(), tables_.end(),
+                                    [&](const Table& each) { return each.file && each.name == recording; });
+    return table == tables_.end() ? QStringList()
+                                  : table->file->problems().mid(
+                                        std::exchange(table->problemsTaken, table->file->problems().size()));
 }
 
 std::optional<std::size_t> SignalStore::fileColumnOf(int signal) const {

@@ -82,6 +82,8 @@ public:
     Result<QString> open(std::unique_ptr<recording::Recording> file, double begin);
     /// The recording of a signal; empty for live signals.
     QString recordingOf(int signal) const;
+    /// Problems of a recording found since the last call. Each one is returned once.
+    QStringList takeProblems(const QString& recording);
     /// The opened recording with this name, or null.
     const recording::Recording* recorded(const QString& recording) const;
     QStringList recordings() const;  ///< names, in the order of opening
@@ -176,6 +178,7 @@ private:
         std::vector<int> derived;  ///< derived signal of each column; -1: robot field
         QString name{};            ///< name of the recording
         std::unique_ptr<recording::Recording> file{};
+        qsizetype problemsTaken = 0;            ///< number of problems of the file returned by takeProblems()
         std::unique_ptr<HistoryFile> pieces{};  ///< reader of a long recording; otherwise null
         /// Layout of the samples returned by sampleAt().
         std::shared_ptr<const receive::SampleLayout> layout{};

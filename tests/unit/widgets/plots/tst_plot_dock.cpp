@@ -31,8 +31,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "robot/recording/formats/open_recording.h"
+#include "robot/recording/mcap/reader.h"
 #include "robot/recording/recording_format.h"
 #include "robot/station/history/history_export.h"
 #include "robot/station/history/live_history.h"
@@ -284,6 +286,15 @@ QString laneText(const PlotView& view, double begin) {
         words << QStringLiteral("%1 %2").arg(std::llround(segment.start - begin)).arg(segment.label);
     }
     return words.join(QStringLiteral(", "));
+}
+
+/// Number of columns without data between the first and the last column with data.
+int emptyColumnsWithin(const Curve& curve) {
+    const auto isDrawn = [](const Curve::Column& column) { return !column.isEmpty(); };
+    const auto& columns = curve.columns();
+    const auto first = std::find_if(columns.begin(), columns.end(), isDrawn);
+    const auto last = std::find_if(columns.rbegin(), columns.rend(), isDrawn).base();
+    return first == columns.end() ? -1 : static_cast<int>(std::count_if(first, last, std::not_fn(isDrawn)));
 }
 
 }  // namespace
@@ -2390,6 +2401,94 @@ private Q_SLOTS:
         QCOMPARE(next.pages().count(), 1);
         QVERIFY(next.view().panes()[0]->shows(next.store().find("actual_TCP_force_2")));
         QVERIFY(!next.grab().isNull());
+    }
+
+    void damageOfARecordingIsReportedAndDrawnAsAGap() {
+        Bench b;
+        QTemporaryDir folder;
+        const QString path = folder.filePath("damaged.mcap");
+        std::string bytes = test::madeFile(*recording::mcapFormat({.compression = 0}), 6000);
+        QVERIFY(test::writeFile(path, bytes));
+        const auto reader = recording::mcap::Reader::open(path).value();
+        // The first chunk contains rows. Other chunks contain the log and the summaries.
+        std::vector<recording::mcap::ChunkIndex> chunks = reader->chunks();
+        const std::uint16_t rows = chunks.front().messageIndexes.front().first;
+        std::erase_if(chunks, [&](const auto& chunk) { return reader->messagesIn(chunk, rows) == 0; });
+        QVERIFY(chunks.size() > 2);
+        bytes[static_cast<std::size_t>(chunks[1].offset + 1000)] ^= 1;
+        QVERIFY(test::writeFile(path, bytes));
+        const test::EventSpy messages(b.session.journal());
+        b.dock.openRecording(path);
+        QTRY_COMPARE_WITH_TIMEOUT(b.dock.pages().count(), 2, 60'000);
+        b.runTo(61);
+        const auto told = [&] {
+            return std::count_if(messages.begin(), messages.end(), [](const auto& message) {
+                return message.severity == Severity::Warning && message.text.contains("damaged.mcap") &&
+                       message.text.contains("checksum") && message.text.contains("row");
+            });
+        };
+        QVERIFY2(told() == 1, qPrintable(messages.last().text));
+        const int empty = emptyColumnsWithin(b.curve(b.id("damaged.mcap/actual_TCP_force_2")));
+        QVERIFY2(empty > 20, qPrintable(QString::number(empty)));
+        b.view().fit();
+        b.runTo(62);
+        QCOMPARE(told(), 1);
+    }
+
+    void anIncompleteRecordingIsReportedWithTheReason() {
+        Bench b;
+        QTemporaryDir folder;
+        const QString path = folder.filePath("half.mcap");
+        const std::string bytes = test::madeFile(*recording::mcapFormat({.compression = 0}), 6000);
+        QVERIFY(test::writeFile(path, bytes.substr(0, bytes.size() / 2)));
+        const test::EventSpy messages(b.session.journal());
+        b.dock.openRecording(path);
+        QTRY_COMPARE_WITH_TIMEOUT(messages.count(), 1, 60'000);
+        QVERIFY(messages.last().severity == Severity::Warning);
+        QVERIFY2(messages.last().text.contains("ends in the middle"), qPrintable(messages.last().text));
+    }
+
+    /// The rows of a long recording are read when they are shown.
+    void damageFoundLaterIsReportedOnce() {
+        Bench b;
+        const test::Long made(100'000);
+        QFile file(made.path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QByteArray bytes = file.readAll();
+        file.close();
+        constexpr double kDamaged = 60;  // [s]
+        {
+            const auto reader = recording::mcap::Reader::open(made.path).value();
+            const auto& chunks = reader->chunks();
+            const auto secondsOf = [&](const auto& chunk) {
+                return static_cast<double>(chunk.startTime - chunks.front().startTime) * 1e-9;
+            };
+            const auto chunk = std::find_if(chunks.begin(), chunks.end(), [&](const auto& each) {
+                return secondsOf(each) >= kDamaged && each.length > 1000;
+            });
+            QVERIFY(chunk != chunks.end() && secondsOf(*chunk) < kDamaged + 2);
+            const auto at = static_cast<qsizetype>(chunk->offset + chunk->length / 2);
+            bytes[at] = static_cast<char>(bytes[at] ^ 1);
+        }
+        QVERIFY(test::writeFile(made.path, bytes.toStdString()));
+        const test::EventSpy messages(b.session.journal());
+        b.dock.openRecording(made.path);
+        QTRY_COMPARE_WITH_TIMEOUT(b.dock.pages().count(), 2, 60'000);
+        QTRY_COMPARE_WITH_TIMEOUT(messages.count(), 1, 60'000);
+        QVERIFY2(messages.last().text.contains("Opened"), qPrintable(messages.last().text));
+        const double begin = b.dock.store().timesOf("long.mcap")->firstTime();
+        b.view().showRange(begin + kDamaged - 2, begin + kDamaged + 4);
+        b.view().showSharp();
+        b.runTo(61);
+        QCOMPARE(messages.count(), 2);
+        QVERIFY(messages.last().severity == Severity::Warning);
+        QVERIFY2(messages.last().text.contains("row") && messages.last().text.contains("long.mcap"),
+                 qPrintable(messages.last().text));
+        QVERIFY(emptyColumnsWithin(b.curve(b.id("long.mcap/actual_TCP_force_2"))) > 20);
+        b.view().showRange(begin + kDamaged - 1, begin + kDamaged + 3);
+        b.view().showSharp();
+        b.runTo(62);
+        QCOMPARE(messages.count(), 2);
     }
 
     void invalidRecordingIsReportedWithoutChanges() {
