@@ -594,10 +594,6 @@
         <source>“%1” contains a decimal comma. Write decimal numbers with a point: %2</source>
         <translation>„%1“ enthält ein Dezimalkomma. Schreiben Sie Dezimalzahlen mit einem Punkt: %2</translation>
     </message>
-    <message>
-        <source>Enter decimals with a point, and a space after a comma between two numbers.</source>
-        <translation>Geben Sie Dezimalzahlen mit Punkt ein, und ein Leerzeichen nach einem Komma zwischen zwei Zahlen.</translation>
-    </message>
 </context>
 <context>
     <name>DeviceTrainer</name>
@@ -9794,6 +9790,13 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     </message>
 </context>
 <context>
+    <name>tiller::RangeStatisticsCache</name>
+    <message>
+        <source>The range contains samples of different robots. Place cursors A and B in the data of one robot.</source>
+        <translation>Der Bereich enthält Messwerte verschiedener Roboter. Setzen Sie die Cursor A und B in die Daten eines Roboters.</translation>
+    </message>
+</context>
+<context>
     <name>tiller::RecoveryPage</name>
     <message>
         <source>Recovery</source>
@@ -13494,13 +13497,6 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     <message>
         <source>Practice: add “%1”</source>
         <translation>Übung: „%1“ hinzufügen</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::RangeStatisticsCache</name>
-    <message>
-        <source>The range contains samples of different robots. Place cursors A and B in the data of one robot.</source>
-        <translation>Der Bereich enthält Messwerte verschiedener Roboter. Setzen Sie die Cursor A und B in die Daten eines Roboters.</translation>
     </message>
 </context>
 </TS>

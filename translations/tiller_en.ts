@@ -594,10 +594,6 @@
         <source>“%1” contains a decimal comma. Write decimal numbers with a point: %2</source>
         <translation type="unfinished"></translation>
     </message>
-    <message>
-        <source>Enter decimals with a point, and a space after a comma between two numbers.</source>
-        <translation type="unfinished"></translation>
-    </message>
 </context>
 <context>
     <name>DeviceTrainer</name>
@@ -9781,6 +9777,13 @@ Release the button to stop the arm.</source>
     </message>
 </context>
 <context>
+    <name>tiller::RangeStatisticsCache</name>
+    <message>
+        <source>The range contains samples of different robots. Place cursors A and B in the data of one robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tiller::RecoveryPage</name>
     <message>
         <source>Recovery</source>
@@ -13477,13 +13480,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
     </message>
     <message>
         <source>Practice: add “%1”</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>tiller::RangeStatisticsCache</name>
-    <message>
-        <source>The range contains samples of different robots. Place cursors A and B in the data of one robot.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -594,10 +594,6 @@
         <source>“%1” contains a decimal comma. Write decimal numbers with a point: %2</source>
         <translation>«%1» contiene una coma decimal. Escriba los decimales con punto: %2</translation>
     </message>
-    <message>
-        <source>Enter decimals with a point, and a space after a comma between two numbers.</source>
-        <translation>Escriba los decimales con punto, y un espacio después de una coma entre dos números.</translation>
-    </message>
 </context>
 <context>
     <name>DeviceTrainer</name>
@@ -9794,6 +9790,13 @@ Suelte el botón para detener el brazo.</translation>
     </message>
 </context>
 <context>
+    <name>tiller::RangeStatisticsCache</name>
+    <message>
+        <source>The range contains samples of different robots. Place cursors A and B in the data of one robot.</source>
+        <translation>El intervalo contiene muestras de robots distintos. Coloque los cursores A y B en los datos de un solo robot.</translation>
+    </message>
+</context>
+<context>
     <name>tiller::RecoveryPage</name>
     <message>
         <source>Recovery</source>
@@ -13494,13 +13497,6 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     <message>
         <source>Practice: add “%1”</source>
         <translation>Ejercicio: añadir «%1»</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::RangeStatisticsCache</name>
-    <message>
-        <source>The range contains samples of different robots. Place cursors A and B in the data of one robot.</source>
-        <translation>El intervalo contiene muestras de robots distintos. Coloque los cursores A y B en los datos de un solo robot.</translation>
     </message>
 </context>
 </TS>

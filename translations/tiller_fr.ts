@@ -594,10 +594,6 @@
         <source>“%1” contains a decimal comma. Write decimal numbers with a point: %2</source>
         <translation>« %1 » contient une virgule décimale. Écrivez les nombres décimaux avec un point : %2</translation>
     </message>
-    <message>
-        <source>Enter decimals with a point, and a space after a comma between two numbers.</source>
-        <translation>Saisissez les décimales avec un point, et une espace après une virgule entre deux nombres.</translation>
-    </message>
 </context>
 <context>
     <name>DeviceTrainer</name>
@@ -9794,6 +9790,13 @@ Relâchez le bouton pour arrêter le bras.</translation>
     </message>
 </context>
 <context>
+    <name>tiller::RangeStatisticsCache</name>
+    <message>
+        <source>The range contains samples of different robots. Place cursors A and B in the data of one robot.</source>
+        <translation>La plage contient des échantillons de robots différents. Placez les curseurs A et B dans les données d’un seul robot.</translation>
+    </message>
+</context>
+<context>
     <name>tiller::RecoveryPage</name>
     <message>
         <source>Recovery</source>
@@ -13494,13 +13497,6 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     <message>
         <source>Practice: add “%1”</source>
         <translation>Exercice : ajouter « %1 »</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::RangeStatisticsCache</name>
-    <message>
-        <source>The range contains samples of different robots. Place cursors A and B in the data of one robot.</source>
-        <translation>La plage contient des échantillons de robots différents. Placez les curseurs A et B dans les données d’un seul robot.</translation>
     </message>
 </context>
 </TS>

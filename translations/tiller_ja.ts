@@ -594,10 +594,6 @@
         <source>“%1” contains a decimal comma. Write decimal numbers with a point: %2</source>
         <translation>「%1」に小数点のカンマが含まれています。小数はピリオドで入力してください: %2</translation>
     </message>
-    <message>
-        <source>Enter decimals with a point, and a space after a comma between two numbers.</source>
-        <translation>小数点にはピリオドを使い、2 つの数の間のコンマの後には空白を入れてください。</translation>
-    </message>
 </context>
 <context>
     <name>DeviceTrainer</name>
@@ -9770,6 +9766,13 @@ Release the button to stop the arm.</source>
     </message>
 </context>
 <context>
+    <name>tiller::RangeStatisticsCache</name>
+    <message>
+        <source>The range contains samples of different robots. Place cursors A and B in the data of one robot.</source>
+        <translation>この範囲には異なるロボットのサンプルが含まれています。カーソル A と B を 1 台のロボットのデータに置いてください。</translation>
+    </message>
+</context>
+<context>
     <name>tiller::RecoveryPage</name>
     <message>
         <source>Recovery</source>
@@ -13451,13 +13454,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>Practice: add “%1”</source>
         <translation>練習：「%1」を追加</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::RangeStatisticsCache</name>
-    <message>
-        <source>The range contains samples of different robots. Place cursors A and B in the data of one robot.</source>
-        <translation>この範囲には異なるロボットのサンプルが含まれています。カーソル A と B を 1 台のロボットのデータに置いてください。</translation>
     </message>
 </context>
 </TS>

@@ -594,10 +594,6 @@
         <source>“%1” contains a decimal comma. Write decimal numbers with a point: %2</source>
         <translation>“%1”包含小数逗号。请用小数点书写小数：%2</translation>
     </message>
-    <message>
-        <source>Enter decimals with a point, and a space after a comma between two numbers.</source>
-        <translation>请用点号作小数点，并在两个数之间的逗号后加空格。</translation>
-    </message>
 </context>
 <context>
     <name>DeviceTrainer</name>
@@ -9770,6 +9766,13 @@ Release the button to stop the arm.</source>
     </message>
 </context>
 <context>
+    <name>tiller::RangeStatisticsCache</name>
+    <message>
+        <source>The range contains samples of different robots. Place cursors A and B in the data of one robot.</source>
+        <translation>该范围包含不同机器人的样本。请将光标 A 和 B 放在同一台机器人的数据中。</translation>
+    </message>
+</context>
+<context>
     <name>tiller::RecoveryPage</name>
     <message>
         <source>Recovery</source>
@@ -13451,13 +13454,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>Practice: add “%1”</source>
         <translation>练习：添加“%1”</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::RangeStatisticsCache</name>
-    <message>
-        <source>The range contains samples of different robots. Place cursors A and B in the data of one robot.</source>
-        <translation>该范围包含不同机器人的样本。请将光标 A 和 B 放在同一台机器人的数据中。</translation>
     </message>
 </context>
 </TS>

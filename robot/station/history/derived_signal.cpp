@@ -606,12 +606,6 @@ Result<std::shared_ptr<DerivedSignal>> DerivedSignal::make(
     if (plain.expression.contains(kAssigns)) {
         return wrong(DerivationText::tr("Too many equals signs. Use == to compare values."));
     }
-    // With a decimal comma, a function would silently receive two numbers.
-    static const QRegularExpression kDecimalComma(QStringLiteral("(?<![\\w.])\\d+,\\d"));
-    if (plain.expression.contains(kDecimalComma)) {
-        return wrong(DerivationText::tr(
-            "Enter decimals with a point, and a space after a comma between two numbers."));
-    }
     ExpressionReader reader(plain, exists);
     std::unique_ptr<Node> root = reader.read(plain.expression);
     if (!root) {

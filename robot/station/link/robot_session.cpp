@@ -16,10 +16,10 @@
 #include "robot/script/supervised_program.h"
 #include "robot/station/link/detail/session_backend.h"
 #include "robot/station/text/controller_codes.h"
+#include "robot/station/text/error_summary.h"
 #include "robot/station/text/mode_words.h"
 #include "robot/station/text/move_words.h"
 #include "robot/station/text/notation.h"
-#include "robot/station/text/error_summary.h"
 #include "robot/station/text/texts.h"
 
 namespace tiller {
@@ -847,7 +847,7 @@ void RobotSession::reportExternalProgram() {
     // belongs to another client.
     const bool runs = state.isFresh() && !d_->takingControl && state.foreignProgramRuns() &&
                       !state.programAbandoned &&
-                      (!state.controlInDoubt || d_->externalRunSeen || d_->isReplaced()) &&
+                      (!d_->mayOwnProgramRun() || d_->externalRunSeen || d_->isReplaced()) &&
                       (state.runtimeState == RuntimeState::Playing || d_->externalRunSeen);
     if (!state.foreignProgramRuns() && !freeProgram()) {
         d_->changesConfirmed = false;
@@ -876,7 +876,7 @@ void RobotSession::reportExternalProgram() {
                              Origin::Robot, agoNs <= kKnownLate ? agoNs : 0);
         } else {
             journal_.add(Severity::Info, tr("A program of another client is running on the robot."),
-                         Origin::Robot);
+                         Origin::Robot, d_->unknownStartText());
         }
     } else if (state.runtimeState == RuntimeState::Paused && state.control != ControlState::InControl) {
         journal_.add(Severity::Info, tr("The program on the robot is paused."), Origin::Robot);

@@ -68,6 +68,7 @@ void SessionBackend::read() {
         movedBefore = false;
         externalRunSeen = takeoverReported = externalExists = changesConfirmed = readySeen = false;
         externalEndNs.reset();
+        ownProgramNs.reset();
         replacementNs.reset();
         startedNs.reset();
         readNs = 0;

@@ -192,6 +192,10 @@ struct SessionBackend {
     SessionState stateNow() const;
     control::StopEvidence stopEvidence() const;
     bool isTakenOver() const;
+    /// True if the running program may be the control program of a lost connection.
+    bool mayOwnProgramRun() const { return state.controlInDoubt && !ownProgramEnded; }
+    /// Since when the running program may have been running; empty if it started just now.
+    QString unknownStartText() const;
     /// True if the running program cannot be the control program, although its connection works.
     bool isReplaced() const;
 
