@@ -68,8 +68,9 @@ PathRecorder::PathRecorder(RobotSession& session, ProjectDocument& document, QOb
     : QObject(parent), session_(session), document_(document) {
     connect(&session_, &RobotSession::samplesReceived, this, &PathRecorder::take);
     connect(&session_, &RobotSession::stateChanged, this, [this](const SessionState& state) {
-        if (recording_ && (state.link == LinkState::Lost || state.link == LinkState::Disconnected)) {
-            Q_EMIT ended();
+        if (recording_ && !hasEnded_ &&
+            (state.link == LinkState::Lost || state.link == LinkState::Disconnected)) {
+            end();
         }
     });
 }
@@ -98,11 +99,12 @@ void PathRecorder::start() {
     shownSecond_ = -1;
     tcpOffset_ = state.tcpOffset;
     recording_ = true;
+    hasEnded_ = false;
     Q_EMIT changed();
 }
 
 void PathRecorder::take(const SampleBatch& batch) {
-    if (!recording_) {
+    if (!recording_ || hasEnded_) {
         return;
     }
     lost_ += batch.lost;
@@ -111,7 +113,7 @@ void PathRecorder::take(const SampleBatch& batch) {
         // After a restart, the controller clock starts again, so this is a new motion.
         if (shown_.size() > 0 && robot.timestamp() <= shown_.times.back()) {
             if (robot.timestamp() < shown_.times.back() - 1) {
-                Q_EMIT ended();
+                end();
                 return;
             }
             continue;
@@ -119,13 +121,18 @@ void PathRecorder::take(const SampleBatch& batch) {
         shown_.append(robot.timestamp(), robot.q());
     }
     if (seconds() > kLongest) {
-        Q_EMIT ended();
+        end();
         return;
     }
     if (const int second = static_cast<int>(seconds()); second != shownSecond_) {
         shownSecond_ = second;
         Q_EMIT changed();
     }
+}
+
+void PathRecorder::end() {
+    hasEnded_ = true;
+    Q_EMIT ended();
 }
 
 void PathRecorder::abandon() {

@@ -63,6 +63,7 @@ Q_SIGNALS:
 
 private:
     void take(const SampleBatch& batch);
+    void end();
     void thin(project::Demonstration shown, int afterRow);
     void insert(const std::vector<project::KeptPlace>& places, double seconds, int afterRow);
     QString nextPathName() const;
@@ -73,6 +74,7 @@ private:
     project::Demonstration shown_;
     Pose tcpOffset_;
     bool recording_ = false;
+    bool hasEnded_ = false;  ///< true after ended(), until the path is kept or discarded
     bool busy_ = false;
     std::uint64_t lost_ = 0;
     int shownSecond_ = -1;
