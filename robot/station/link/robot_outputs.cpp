@@ -225,8 +225,12 @@ QString RobotOutputs::changeText(int output, bool on, const std::optional<Output
 void RobotOutputs::setDigitalOutputs(std::uint32_t mask, std::uint32_t values, const QString& what,
                                      const OutputOrder& order) {
     if (const bool refused = session_.refusesCommand(what); refused || !d_.link) {
+        const Error error{refused ? ErrorCode::Rejected : ErrorCode::NotConnected, what, {}};
+        if (!refused) {
+            report(d_.generation, what, error);
+        }
         if (order.done) {
-            order.done(Error{refused ? ErrorCode::Rejected : ErrorCode::NotConnected, what, {}});
+            order.done(error);
         }
         return;
     }
