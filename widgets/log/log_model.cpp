@@ -32,9 +32,9 @@ QString LogModel::originWord(Origin origin) {
         case Origin::Tiller:
             return tr("Tiller");
         case Origin::Operator:
-            return tr("the operator");
+            return tr("Operator");
         case Origin::Robot:
-            return tr("the robot");
+            return tr("Robot");
     }
     return {};
 }
@@ -85,8 +85,8 @@ QString LogModel::details(int row) const {
     const Entry& entry = entries_.at(static_cast<std::size_t>(row));
     QString text =
         entry.count == 1
-            ? tr("%1 · from %2").arg(entry.first.toString(kClock), originWord(entry.origin))
-            : tr("%1 times between %2 and %3 · from %4")
+            ? tr("%1 · Origin: %2").arg(entry.first.toString(kClock), originWord(entry.origin))
+            : tr("%1 times between %2 and %3 · Origin: %4")
                   .arg(entry.count)
                   .arg(entry.first.toString(kClock), entry.last.toString(kClock), originWord(entry.origin));
     text += QLatin1Char('\n') + entry.text;

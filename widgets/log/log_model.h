@@ -42,7 +42,7 @@ public:
     static QString severityWord(Severity severity);
     static QFont columnFont(int column);
     static QString openWord();  ///< text of the column Open for rows with a recording
-    /// Text for an origin: "the robot", "the operator", "Tiller".
+    /// Text for an origin: "Robot", "Operator", "Tiller".
     static QString originWord(Origin origin);
 
     int rowCount(const QModelIndex& parent = {}) const override;

@@ -43,6 +43,13 @@ private Q_SLOTS:
         journal_.reset();
     }
 
+    // The word has no article, so it is correct in all languages.
+    void theOriginIsNamed() {
+        journal_->add(Severity::Info, "Speed slider: 50 %", Origin::Operator);
+        const QString details = tab_->model().index(0, LogModel::Text).data(Qt::ToolTipRole).toString();
+        QVERIFY2(details.contains("· Origin: Operator\n"), qPrintable(details));
+    }
+
     void messagesOfTheSessionArriveInOrder() {
         QAbstractItemModelTester tester(&tab_->model(),
                                         QAbstractItemModelTester::FailureReportingMode::QtTest);
@@ -123,7 +130,8 @@ private Q_SLOTS:
                       "A joint needed more torque. Remove the obstacle.");
         table()->selectRow(0);
         QVERIFY(details->isVisible());
-        for (const char* part : {"14:02:11", "the robot", "C157A1", "more torque", "Remove the obstacle"}) {
+        for (const char* part :
+             {"14:02:11", "Origin: Robot", "C157A1", "more torque", "Remove the obstacle"}) {
             QVERIFY2(details->text().contains(QLatin1String(part)), part);
         }
         time_ = time_.addSecs(5);
