@@ -70,6 +70,7 @@ bool HoldGuard::press(const HoldSource& grip) {
     pressed_ = true;
     const HoldBounds bounds = motion_.bounds ? motion_.bounds() : HoldBounds();
     hasEnd_ = bounds.longestNs > 0 && !runsToEnd_;
+    pauses_ = false;
     beganNs_ = clock_->nowNs();
     // A short step runs to its end even if the button is released.
     rules_.begin(&key_, runsToEnd_ ? HoldSource{HoldSource::By::Nobody} : grip, bounds);
@@ -121,6 +122,10 @@ void HoldGuard::stop(StopCause cause) {
 }
 
 void HoldGuard::pump() {
+    if (active() && motion_.pause && !pauses_ && rules_.isNearLimit()) {
+        pauses_ = true;
+        rules_.extend(motion_.pause());
+    }
     if (!active() || rules_.happen(HoldEvent::Kind::Refresh)) {
         return;
     }

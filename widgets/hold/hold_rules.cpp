@@ -463,8 +463,15 @@ StopCause HoldRules::hiddenCause() const {
 }
 
 std::int64_t HoldRules::leftNs() const {
-    const std::int64_t longest = bounds_.longestNs != 0 ? bounds_.longestNs : policy_.longestNs;
-    return active_ ? beganNs_ + longest - now() : std::numeric_limits<std::int64_t>::max();
+    return active_ ? beganNs_ + longestNs() - now() : std::numeric_limits<std::int64_t>::max();
+}
+
+bool HoldRules::isNearLimit() const {
+    return leftNs() <= longestNs() / 4;
+}
+
+void HoldRules::extend(std::int64_t leftNs) {
+    bounds_.longestNs = std::max(longestNs(), now() - beganNs_ + leftNs);
 }
 
 QStringList HoldRules::names() {

@@ -129,6 +129,10 @@ public:
 
     /// Time until the maximum hold duration is reached [ns].
     std::int64_t leftNs() const;
+    /// True in the last quarter of the maximum hold duration.
+    bool isNearLimit() const;
+    /// Extends the maximum hold duration if less than this time is left [ns].
+    void extend(std::int64_t leftNs);
 
     /// The names of all rules, including the conditions for starting a motion.
     static QStringList names();
@@ -150,6 +154,7 @@ private:
     };
 
     std::int64_t now() const { return clock_->nowNs(); }
+    std::int64_t longestNs() const { return bounds_.longestNs != 0 ? bounds_.longestNs : policy_.longestNs; }
     bool hasKeyStateProbe(const HoldSource& grip) const;
     template <class Test>
     bool anyKeyState(const Test& test) const;

@@ -20,6 +20,7 @@
 
 #include "robot/core/atomic_file.h"
 #include "robot/station/document/project_document.h"
+#include "robot/station/program/run/steps_not_reached.h"
 #include "robot/station/program/step_uses.h"
 #include "robot/station/text/texts.h"
 #include "widgets/common/choice_box.h"
@@ -283,11 +284,21 @@ void ProgramTab::showRunningStep(const program::ProgramRunner& runner) {
     const QString name = program::stepName(runner.project(), runner.script(), number);
     const bool isWaiting = runner.isWaiting();
     const bool isPausedOnRobot = runner.isPausedOnRobot();
-    showStatus(isPausedOnRobot     ? tr("Paused on the robot in step %1 (%2)").arg(step).arg(name)
-               : isWaiting         ? tr("Paused before step %1 (%2)").arg(step).arg(name)
-               : step == 0         ? tr("Running")
-               : runner.isPaused() ? tr("Pausing after step %1 (%2)").arg(step).arg(name)
-                                   : tr("Running step %1 (%2)").arg(step).arg(name));
+    showStatus(
+        isPausedOnRobot          ? tr("Paused on the robot in step %1 (%2)").arg(step).arg(name)
+        : runner.waitsForPress() ? tr("Paused before step %1 (%2) at the maximum hold time. Hold “Continue "
+                                      "(hold)” to continue.")
+                                       .arg(step)
+                                       .arg(name)
+        : isWaiting         ? tr("Paused before step %1 (%2)").arg(step).arg(name)
+        : step == 0         ? tr("Running")
+        : runner.isPaused() ? tr("Pausing after step %1 (%2)").arg(step).arg(name)
+        : runBar_->isSlowed()
+            ? tr("Running step %1 (%2). Joint moves are slow, because the preview did not run the whole "
+                 "program from this position.")
+                  .arg(step)
+                  .arg(name)
+            : tr("Running step %1 (%2)").arg(step).arg(name));
     const bool isOther = std::exchange(wasWaiting_, isWaiting) != isWaiting;
     if (std::exchange(wasPausedOnRobot_, isPausedOnRobot) != isPausedOnRobot || isOther) {
         session_->journal().add(isPausedOnRobot ? Severity::Warning : Severity::Info, status_->fullText());
@@ -785,7 +796,9 @@ void ProgramTab::checkRecovery() {
     showStatus(tr("Simulating stops…"));
     program::ScriptOptions options = scriptOptions();
     options.from = {};
-    recoveryRunner_.start(document_.project(), program_, script, options,
+    const std::vector<program::InputChange> inputs =
+        runBar_ != nullptr ? runBar_->inputs() : std::vector<program::InputChange>();
+    recoveryRunner_.start(document_.project(), program_, script, options, inputs,
                           [this, text = script.text](const program::RecoveryMap& map) {
                               QMetaObject::invokeMethod(this, [this, map, text] {
                                   if (recovered_.text == text) {
@@ -800,9 +813,13 @@ void ProgramTab::showRecovery(const program::RecoveryMap& map) {
     recoverAction_->setText(tr("Check recoverability"));
     model_->setRecovery(&recovered_, &map);
     const program::RecoveryCount count = program::countRecoverable(map);
-    const QString text = tr("In simulation, the program can continue after a stop in %1 of %2 steps.")
-                             .arg(count.recoverable)
-                             .arg(count.steps);
+    QString text = tr("In simulation, the program can continue after a stop in %1 of %2 steps.")
+                       .arg(count.recoverable)
+                       .arg(count.steps);
+    if (const auto missing = program::stepsNotChecked(document_.project(), recovered_, map);
+        !missing.empty()) {
+        text += QLatin1Char(' ') + tr("Not checked: %1.").arg(program::stepNumbersText(missing));
+    }
     const QString offer = offerContinuation();
     showStatus(offer.isEmpty() ? text : offer);
 }

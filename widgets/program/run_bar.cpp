@@ -11,6 +11,7 @@
 
 #include "robot/station/document/project_document.h"
 #include "robot/station/link/obstacles.h"
+#include "robot/station/program/run/steps_not_reached.h"
 #include "robot/station/program/step_field.h"
 #include "robot/station/text/texts.h"
 #include "widgets/common/enter_key.h"
@@ -119,14 +120,7 @@ RunBar::RunBar(RobotSession& session, HoldPolicy& policy, const ProjectDocument&
     layout->addLayout(gate);
     finish_->setCheckable(true);
     from_->setCheckable(true);
-    hold_->setMotion(runner_.motion([this] {
-        isHeld_ = true;
-        program::RunPlan planned = plan(limits());
-        if (planned.obstacle.isEmpty() && preview_ && previewed_.text == script_.text) {
-            planned.obstacle = program::collisionText(document_.project(), script_, *preview_);
-        }
-        return planned;
-    }));
+    hold_->setMotion(heldMotion());
     start_->setMotion(startMotion());
     for (HoldToRunButton* key : {hold_, start_}) {
         connect(&key->guard(), &HoldGuard::refused, this,
@@ -151,6 +145,9 @@ RunBar::~RunBar() {
 void RunBar::setProgram(const QUuid& program, const program::ProgramScript& script) {
     if (program != program_) {
         stop(control::StopCause::SelectionChanged);
+        if (runner_.waitsForPress()) {
+            runner_.stop(control::StopCause::SelectionChanged);
+        }
         clearStartStep();
     }
     program_ = program;
@@ -199,6 +196,33 @@ MoveRequest RunBar::moveToStart() const {
     move.acceleration = session_.limits().jointAcceleration;
     move.toProject = true;
     return slowedTo(heldSpeed_(), move, session_.state());
+}
+
+HoldMotion RunBar::heldMotion() {
+    HoldMotion motion = runner_.motion([this] {
+        isHeld_ = true;
+        startedAt_ = heldSpeed_();
+        isSlowed_ =
+            !isPreviewedInFull() || !preview_->completed || !program::isAtStart(*preview_, session_.state());
+        program::RunPlan planned = plan(limits());
+        if (planned.obstacle.isEmpty() && preview_ && previewed_.text == script_.text) {
+            planned.obstacle = program::collisionText(document_.project(), script_, *preview_);
+        }
+        return planned;
+    });
+    // The speed limits are part of the script that waits on the robot.
+    motion.begin = [this, begin = std::move(motion.begin)]() -> Result<HoldMotion::Id> {
+        const HeldSpeed now = heldSpeed_();
+        if (runner_.waitsForPress() && (now.tcp < startedAt_.tcp || now.joint < startedAt_.joint)) {
+            return Error{ErrorCode::Cancelled,
+                         tr("The program waits with a jog speed of %1. Select this speed again, or stop the "
+                            "program.")
+                             .arg(program::numberText(startedAt_.tcp, program::Unit::Speed)),
+                         {}};
+        }
+        return begin();
+    };
+    return motion;
 }
 
 HoldMotion RunBar::startMotion() {
@@ -350,7 +374,8 @@ RunBar::StoppedAt RunBar::stoppedAt() const {
 }
 
 QString RunBar::keepPlace() {
-    const bool mayNotContinue = !continuation_.text.isEmpty() && !continuation_.start;
+    const bool mayNotContinue =
+        !continuation_.text.isEmpty() && !continuation_.start && !continuation_.isUnknown;
     if (continuesStop_ && runner_.end() == program::ProgramRunner::End::Completed) {
         clearStartStep();
         Q_EMIT startStepChanged();
@@ -367,7 +392,12 @@ QString RunBar::keepPlace() {
         updateAvailability();
         Q_EMIT startStepChanged();
     }
-    return choice.obstacle;
+    return choice.obstacle.isEmpty() || !runner_.wasHeldTooLong() || isPreviewedInFull()
+               ? choice.obstacle
+               : tr("%1 Preview the program with the present inputs, or select a higher jog speed, so that "
+                    "it can "
+                    "run to its end.")
+                     .arg(choice.obstacle);
 }
 
 void RunBar::clearStartStep() {
@@ -462,7 +492,7 @@ void RunBar::updateAvailability() {
             key->setUnavailable(programReason.isEmpty() ? robot : programReason);
         }
     }
-    const bool stops = runner_.isActive() && !isHeld_;
+    const bool stops = runner_.isActive() && (!isHeld_ || runner_.waitsForPress());
     const QString why = !robot.isEmpty() ? robot : runObstacle();
     run_->setEnabled(stops || why.isEmpty());
     setToolTipOf(*run_, stops ? tr("Stops the program")
@@ -489,11 +519,16 @@ void RunBar::updateGateKeys() {
     const QString pending = runner_.variables().pending();
     const QString changing =
         pending.isEmpty() ? QString() : tr("The value of “%1” is being changed.").arg(pending);
+    const QString held = runner_.waitsForPress() ? tr("Hold “Continue (hold)” to continue.") : QString();
     pause_->setText(isPaused ? tr("Resume") : tr("Pause"));
-    setReason(*pause_, !idle.isEmpty() ? idle : changing,
+    setReason(*pause_,
+              !idle.isEmpty()   ? idle
+              : !held.isEmpty() ? held
+                                : changing,
               isPaused ? tr("Continues the program") : tr("Pauses the program before its next step"));
     setReason(*step_,
               runner_.isPausedOnRobot() ? idle
+              : !held.isEmpty()         ? held
               : runner_.isActive()      ? !runner_.isWaiting() ? tr("Pause the program first.") : changing
               : run_->isEnabled()       ? QString()
                                         : run_->toolTip(),
@@ -509,11 +544,9 @@ void RunBar::updateGateKeys() {
               : !preview_                 ? runObstacle()
               : selected_.isNull()        ? tr("Select one step.")
                                           : QString(),
-              startStep_ ? tr("The program starts at step %1. Press to start at the beginning again.")
-                               .arg(script_.numberOf(startStep_->step))
-                         : tr("Starts the program at the selected step. Move the arm to the start position "
-                              "first."));
-    hold_->setText(continuesStop_ ? tr("Continue (hold)") : tr("Run (hold)"));
+              tr("Starts the program at the selected step. Press again to start at the beginning. Move the "
+                 "arm to the start position first."));
+    hold_->setText(continuesStop_ || runner_.waitsForPress() ? tr("Continue (hold)") : tr("Run (hold)"));
     from_->setChecked(startStep_.has_value());
     from_->setText(startStep_    ? tr("From step %1 ✕").arg(script_.numberOf(startStep_->step))
                    : continues() ? tr("Continue at %1").arg(continuation_.number)
@@ -528,7 +561,7 @@ void RunBar::showRun() {
         stoppedOutputs_.reset();
         hasOtherOutputs_ = false;
     }
-    run_->setText(runner_.isActive() && !isHeld_ ? tr("Stop") : tr("Run"));
+    run_->setText(runner_.isActive() && (!isHeld_ || runner_.waitsForPress()) ? tr("Stop") : tr("Run"));
     updateAvailability();
     Q_EMIT runChanged();
 }

@@ -69,6 +69,8 @@ public:
     /// text  as typed
     void changeVariable(const QString& name, const QString& text);
     void setBreakpoints(const QSet<QUuid>& steps) { runner_.setBreakpoints(steps); }
+    /// True while a held program runs whose joint moves have the speed limit of an unknown path, see heldLimits().
+    bool isSlowed() const { return isHeld_ && isSlowed_ && runner_.isActive(); }
     /// True while a program runs without hold-to-run.
     bool runsFreely() const { return runner_.isActive() && !isHeld_; }
     void stop(control::StopCause cause);
@@ -105,6 +107,7 @@ private:
     JointPositions start() const;
     MoveRequest moveToStart() const;
     HoldMotion startMotion();
+    HoldMotion heldMotion();
     void runOrStop();
     void run(std::int32_t permitted);
     void pauseOrResume();
@@ -123,7 +126,9 @@ private:
     const ProjectDocument& document_;
     std::function<HeldSpeed()> heldSpeed_;
     program::ProgramRunner runner_;
-    bool isHeld_ = false;  ///< true if releasing the button ends the current run
+    HeldSpeed startedAt_;    ///< maximum speed at the start of the held run
+    bool isSlowed_ = false;  ///< true if the held run has the speed limit of an unknown path
+    bool isHeld_ = false;    ///< true if releasing the button ends the current run
     QUuid program_;
     program::ProgramScript script_;
     bool hasChange_ = false;  ///< true if a variable was changed in a run without hold, and the user has not

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/program/variable_list.h"
 
+#include <QComboBox>
 #include <QHeaderView>
+#include <QLineEdit>
 #include <utility>
 
 #include "robot/station/program/run/program_runner.h"
@@ -12,8 +14,48 @@ namespace tiller {
 using script::ProgramVariable;
 
 namespace {
+
 constexpr int kVariableColumns = 3;
-}
+
+/// A flag is chosen or typed, other values are typed.
+class VariableDelegate : public ProgramRowDelegate {
+public:
+    VariableDelegate(const program::ProgramRunner& runner, const VariableModel& model, QObject* parent)
+        : ProgramRowDelegate(parent), runner_(runner), model_(model) {}
+
+    QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,
+                          const QModelIndex& index) const override {
+        if (runner_.variables().changeableType(model_.at(index).name) != script::GateVariable::Type::Flag) {
+            return ProgramRowDelegate::createEditor(parent, option, index);
+        }
+        auto* editor = new QComboBox(parent);
+        editor->setEditable(true);
+        editor->setInsertPolicy(QComboBox::NoInsert);
+        editor->addItems({QStringLiteral("False"), QStringLiteral("True")});
+        return editor;
+    }
+    void setEditorData(QWidget* editor, const QModelIndex& index) const override {
+        if (auto* box = qobject_cast<QComboBox*>(editor)) {
+            box->setCurrentIndex(box->findText(model_.at(index).text));
+            box->lineEdit()->selectAll();
+        } else {
+            ProgramRowDelegate::setEditorData(editor, index);
+        }
+    }
+    void setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const override {
+        if (const auto* box = qobject_cast<QComboBox*>(editor)) {
+            model->setData(index, box->currentText());
+        } else {
+            ProgramRowDelegate::setModelData(editor, model, index);
+        }
+    }
+
+private:
+    const program::ProgramRunner& runner_;
+    const VariableModel& model_;
+};
+
+}  // namespace
 
 VariableModel::VariableModel(const program::ProgramRunner& runner, QObject* parent)
     : QAbstractTableModel(parent), runner_(runner) {}
@@ -66,10 +108,7 @@ QVariant VariableModel::data(const QModelIndex& index, int role) const {
                    : isPending              ? tr("%1 (changing…)").arg(variable.text)
                                             : variable.text;
         case Qt::EditRole:
-            // A flag is chosen from a list, other values are typed.
-            return runner_.variables().changeableType(variable.name) == script::GateVariable::Type::Flag
-                       ? QVariant(variable.number > 0)
-                       : QVariant(variable.text);
+            return variable.text;
         case Qt::ToolTipRole: {
             const QString obstacle = obstacleAt(index);
             return index.column() == Value && !obstacle.isEmpty()
@@ -96,14 +135,15 @@ Qt::ItemFlags VariableModel::flags(const QModelIndex& index) const {
 }
 
 bool VariableModel::setData(const QModelIndex& index, const QVariant& value, int role) {
-    if (role != Qt::EditRole || !flags(index).testFlag(Qt::ItemIsEditable)) {
+    if (role != Qt::EditRole || index.column() != Value) {
         return false;
     }
-    const QString text = value.typeId() != QMetaType::Bool ? value.toString()
-                         : value.toBool()                  ? QStringLiteral("True")
-                                                           : QStringLiteral("False");
-    if (text != at(index).text) {
-        Q_EMIT edited(at(index).name, text);
+    if (const QString obstacle = obstacleAt(index); !obstacle.isEmpty()) {
+        Q_EMIT refused(obstacle);
+        return false;
+    }
+    if (value.toString() != at(index).text) {
+        Q_EMIT edited(at(index).name, value.toString());
     }
     return true;
 }
@@ -116,12 +156,13 @@ VariableList::VariableList(const program::ProgramRunner& runner, QWidget* parent
     setRootIsDecorated(false);
     setUniformRowHeights(true);
     setAllColumnsShowFocus(true);
-    setItemDelegate(new ProgramRowDelegate(this));
+    setItemDelegate(new VariableDelegate(runner, *model_, this));
     setEditTriggers(DoubleClicked | EditKeyPressed);
     header()->setSectionResizeMode(VariableModel::Name, QHeaderView::ResizeToContents);
     header()->setSectionResizeMode(VariableModel::Type, QHeaderView::ResizeToContents);
     header()->setStretchLastSection(true);
     connect(model_, &VariableModel::edited, this, &VariableList::edited);
+    connect(model_, &VariableModel::refused, this, &VariableList::refused);
     connect(this, &QTreeView::activated, this, [this](const QModelIndex& index) {
         const QModelIndex value = index.siblingAtColumn(VariableModel::Value);
         if (const QString obstacle = model_->obstacleAt(value); !obstacle.isEmpty()) {
@@ -138,7 +179,12 @@ VariableList::VariableList(const program::ProgramRunner& runner, QWidget* parent
 }
 
 void VariableList::follow() {
+    const bool wasEditing = state() == EditingState;
     model_->follow();
+    if (wasEditing && state() != EditingState) {
+        Q_EMIT refused(
+            tr("The program has set another variable, so the value was not changed. Enter it again."));
+    }
     setVisible(model_->rowCount() > 0 || !runner_.script().variables.empty());
 }
 

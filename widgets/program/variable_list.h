@@ -29,6 +29,7 @@ public:
     void follow();
     /// The reason why the value of this row cannot be changed now, as a sentence; empty if it can be changed.
     QString obstacleAt(const QModelIndex& index) const;
+    const script::ProgramVariable& at(const QModelIndex& index) const;  ///< Variable of this row.
 
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
@@ -39,10 +40,10 @@ public:
 
 Q_SIGNALS:
     void edited(const QString& name, const QString& text);
+    /// A typed value has no effect for this reason.
+    void refused(const QString& reason);
 
 private:
-    const script::ProgramVariable& at(const QModelIndex& index) const;
-
     const program::ProgramRunner& runner_;
     std::vector<script::ProgramVariable> shown_;
 };
@@ -58,7 +59,7 @@ public:
 
 Q_SIGNALS:
     void edited(const QString& name, const QString& text);
-    /// A value cannot be edited for this reason.
+    /// A value cannot be edited, or a typed value has no effect, for this reason.
     void refused(const QString& reason);
 
 private:

@@ -277,7 +277,10 @@ void HeaderBar::showLastStop() {
             failed ? tr("not stopped") : tr("not measured"), StateChip::Shape::None,
             failed ? StateChip::Emphasis::Warning : StateChip::Emphasis::Muted,
             advice(
-                lost.cause == control::StopCause::None
+                lost.cause == control::StopCause::None &&
+                        lost.reason == control::UnmeasuredStop::Reason::OtherProgram
+                    ? tr("The program was stopped on the robot, so the stop could not be measured.")
+                : lost.cause == control::StopCause::None
                     ? tr("The robot data ended while the arm was moving, so the stop could not be measured.")
                     : tr("Cause: %1 (%2)")
                           .arg(texts::stopCauseText(lost.cause), texts::unmeasuredText(lost.reason))));

@@ -51,6 +51,10 @@ struct HoldMotion {
     /// Called after the start. Returns the limits of the hold. Empty: the motion has no duration limit of its
     /// own.
     std::function<HoldBounds()> bounds = {};
+    /// Called once near the end of the maximum duration. The motion then pauses as soon as possible, and hold()
+    /// returns false when it has. Returns the time that this takes at most [ns], by which the hold is extended if
+    /// necessary. Empty: the motion ends at its maximum duration.
+    std::function<std::int64_t()> pause = {};
 };
 
 }  // namespace tiller

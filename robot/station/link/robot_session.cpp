@@ -807,6 +807,13 @@ void RobotSession::reportChanges() {
     }
 }
 
+void RobotSession::noteStopOnRobot() {
+    control::UnmeasuredStop& stop = d_->state.unmeasuredStop;
+    stop = {control::StopCause::None, control::UnmeasuredStop::Reason::OtherProgram, stop.count + 1};
+    d_->unmeasuredSeen = stop.count;  // the run reports its end
+    d_->state.lastStopSeen = false;
+}
+
 void RobotSession::reportUnmeasuredStop() {
     const SessionState& state = d_->state;
     control::UnmeasuredStop& stop = d_->state.unmeasuredStop;

@@ -183,6 +183,9 @@ public:
     Result<MotionId> beginProgram(const QString& name, const QString& script, control::Holding holding,
                                   std::uint64_t stops, const script::StepGate& gate = {},
                                   const std::vector<script::GateVariable>& variables = {});
+    /// Call when the program of beginProgram() was paused or stopped on the robot, by the pendant or another client.
+    /// Replaces the last stop by one without a cause, because this stop was not measured.
+    void noteStopOnRobot();
     /// Name of the program of beginProgram() that is active without hold-to-run; empty if there is none.
     std::optional<QString> freeProgram() const;
     void setStepGate(MotionId program, const script::StepGate& gate);

@@ -10,11 +10,13 @@ void RecoveryRunner::cancel() {
 }
 
 void RecoveryRunner::start(project::Project project, const QUuid& program, ProgramScript script,
-                           ScriptOptions scriptOptions, std::function<void(const RecoveryMap&)> done) {
+                           ScriptOptions scriptOptions, std::vector<InputChange> inputs,
+                           std::function<void(const RecoveryMap&)> done) {
     task_.start([project = std::move(project), program, script = std::move(script),
-                 scriptOptions = std::move(scriptOptions),
+                 scriptOptions = std::move(scriptOptions), inputs = std::move(inputs),
                  done = std::move(done)](const std::atomic<bool>& cancelled) {
         RecoveryOptions options;
+        options.preview.inputs = inputs;
         options.preview.isCancelled = [&cancelled] { return cancelled.load(); };
         const RecoveryMap map = checkRecovery(project, program, script, scriptOptions, options);
         if (!cancelled) {

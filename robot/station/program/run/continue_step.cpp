@@ -28,6 +28,13 @@ Continuation chooseContinuation(const project::Project& project, const ProgramSc
     result.number = recovery.from;
     switch (mark.recovery) {
         case Recovery::NotReached:
+            result.isUnknown = true;
+            result.text =
+                ProgramText::tr(
+                    "The recoverability check did not reach step %1 (%2). Check again with the "
+                    "inputs of the run to find out whether the program can continue.")
+                    .arg(found - script.steps.begin() + 1)
+                    .arg(stepName(project, script, static_cast<int>(found - script.steps.begin()) + 1));
             break;
         case Recovery::Unsafe:
             result.text =

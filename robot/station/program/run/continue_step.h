@@ -14,6 +14,7 @@ namespace tiller::program {
 struct Continuation {
     std::optional<StartStep> start;  ///< empty: the program must not continue, or unknown
     int number = 0;                  ///< number of this step in the complete script
+    bool isUnknown = false;          ///< the check did not reach the step
     QString text;                    ///< sentences with the mark and its reason; empty: unknown
 };
 

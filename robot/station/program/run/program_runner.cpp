@@ -14,8 +14,7 @@
 #include "robot/station/program/execution/start_conditions.h"
 #include "robot/station/program/program_edit.h"
 #include "robot/station/program/program_text.h"
-#include "robot/station/program/step_kind.h"
-#include "robot/station/text/error_summary.h"
+#include "robot/station/program/run/steps_not_reached.h"
 #include "robot/station/text/texts.h"
 
 namespace tiller::program {
@@ -117,66 +116,6 @@ bool isAtStart(const Preview& preview, const SessionState& state) {
     return !preview.path.empty() && isAtStart(preview.path.front().q, state.q);
 }
 
-namespace {
-
-/// Collects the steps in parallel watches. They cannot move the arm, and previews do not count them.
-void collectWatched(const Steps& steps, bool isWatched, QSet<QUuid>& watched) {
-    for (const project::ProgramStep& step : steps) {
-        if (isWatched) {
-            watched.insert(step.id);
-        }
-        collectWatched(step.steps, isWatched || step.kind == QLatin1String("watch"), watched);
-    }
-}
-
-/// True for steps that may move the arm or take time. Sections take as long as their steps.
-bool mayMatter(const project::ProgramStep* step) {
-    const StepKind* kind = step != nullptr ? findStepKind(step->kind) : nullptr;
-    return kind == nullptr || kind->id == QLatin1String("script") ||
-           (!kind->isSection && (kind->moves || kind->takesTime));
-}
-
-}  // namespace
-
-std::vector<int> stepsNotRun(const project::Project& project, const ProgramScript& script,
-                             const Preview& preview) {
-    QSet<QUuid> watched;
-    for (const project::Program& program : project.programs) {
-        collectWatched(program.steps, false, watched);
-    }
-    std::vector<int> numbers;
-    for (int number = 1; number <= static_cast<int>(script.steps.size()); ++number) {
-        const auto i = static_cast<std::size_t>(number - 1);
-        // Steps before the first step of the run have no lines.
-        const bool hasLines = std::ranges::find(script.stepOfLine, number) != script.stepOfLine.end();
-        if (!hasLines || (i < preview.timings.size() && preview.timings[i].count > 0)) {
-            continue;
-        }
-        const project::Program* program = project.programs.find(script.steps[i].program);
-        const project::ProgramStep* step =
-            program != nullptr ? findStep(program->steps, script.steps[i].step) : nullptr;
-        if (mayMatter(step) && !watched.contains(script.steps[i].step)) {
-            numbers.push_back(number);
-        }
-    }
-    return numbers;
-}
-
-QString stepNumbersText(const std::vector<int>& numbers) {
-    QStringList parts;
-    for (std::size_t i = 0; i < numbers.size();) {
-        std::size_t last = i;
-        while (last + 1 < numbers.size() && numbers[last + 1] == numbers[last] + 1) {
-            ++last;
-        }
-        parts << (last == i ? QString::number(numbers[i])
-                            : ProgramText::tr("%1 to %2", "step numbers").arg(numbers[i]).arg(numbers[last]));
-        i = last + 1;
-    }
-    const QString list = parts.join(QStringLiteral(", "));
-    return numbers.size() == 1 ? ProgramText::tr("step %1").arg(list) : ProgramText::tr("steps %1").arg(list);
-}
-
 SpeedLimits heldLimits(double tool, double joint, const SessionState& state, const Preview* preview) {
     const bool isKnown = preview != nullptr && preview->completed && isAtStart(*preview, state);
     const double lever = isKnown ? leverOf(*preview, state) : longestLever(state);
@@ -217,6 +156,14 @@ double slowedDuration(const Preview& preview, const SpeedLimits& limits, double 
     return sum / std::max(speedFraction, 0.01);
 }
 
+namespace {
+
+QString unconfirmedText(const QString& variable) {
+    return ProgramText::tr("Wait until the robot has confirmed the new value of “%1”.").arg(variable);
+}
+
+}  // namespace
+
 ProgramRunner::ProgramRunner(RobotSession& session, QObject* parent) : QObject(parent), session_(session) {
     connect(&session_, &RobotSession::samplesReceived, this, &ProgramRunner::take);
     connect(&session_, &RobotSession::stateChanged, this, &ProgramRunner::follow);
@@ -232,6 +179,8 @@ Result<RobotSession::MotionId> ProgramRunner::start(const RunPlan& plan, control
                      {}};
     }
     // Set the members before the session emits the new state.
+    auto before = std::tuple(state_, id_, project_, program_, script_, log_, expected_, limits_, holding_,
+                             endsByPause_, gate_, variables_);
     state_ = State::Sending;
     id_ = control::kNoMotion;
     project_ = plan.project;
@@ -242,6 +191,7 @@ Result<RobotSession::MotionId> ProgramRunner::start(const RunPlan& plan, control
     limits_ = plan.limits;
     holding_ = holding;
     endsByPause_ = false;
+    pausesHeld_ = waitsForPress_ = false;
     gate_ = RunGate(permitted);
     variables_.begin(script_);
     Q_EMIT variablesChanged();
@@ -249,7 +199,9 @@ Result<RobotSession::MotionId> ProgramRunner::start(const RunPlan& plan, control
     const auto begun = session_.beginProgram(plan.name, script_.gatedText(breakpoints), holding,
                                              session_.stops(), gate_.value(), script_.variables);
     if (!begun) {
-        state_ = State::Idle;
+        std::tie(state_, id_, project_, program_, script_, log_, expected_, limits_, holding_, endsByPause_,
+                 gate_, variables_) = std::move(before);
+        Q_EMIT variablesChanged();
         return begun.error();
     }
     id_ = *begun;
@@ -261,8 +213,11 @@ Result<RobotSession::MotionId> ProgramRunner::start(const RunPlan& plan, control
 
 HoldMotion ProgramRunner::motion(std::function<RunPlan()> plan) {
     return {
-        .begin = [this, plan = std::move(plan)] { return start(plan(), control::Holding::Held); },
-        .hold = [this](HoldMotion::Id id) { return session_.hold(id); },
+        .begin =
+            [this, plan = std::move(plan)] {
+                return waitsForPress() ? continueHeld() : start(plan(), control::Holding::Held);
+            },
+        .hold = [this](HoldMotion::Id id) { return hold(id); },
         .end = [this](HoldMotion::Id, control::StopCause cause) { stop(cause); },
         .runsToEnd = {},
         .bounds =
@@ -273,7 +228,63 @@ HoldMotion ProgramRunner::motion(std::function<RunPlan()> plan) {
                 bounds.holdTimeoutNs = HoldBounds::holdTimeoutAt(limits_.tool, limits_.joint);
                 return bounds;
             },
+        .pause = [this] { return pauseHeld(); },
     };
+}
+
+bool ProgramRunner::hold(RobotSession::MotionId id) {
+    if (pausesHeld_ && isWaiting()) {
+        pausesHeld_ = false;
+        waitsForPress_ = true;
+        session_.hold(id);
+        Q_EMIT changed();
+        return false;
+    }
+    return session_.hold(id);
+}
+
+std::int64_t ProgramRunner::pauseHeld() {
+    // A thread of the program could move the arm while the program waits.
+    if (expected_ > 0 || script_.changesMayMove) {
+        return 0;
+    }
+    pausesHeld_ = true;
+    pause();
+    const double seconds = moveSeconds();
+    return seconds > 0 ? HoldBounds::longestOf(kSlower * seconds) : 0;
+}
+
+Result<RobotSession::MotionId> ProgramRunner::continueHeld() {
+    if (const QString pending = variables_.pending(); !pending.isEmpty()) {
+        return Error{ErrorCode::Cancelled, unconfirmedText(pending), {}};
+    }
+    waitsForPress_ = false;
+    RunGate gate = gate_;
+    gate.resume(log_);
+    setGate(gate);
+    return id_;
+}
+
+/// Duration of the rest of the running move to a waypoint [s]; 0: the step is not such a move.
+double ProgramRunner::moveSeconds() const {
+    if (log_.step() < 1 || !std::isfinite(limits_.joint) || limits_.joint <= 0) {
+        return 0;
+    }
+    const project::ProgramStep* step =
+        numberedStep(project_, script_.steps[static_cast<std::size_t>(log_.step() - 1)]);
+    if (step == nullptr || (step->kind != QLatin1String("moveJ") && step->kind != QLatin1String("moveL"))) {
+        return 0;
+    }
+    const QUuid id(step->fields.value(QLatin1String("waypoint")).toString());
+    const auto target = std::find_if(project_.waypoints.begin(), project_.waypoints.end(),
+                                     [&](const project::Waypoint& point) { return point.id == id; });
+    if (target == project_.waypoints.end()) {
+        return 0;
+    }
+    const SessionState& now = session_.state();
+    const double turn = (target->joints.values - now.q.values).cwiseAbs().maxCoeff();
+    constexpr double kMinFraction = 0.02;  // of the speed slider
+    return turn / limits_.joint / std::max(now.speedFraction, kMinFraction);
 }
 
 void ProgramRunner::stop(control::StopCause cause) {
@@ -302,7 +313,7 @@ void ProgramRunner::pause() {
 }
 
 void ProgramRunner::resume() {
-    if (!variables_.pending().isEmpty()) {
+    if (!variables_.pending().isEmpty() || holding_ == control::Holding::Held) {
         return;
     }
     RunGate gate = gate_;
@@ -322,7 +333,7 @@ void ProgramRunner::passRemovedBreakpoint() {
 }
 
 void ProgramRunner::step() {
-    if (isWaiting() && variables_.pending().isEmpty()) {
+    if (isWaiting() && variables_.pending().isEmpty() && holding_ == control::Holding::Free) {
         RunGate gate = gate_;
         gate.step(log_);
         setGate(gate);
@@ -345,10 +356,8 @@ QString ProgramRunner::changeObstacle(const script::ProgramVariable& variable) c
            : session_.state().primaryStates == 0
                ? ProgramText::tr(
                      "The robot does not report its variables. Wait until the connection is restored.")
-           : !variables_.pending().isEmpty()
-               ? ProgramText::tr("Wait until the robot has confirmed the new value of “%1”.")
-                     .arg(variables_.pending())
-               : QString();
+           : !variables_.pending().isEmpty() ? unconfirmedText(variables_.pending())
+                                             : QString();
 }
 
 Result<void> ProgramRunner::changeVariable(const QString& name, const QString& text) {
@@ -401,6 +410,9 @@ void ProgramRunner::take(const SampleBatch& batch) {
                              log_.timings()[static_cast<std::size_t>(log_.step() - 1)].count == 1);
         }
     }
+    if (log_.isPausedOnRobot() && !std::get<3>(before)) {
+        session_.noteStopOnRobot();
+    }
     const bool begins = state_ == State::Sending && log_.hasBegun();
     if (begins) {
         state_ = State::Running;
@@ -419,6 +431,9 @@ void ProgramRunner::follow() {
     }
     if (!isActive() || id_ == control::kNoMotion) {
         return;
+    }
+    if (waitsForPress()) {
+        session_.hold(id_);  // the program only waits until the button is pressed again
     }
     followVariables();
     const Result<control::MotionProgress> progress = session_.motionProgress(id_);
@@ -454,7 +469,11 @@ void ProgramRunner::finish(const Result<control::MotionProgress>& progress) {
                : !log_.hasEnded()    ? End::Unknown
                                      : End::Completed;
     }
+    if (end_ == End::StoppedOnRobot || end_ == End::Replaced) {
+        session_.noteStopOnRobot();
+    }
     state_ = State::Ended;
+    pausesHeld_ = waitsForPress_ = false;
     variables_.forgetChange();
     Q_EMIT changed();
 }
@@ -469,8 +488,8 @@ bool ProgramRunner::isStoppedInLastStep() const {
     return state_ == State::Ended && isKnown && log_.lastStep() > 0;
 }
 
-QString ProgramRunner::endDetails() const {
-    return end_ == End::Failed ? error_.toString() : QString();
+bool ProgramRunner::wasHeldTooLong() const {
+    return state_ == State::Ended && end_ == End::Stopped && cause_ == control::StopCause::HeldTooLong;
 }
 
 QString ProgramRunner::endText(const project::Project& now) const {

@@ -31,15 +31,6 @@ struct RunPlan {
     SpeedLimits limits;   ///< speed limits of the moves
 };
 
-/// Numbers of the steps that move the arm or take time, and that the preview did not run, e.g. because they are in
-/// another branch. Such steps may contain faster and longer moves, and their problems are unknown.
-/// script  script of the preview
-std::vector<int> stepsNotRun(const project::Project& project, const ProgramScript& script,
-                             const Preview& preview);
-
-/// A list of step numbers, e.g. "step 2" or "steps 5 to 9, 12".
-QString stepNumbersText(const std::vector<int>& numbers);
-
 /// Speed limits of a hold-to-run program, at which neither TCP nor elbow exceeds `tool` in a joint move.
 /// tool     [m/s]
 /// joint    [rad/s]
@@ -106,19 +97,23 @@ public:
     ///         RobotSession::beginProgram()
     Result<RobotSession::MotionId> start(const RunPlan& plan, control::Holding holding,
                                          std::int32_t permitted = script::StepGate::kUnlimited);
-    /// The motion of a button that runs the program while it is held.
-    /// plan  called when the button is pressed
+    /// The motion of a button that runs the program while it is held. Near the maximum hold time, a program of
+    /// unknown duration pauses before its next step, and the next press continues it.
+    /// plan  called when the button is pressed, except to continue
     HoldMotion motion(std::function<RunPlan()> plan);
+    /// True while a held program waits for the next press, with the arm at standstill.
+    bool waitsForPress() const { return waitsForPress_ && isWaiting(); }
     void stop(control::StopCause cause);
 
     /// Pauses the program at standstill before its next step. The program stays active on the robot.
     void pause();
+    /// No effect on a held program, which continues with the next press.
     void resume();
     /// Sets the steps before which a program pauses, also in called programs. New breakpoints take effect at
     /// the next start. A program that already waits at a removed breakpoint waits until resume(). Held
     /// programs do not pause, because another press would end the hold.
     void setBreakpoints(const QSet<QUuid>& steps);
-    /// Runs one step of a waiting program, which then pauses again.
+    /// Runs one step of a waiting program, which then pauses again. No effect on a held program.
     void step();
     /// If true, the program ends at standstill before the next iteration of its outermost endless loop.
     void setEndsWithCycle(bool ends);
@@ -147,6 +142,8 @@ public:
     /// True if the program was stopped in log().lastStep(). After a loss of connection, later steps may have
     /// begun.
     bool isStoppedInLastStep() const;
+    /// True if the program ended because its button was held longer than the maximum time.
+    bool wasHeldTooLong() const;
     /// Describes the end in one sentence, with the step if the program did not complete.
     /// now  the project with later edits, for the numbers of the rows
     QString endText(const project::Project& now) const;
@@ -174,6 +171,10 @@ private:
     void take(const SampleBatch& batch);
     void follow();
     void finish(const Result<control::MotionProgress>& progress);
+    bool hold(RobotSession::MotionId id);
+    std::int64_t pauseHeld();
+    Result<RobotSession::MotionId> continueHeld();
+    double moveSeconds() const;
     void setGate(const RunGate& gate);
     void passRemovedBreakpoint();
 
@@ -193,7 +194,9 @@ private:
     double expected_ = 0;
     SpeedLimits limits_;
     control::Holding holding_ = control::Holding::Free;
-    bool endsByPause_ = false;  ///< a held program was paused on the robot, which ends it
+    bool pausesHeld_ = false;     ///< true if the held program pauses at its next step
+    bool waitsForPress_ = false;  ///< true if the held program has paused there
+    bool endsByPause_ = false;    ///< a held program was paused on the robot, which ends it
 };
 
 }  // namespace tiller::program

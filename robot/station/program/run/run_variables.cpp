@@ -151,7 +151,9 @@ QString RunVariables::fixedReason(const ProgramVariable& variable) const {
                ? ProgramText::tr("A URScript step in this program could move the arm after a change.")
            : !isSimple ? ProgramText::tr("Only numbers and True or False values can be changed.")
            : !changeableType(variable.name)
-               ? ProgramText::tr("Only variables that a step of the program sets can be changed.")
+               ? ProgramText::tr(
+                     "This variable is set by URScript text. Only variables of a “Set variable” step "
+                     "can be changed.")
                : QString();
 }
 

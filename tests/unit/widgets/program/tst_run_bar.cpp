@@ -365,6 +365,189 @@ private Q_SLOTS:
         QVERIFY(!bench.from().isChecked());
     }
 
+    // Such a program has no known duration, and the steps are in a section.
+    void aHeldRunContinuesAfterTheMaximumHoldTime() {
+        TabBench bench;
+        bench.setProgram({program::step("loop", {{"times", 8}}, bench.moves({"pick", "place"}))});
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        int presses = 0;
+        while (bench.runner().state() != ProgramRunner::State::Ended && presses < 10) {
+            ++presses;
+            bench.press(bench.hold());
+            const double from = bench.cell.truth().timestamp;
+            QVERIFY(bench.cell.advanceUntil([&] { return !bench.hold().isHolding(); }, kLongMs));
+            QVERIFY(bench.cell.truth().timestamp - from <= 20.5);
+            bench.release(bench.hold());
+            if (bench.runner().state() != ProgramRunner::State::Running) {
+                break;
+            }
+            if (presses > 1) {
+                continue;
+            }
+            // The arm waits at standstill, and only a press moves it.
+            QVERIFY(bench.standstill() <= kStandstillTime);
+            bench.cell.advanceMs(5000);
+            QVERIFY(bench.runner().isActive() && bench.isStill());
+            QVERIFY2(bench.status().contains("Hold “Continue (hold)”"), qPrintable(bench.status()));
+            QCOMPARE(bench.hold().text(), QStringLiteral("Continue (hold)"));
+            QVERIFY(bench.hold().isEnabled() && !bench.start().isEnabled());
+            QVERIFY(!bench.pause().isEnabled() && !bench.step().isEnabled());
+            // The script on the robot has the speed of the first press.
+            const HeldSpeed before = std::exchange(bench.speed, {0.02, 0.26, 0.17});
+            bench.press(bench.hold());
+            QVERIFY2(bench.status().contains("Select this speed again"), qPrintable(bench.status()));
+            bench.release(bench.hold());
+            bench.speed = before;
+            bench.cell.advanceMs(100);
+        }
+        QVERIFY2(presses > 2, qPrintable(QString::number(presses)));
+        QVERIFY(bench.awaitEnd());
+        QVERIFY2(bench.runner().end() == ProgramRunner::End::Completed, qPrintable(bench.status()));
+        QCOMPARE(bench.runner().log().timings()[1].count, 8);
+    }
+
+    void aProgramThatWaitsForAPressEnds_data() {
+        QTest::addColumn<QString>("by");
+        for (const char* by : {"Stop", "STOP", "another program", "a protective stop", "a pause on the robot",
+                               "a hanging window", "the release after the next press"}) {
+            QTest::newRow(by) << QString(by);
+        }
+    }
+    void aProgramThatWaitsForAPressEnds() {
+        QFETCH(QString, by);
+        TabBench bench;
+        bench.setProgram({program::step("loop", {{"times", 9}}, bench.moves({"pick", "place"}))});
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.press(bench.hold());
+        QVERIFY(bench.cell.advanceUntil([&] { return !bench.hold().isHolding(); }, kLongMs));
+        bench.release(bench.hold());
+        bench.cell.advanceMs(500);
+        QVERIFY(bench.runner().isActive());
+        if (by == "Stop") {
+            QCOMPARE(bench.run().text(), QStringLiteral("Stop"));
+            bench.run().click();
+        } else if (by == "STOP") {
+            bench.session.stop(StopCause::StopButton);
+        } else if (by == "another program") {
+            project::ProgramList programs = bench.document.project().programs;
+            programs.append(makeProgram("Other", bench.moves({"home"})));
+            bench.document.changePrograms(programs, "other");
+            auto& choice = bench.find<QComboBox>("program.choice");
+            choice.setCurrentIndex(1);
+            Q_EMIT choice.activated(1);
+        } else if (by == "a protective stop") {
+            bench.cell.robot.protectiveStop();
+        } else if (by == "a pause on the robot") {
+            QVERIFY(bench.sendFromOutside("pause program\n"));
+        } else if (by == "a hanging window") {
+            bench.cell.advanceWithFrozenInterface(300);
+        } else {
+            bench.press(bench.hold());
+            QVERIFY(bench.reachMotion());
+            bench.release(bench.hold());
+            QVERIFY(bench.standstill() <= kStandstillTime);
+        }
+        QVERIFY(bench.awaitEnd());
+        QVERIFY(bench.isStill());
+    }
+
+    // At a low jog speed, one move takes longer than the maximum hold time.
+    void aLongMoveOfAHeldRunReachesItsTarget_data() {
+        QTest::addColumn<bool>("isReleased");
+        QTest::newRow("held") << false;
+        QTest::newRow("released") << true;
+    }
+    void aLongMoveOfAHeldRunReachesItsTarget() {
+        QFETCH(bool, isReleased);
+        TabBench bench;
+        bench.speed = {0.004, 0.26, 0.17};
+        bench.setProgram({program::step("try", {}, bench.moves({"pick", "place"})),
+                          program::step("onError", {}, bench.moves({"home"}))});
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.press(bench.hold());
+        if (isReleased) {
+            bench.cell.advanceMs(22'000);
+            QVERIFY(bench.hold().isHolding() && bench.speedNow() > 0.003);
+            bench.release(bench.hold());
+            QVERIFY(bench.standstill() <= kStandstillTime);
+            QVERIFY(bench.awaitEnd());
+            return;
+        }
+        QVERIFY(bench.cell.advanceUntil([&] { return !bench.hold().isHolding(); }, 2 * kLongMs));
+        bench.release(bench.hold());
+        QVERIFY2(bench.status().contains("Paused before step 3"), qPrintable(bench.status()));
+        bench.press(bench.hold());
+        QVERIFY(bench.cell.advanceUntil([&] { return !bench.hold().isHolding(); }, 2 * kLongMs));
+        bench.release(bench.hold());
+        QVERIFY2(bench.awaitEnd(), qPrintable(bench.status()));
+        QVERIFY2(bench.runner().end() == ProgramRunner::End::Completed, qPrintable(bench.status()));
+    }
+
+    // This step has no end, so the program cannot wait before the next one.
+    void aRunHeldTooLongNamesTheRemedy() {
+        TabBench bench;
+        bench.setProgram({program::step("loop", {{"times", 2}}, {program::step("wait", {{"time", 60}})})});
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.press(bench.hold());
+        QVERIFY(bench.awaitEnd());
+        QVERIFY2(bench.status().contains("maximum hold time"), qPrintable(bench.status()));
+        QVERIFY2(bench.status().contains("Preview the program"), qPrintable(bench.status()));
+        bench.release(bench.hold());
+    }
+
+    void aHeldRunExplainsItsLowSpeed() {
+        TabBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.press(bench.hold());
+        QVERIFY(bench.reachMotion());
+        QVERIFY2(bench.status().contains("slow"), qPrintable(bench.status()));
+        bench.release(bench.hold());
+        QVERIFY(bench.awaitEnd());
+        QVERIFY(bench.preview() && bench.moveToStart());
+        bench.cell.advanceMs(20);
+        bench.press(bench.hold());
+        QVERIFY(bench.reachMotion());
+        QVERIFY2(!bench.status().contains("slow"), qPrintable(bench.status()));
+        bench.release(bench.hold());
+    }
+
+    void theRecoverabilityCheckUsesTheInputs() {
+        TabBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        std::vector<project::ProgramStep> steps = bench.moves({"home"});
+        steps.push_back(program::step("if", {{"condition", "DI0"}}, bench.moves({"pick", "place"})));
+        steps.push_back(program::step("else", {}, bench.moves({"pick"})));
+        bench.setProgram(steps);
+        bench.cell.robot.setDigitalInput(0, true);
+        QVERIFY(bench.cell.advanceUntil([&] { return (bench.session.state().digitalInputs & 1U) != 0; },
+                                        kLongMs));
+        QVERIFY(bench.checkRecoverability());
+        QVERIFY2(bench.status().contains("Not checked: steps 5 to 6"), qPrintable(bench.status()));
+        // A stop in a step that was not checked.
+        bench.cell.robot.setDigitalInput(0, false);
+        QVERIFY(bench.cell.advanceUntil([&] { return (bench.session.state().digitalInputs & 1U) == 0; },
+                                        kLongMs));
+        QVERIFY(bench.preview() && bench.moveToStart());
+        bench.cell.advanceMs(20);
+        bench.run().click();
+        bench.tab.findChild<QPushButton*>("program.notSimulated.run")->click();
+        QVERIFY(bench.cell.advanceUntil([&] { return bench.runner().log().step() == 6; }, kLongMs));
+        bench.run().click();
+        QVERIFY(bench.awaitEnd());
+        QVERIFY2(bench.status().contains("did not reach step 6"), qPrintable(bench.status()));
+    }
+
+    // The stop time of the pendant is not known.
+    void aStopOnTheRobotIsTheLastStop() {
+        TabBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.runFreely({"pick", "place"}));
+        QVERIFY(bench.session.state().lastStop.count == 0 || bench.session.state().lastStopSeen);
+        QVERIFY(bench.sendFromOutside("stop program\n"));
+        QVERIFY(bench.awaitEnd());
+        QVERIFY(!bench.session.state().lastStopSeen);
+    }
+
     void runNeedsAPreviewAndTheStartPosition() {
         TabBench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
@@ -602,6 +785,28 @@ private Q_SLOTS:
         QVERIFY(bench.cell.advanceUntil([&] { return text(1, 2) == "True"; }, kLongMs));
         QVERIFY(log.contains("Variable “done”: False → True"));
         QVERIFY(bench.standstill() == 0 && bench.runner().isWaiting());
+        // A flag is typed, e.g. after Ctrl+A. Every other word is refused.
+        const auto typeFlag = [&](const char* typed) {
+            select(1);
+            list.edit(index(1));
+            flag = list.findChild<QComboBox*>();
+            if (flag == nullptr) {
+                return;
+            }
+            QTest::keyClick(flag, Qt::Key_A, Qt::ControlModifier);
+            QTest::keyClicks(flag, typed);
+            QTest::keyClick(flag, Qt::Key_Return);
+            QCoreApplication::processEvents();
+            QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        };
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        typeFlag("False");
+        QVERIFY(bench.cell.advanceUntil([&] { return text(1, 2) == "False"; }, kLongMs));
+        typeFlag("True");
+        QVERIFY(bench.cell.advanceUntil([&] { return text(1, 2) == "True"; }, kLongMs));
+        typeFlag("yes");
+        QVERIFY2(bench.status().contains("not True or False"), qPrintable(bench.status()));
+        QCOMPARE(text(1, 2), QStringLiteral("True"));
         // The moves with the new values were not previewed.
         bench.pause().click();
         QVERIFY(bench.tab.findChild<QMessageBox*>("program.changed") != nullptr);

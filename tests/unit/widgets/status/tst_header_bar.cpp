@@ -121,6 +121,11 @@ private Q_SLOTS:
         state.lastStopSeen = false;
         header.applyState(state);
         QCOMPARE(header.findChild<StateChip*>("lastStopChip")->text(), QStringLiteral("not measured"));
+        // A program was stopped on the robot.
+        state.unmeasuredStop = {control::StopCause::None, control::UnmeasuredStop::Reason::OtherProgram, 1};
+        header.applyState(state);
+        QCOMPARE(header.findChild<StateChip*>("lastStopChip")->text(), QStringLiteral("not measured"));
+        QVERIFY(header.findChild<StateChip*>("lastStopChip")->toolTip().contains("stopped on the robot"));
         state.unmeasuredStop.reason = control::UnmeasuredStop::Reason::NotStopped;
         header.applyState(state);
         QCOMPARE(header.findChild<StateChip*>("lastStopChip")->text(), QStringLiteral("not stopped"));

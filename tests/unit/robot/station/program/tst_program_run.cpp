@@ -8,6 +8,7 @@
 #include "program_samples.h"
 #include "robot/script/script_client.h"
 #include "robot/station/program/run/program_runner.h"
+#include "robot/station/program/run/steps_not_reached.h"
 #include "tests/support/virtual_cell.h"
 #include "tests/support/waiting.h"
 
@@ -650,7 +651,7 @@ private Q_SLOTS:
         const auto variable = [&](const char* name) { return bench.variable(name); };
         QVERIFY(bench.runner.changeObstacle(variable("count")).isEmpty());
         QVERIFY(bench.runner.changeObstacle(variable("label")).contains("Only numbers"));
-        QVERIFY(bench.runner.changeObstacle(variable("own")).contains("step of the program"));
+        QVERIFY(bench.runner.changeObstacle(variable("own")).contains("“Set variable” step"));
         for (const auto& [name, text] :
              {std::pair("count", "2.5"), std::pair("count", "3000000000"), std::pair("depth", "deep"),
               std::pair("depth", "nan"), std::pair("done", "1"), std::pair("label", "b"),
@@ -1244,8 +1245,46 @@ private Q_SLOTS:
         QCOMPARE(notRun(previewOf({step("if", {{"condition", "True"}}, {move})})), QString("steps "));
         const std::vector<project::ProgramStep> branch{step("if", {{"condition", "False"}}, {move, move})};
         QCOMPARE(notRun(previewOf({bench.move("place"), branch.front()})), QString("step 4"));
+        // All steps of the branch are named, also those that do not matter for the question.
+        QCOMPARE(
+            notRun(previewOf(
+                {step("if", {{"condition", "False"}},
+                      {bench.move("pick"), step("setOutput", {{"output", 0}}),
+                       step("loop", {{"times", 2}}, {bench.move("pick"), step("comment", {{"text", "x"}})})}),
+                 bench.move("place")})),
+            QString("steps 2 to 5"));
+        QCOMPARE(notRun(previewOf({step("if", {{"condition", "False"}}, {step("setOutput", {{"output", 0}})}),
+                                   bench.move("place")})),
+                 QString("steps "));
         QCOMPARE(stepNumbersText({2, 5, 6, 7, 9}), QString("steps 2, 5 to 7, 9"));
         QCOMPARE(stepNumbersText({12}), QString("step 12"));
+    }
+
+    void aRefusedStartKeepsThePreviousRun() {
+        RunBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.setSteps({bench.move("pick")});
+        QVERIFY(bench.begin(Holding::Free));
+        QVERIFY(bench.awaitEnd());
+        const QString script = bench.runner.script().text;
+        const double seconds = bench.runner.log().seconds();
+        bench.session.setProjectGuard([] { return QStringLiteral("other TCP"); });
+        bench.setSteps({bench.move("place"), bench.move("pick")});
+        QVERIFY(!bench.runner.start(bench.plan(), Holding::Free).ok());
+        QCOMPARE(bench.runner.state(), ProgramRunner::State::Ended);
+        QCOMPARE(bench.runner.end(), ProgramRunner::End::Completed);
+        QCOMPARE(bench.runner.script().text, script);
+        QCOMPARE(bench.runner.log().seconds(), seconds);
+    }
+
+    void aVariableOfUrscriptTextNamesTheReason() {
+        RunVariables variables;
+        variables.begin({});
+        script::ProgramVariable variable;
+        variable.name = "count";
+        variable.type = script::ProgramVariable::Type::Whole;
+        QVERIFY2(variables.fixedReason(variable).contains("URScript"),
+                 qPrintable(variables.fixedReason(variable)));
     }
 
     void aCollisionOfThePreviewIsNamed() {
