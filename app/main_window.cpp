@@ -153,7 +153,7 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     });
     setObjectName("mainWindow");
     setAcceptDrops(true);
-    setWindowTitle(tr("Tiller"));
+    showTitle();
     setWindowIcon(applicationIcon());
     setMinimumSize(kSmallestWindow);
     resize(startSize());
@@ -835,6 +835,19 @@ void MainWindow::keepLayout() {
     }
 }
 
+/// Shows the robot in the title, so that the windows of two robots differ in the list of windows.
+void MainWindow::showTitle() {
+    const SessionState& state = session_->state();
+    const bool hasName = !state.robotName.isEmpty() && state.robotName != state.address;
+    const QString robot = state.link == LinkState::Disconnected ? QString()
+                          : hasName ? tr("%1 (%2)", "robot, address").arg(state.robotName, state.address)
+                                    : state.address;
+    const QString title = robot.isEmpty() ? tr("Tiller") : tr("%1 — Tiller").arg(robot);
+    if (title != windowTitle()) {
+        setWindowTitle(title);
+    }
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
     // A program that runs without hold-to-run continues until the window is closed.
     stopMotion(program_->runsFreely() ? control::StopCause::DialogOpened : control::StopCause::WindowClosed);
@@ -1036,6 +1049,7 @@ void MainWindow::buildActions() {
     }
     connect(session_, &RobotSession::stateChanged, actions_, &ActionTable::applyState);
     connect(session_, &RobotSession::stateChanged, this, &MainWindow::rememberRobot);
+    connect(session_, &RobotSession::stateChanged, this, &MainWindow::showTitle);
     actions_->applyState(session_->state());
 
     for (const auto& [id, title] : actionMenus()) {

@@ -185,6 +185,7 @@ private:
                       const std::function<void()>& accepted);
     /// Changes the connection. Asks first if this would stop a recording or a program of this window.
     void changeRobot(const std::function<void()>& change);
+    void showTitle();
     void showSettings(bool atRecording = false);
     void reopenWindow(SettingsPage& page);
     void connectTransfer();

@@ -59,6 +59,21 @@ private Q_SLOTS:
     }
     void initTestCase() { initResources(); }
 
+    // The list of windows distinguishes two robots.
+    void theTitleNamesTheRobot() {
+        VirtualClock clock;
+        app::MainWindow window(settings(), clock);
+        QCOMPARE(window.windowTitle(), QStringLiteral("Tiller"));
+        VirtualCell cell(clock, window.session());
+        QVERIFY2(cell.connect(), qPrintable(cell.what()));
+        const SessionState& state = window.session().state();
+        QVERIFY2(window.windowTitle().endsWith(" — Tiller"), qPrintable(window.windowTitle()));
+        QVERIFY2(window.windowTitle().contains(state.address), qPrintable(window.windowTitle()));
+        QVERIFY2(window.windowTitle().contains(state.robotName), qPrintable(window.windowTitle()));
+        window.session().disconnectFromRobot();
+        QTRY_COMPARE_WITH_TIMEOUT(window.windowTitle(), QStringLiteral("Tiller"), 60'000);
+    }
+
     void nothingIsCutOffAtTheSmallestSize_data() {
         QTest::addColumn<QSize>("size");
         QTest::newRow("1280x720") << QSize(1280, 720);
