@@ -3390,10 +3390,6 @@
         <translation>Nur Zahlen und die Werte True und False können geändert werden.</translation>
     </message>
     <message>
-        <source>Only variables that a step of the program sets can be changed.</source>
-        <translation>Nur Variablen, die ein Schritt des Programms setzt, können geändert werden.</translation>
-    </message>
-    <message>
         <source>The program has no variable “%1”.</source>
         <translation>Das Programm hat keine Variable „%1“.</translation>
     </message>
@@ -3408,6 +3404,14 @@
     <message>
         <source>The robot does not report its variables. Wait until the connection is restored.</source>
         <translation>Der Roboter meldet seine Variablen nicht. Warten Sie, bis die Verbindung wiederhergestellt ist.</translation>
+    </message>
+    <message>
+        <source>The recoverability check did not reach step %1 (%2). Check again with the inputs of the run to find out whether the program can continue.</source>
+        <translation>Die Prüfung der Fortsetzbarkeit hat Schritt %1 (%2) nicht erreicht. Prüfen Sie erneut mit den Eingängen des Laufs, ob das Programm fortgesetzt werden kann.</translation>
+    </message>
+    <message>
+        <source>This variable is set by URScript text. Only variables of a “Set variable” step can be changed.</source>
+        <translation>Diese Variable wird von URScript-Text gesetzt. Nur Variablen eines Schritts „Variable setzen“ können geändert werden.</translation>
     </message>
 </context>
 <context>
@@ -6520,6 +6524,10 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <source>not stopped</source>
         <translation>nicht gestoppt</translation>
     </message>
+    <message>
+        <source>The program was stopped on the robot, so the stop could not be measured.</source>
+        <translation>Das Programm wurde am Roboter gestoppt, daher konnte der Stopp nicht gemessen werden.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::HoldRules</name>
@@ -7079,24 +7087,8 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Tiller</translation>
     </message>
     <message>
-        <source>the operator</source>
-        <translation>der Bediener</translation>
-    </message>
-    <message>
-        <source>the robot</source>
-        <translation>der Roboter</translation>
-    </message>
-    <message>
         <source>(×%1 until %2) %3</source>
         <translation>(×%1 bis %2) %3</translation>
-    </message>
-    <message>
-        <source>%1 · from %2</source>
-        <translation>%1 · von %2</translation>
-    </message>
-    <message>
-        <source>%1 times between %2 and %3 · from %4</source>
-        <translation>%1-mal von %2 bis %3 · von %4</translation>
     </message>
     <message>
         <source>Time</source>
@@ -7121,6 +7113,22 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
     <message>
         <source>Open the recording at this time</source>
         <translation>Aufzeichnung an diesem Zeitpunkt öffnen</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Bediener</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>%1 · Origin: %2</source>
+        <translation>%1 · Ursprung: %2</translation>
+    </message>
+    <message>
+        <source>%1 times between %2 and %3 · Origin: %4</source>
+        <translation>%1-mal von %2 bis %3 · Ursprung: %4</translation>
     </message>
 </context>
 <context>
@@ -9443,6 +9451,18 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
             <numerusform>%n Schritte haben sich mit dem Projekt geändert. Drücken Sie „Vorschau“, um das Programm zu simulieren.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Paused before step %1 (%2) at the maximum hold time. Hold “Continue (hold)” to continue.</source>
+        <translation>Pausiert vor Schritt %1 (%2) nach der maximalen Haltezeit. Halten Sie „Fortsetzen (halten)“ gedrückt, um fortzufahren.</translation>
+    </message>
+    <message>
+        <source>Running step %1 (%2). Joint moves are slow, because the preview did not run the whole program from this position.</source>
+        <translation>Schritt %1 (%2) läuft. Gelenkbewegungen sind langsam, weil die Vorschau nicht das ganze Programm ab dieser Position ausgeführt hat.</translation>
+    </message>
+    <message>
+        <source>Not checked: %1.</source>
+        <translation>Nicht geprüft: %1.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectDocument</name>
@@ -10397,6 +10417,18 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <source>Starts the program at the selected step. Move the arm to the start position first.</source>
         <translation>Beginnt das Programm beim ausgewählten Schritt. Fahren Sie den Arm zuerst zur Startposition.</translation>
     </message>
+    <message>
+        <source>The program waits with a jog speed of %1. Select this speed again, or stop the program.</source>
+        <translation>Das Programm wartet mit einer Verfahrgeschwindigkeit von %1. Wählen Sie diese Geschwindigkeit wieder oder stoppen Sie das Programm.</translation>
+    </message>
+    <message>
+        <source>%1 Preview the program with the present inputs, or select a higher jog speed, so that it can run to its end.</source>
+        <translation>%1 Simulieren Sie das Programm mit den aktuellen Eingängen oder wählen Sie eine höhere Verfahrgeschwindigkeit, damit es bis zum Ende laufen kann.</translation>
+    </message>
+    <message>
+        <source>Hold “Continue (hold)” to continue.</source>
+        <translation>Halten Sie „Fortsetzen (halten)“ gedrückt, um fortzufahren.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::SceneDock</name>
@@ -11050,6 +11082,10 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
     <message>
         <source>Variables of the program</source>
         <translation>Variablen des Programms</translation>
+    </message>
+    <message>
+        <source>The program has set another variable, so the value was not changed. Enter it again.</source>
+        <translation>Das Programm hat eine weitere Variable gesetzt, daher wurde der Wert nicht geändert. Geben Sie ihn erneut ein.</translation>
     </message>
 </context>
 <context>
@@ -12875,6 +12911,15 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     <message>
         <source>Keyboard jogging was disarmed, because an input field has the focus: the keys now edit the field. Arm the keyboard again to jog.</source>
         <translation>Die Tastatur wurde abgeschaltet, weil ein Eingabefeld den Fokus hat: Die Tasten bearbeiten jetzt das Feld. Schalten Sie die Tastatur zum Joggen wieder scharf.</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>robot, address</comment>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 — Tiller</source>
+        <translation>%1 — Tiller</translation>
     </message>
 </context>
 <context>

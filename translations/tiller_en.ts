@@ -3390,10 +3390,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Only variables that a step of the program sets can be changed.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The program has no variable “%1”.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3407,6 +3403,14 @@
     </message>
     <message>
         <source>The robot does not report its variables. Wait until the connection is restored.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recoverability check did not reach step %1 (%2). Check again with the inputs of the run to find out whether the program can continue.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This variable is set by URScript text. Only variables of a “Set variable” step can be changed.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6516,6 +6520,10 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <source>not stopped</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The program was stopped on the robot, so the stop could not be measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::HoldRules</name>
@@ -7072,22 +7080,6 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the operator</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the robot</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 · from %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 times between %2 and %3 · from %4</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Time</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7113,6 +7105,22 @@ Right-click or press F2 to rename it.</source>
     </message>
     <message>
         <source>Open the recording at this time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · Origin: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 times between %2 and %3 · Origin: %4</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9430,6 +9438,18 @@ Release the button to stop the arm.</source>
             <numerusform>%n steps changed with the project. Press “Preview” to simulate the program.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Paused before step %1 (%2) at the maximum hold time. Hold “Continue (hold)” to continue.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Running step %1 (%2). Joint moves are slow, because the preview did not run the whole program from this position.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not checked: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectDocument</name>
@@ -10384,6 +10404,18 @@ Release the button to stop the arm.</source>
         <source>Starts the program at the selected step. Move the arm to the start position first.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The program waits with a jog speed of %1. Select this speed again, or stop the program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 Preview the program with the present inputs, or select a higher jog speed, so that it can run to its end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold “Continue (hold)” to continue.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::SceneDock</name>
@@ -11035,6 +11067,10 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
     <name>tiller::VariableList</name>
     <message>
         <source>Variables of the program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program has set another variable, so the value was not changed. Enter it again.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -12858,6 +12894,15 @@ Jog the arm to a position and press “Teach here” (T).</source>
     </message>
     <message>
         <source>Keyboard jogging was disarmed, because an input field has the focus: the keys now edit the field. Arm the keyboard again to jog.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>robot, address</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 — Tiller</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -3390,10 +3390,6 @@
         <translation>Solo se pueden cambiar números y los valores True o False.</translation>
     </message>
     <message>
-        <source>Only variables that a step of the program sets can be changed.</source>
-        <translation>Solo se pueden cambiar las variables que establece un paso del programa.</translation>
-    </message>
-    <message>
         <source>The program has no variable “%1”.</source>
         <translation>El programa no tiene ninguna variable «%1».</translation>
     </message>
@@ -3408,6 +3404,14 @@
     <message>
         <source>The robot does not report its variables. Wait until the connection is restored.</source>
         <translation>El robot no comunica sus variables. Espere hasta que se restablezca la conexión.</translation>
+    </message>
+    <message>
+        <source>The recoverability check did not reach step %1 (%2). Check again with the inputs of the run to find out whether the program can continue.</source>
+        <translation>La comprobación de reanudación no llegó al paso %1 (%2). Compruebe de nuevo con las entradas de la ejecución si el programa puede continuar.</translation>
+    </message>
+    <message>
+        <source>This variable is set by URScript text. Only variables of a “Set variable” step can be changed.</source>
+        <translation>Esta variable la asigna un texto URScript. Solo se pueden cambiar las variables de un paso «Asignar variable».</translation>
     </message>
 </context>
 <context>
@@ -6520,6 +6524,10 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <source>not stopped</source>
         <translation>no detenido</translation>
     </message>
+    <message>
+        <source>The program was stopped on the robot, so the stop could not be measured.</source>
+        <translation>El programa se paró en el robot, por lo que no se pudo medir la parada.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::HoldRules</name>
@@ -7079,24 +7087,8 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Tiller</translation>
     </message>
     <message>
-        <source>the operator</source>
-        <translation>el operador</translation>
-    </message>
-    <message>
-        <source>the robot</source>
-        <translation>el robot</translation>
-    </message>
-    <message>
         <source>(×%1 until %2) %3</source>
         <translation>(×%1 hasta %2) %3</translation>
-    </message>
-    <message>
-        <source>%1 · from %2</source>
-        <translation>%1 · de %2</translation>
-    </message>
-    <message>
-        <source>%1 times between %2 and %3 · from %4</source>
-        <translation>%1 veces de %2 a %3 · de %4</translation>
     </message>
     <message>
         <source>Time</source>
@@ -7121,6 +7113,22 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
     <message>
         <source>Open the recording at this time</source>
         <translation>Abrir la grabación en este momento</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Operador</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>%1 · Origin: %2</source>
+        <translation>%1 · Origen: %2</translation>
+    </message>
+    <message>
+        <source>%1 times between %2 and %3 · Origin: %4</source>
+        <translation>%1 veces de %2 a %3 · Origen: %4</translation>
     </message>
 </context>
 <context>
@@ -9443,6 +9451,18 @@ Suelte el botón para detener el brazo.</translation>
             <numerusform>%n pasos han cambiado con el proyecto. Pulse «Vista previa» para simular el programa.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Paused before step %1 (%2) at the maximum hold time. Hold “Continue (hold)” to continue.</source>
+        <translation>En pausa antes del paso %1 (%2) por el tiempo máximo de pulsación. Mantenga pulsado «Continuar (mantener)» para continuar.</translation>
+    </message>
+    <message>
+        <source>Running step %1 (%2). Joint moves are slow, because the preview did not run the whole program from this position.</source>
+        <translation>Ejecutando el paso %1 (%2). Los movimientos articulares son lentos porque la vista previa no ejecutó todo el programa desde esta posición.</translation>
+    </message>
+    <message>
+        <source>Not checked: %1.</source>
+        <translation>Sin comprobar: %1.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectDocument</name>
@@ -10397,6 +10417,18 @@ Suelte el botón para detener el brazo.</translation>
         <source>Starts the program at the selected step. Move the arm to the start position first.</source>
         <translation>Inicia el programa en el paso seleccionado. Mueva antes el brazo a la posición inicial.</translation>
     </message>
+    <message>
+        <source>The program waits with a jog speed of %1. Select this speed again, or stop the program.</source>
+        <translation>El programa espera con una velocidad manual de %1. Seleccione de nuevo esta velocidad o pare el programa.</translation>
+    </message>
+    <message>
+        <source>%1 Preview the program with the present inputs, or select a higher jog speed, so that it can run to its end.</source>
+        <translation>%1 Simule el programa con las entradas actuales o seleccione una velocidad manual mayor para que pueda llegar a su final.</translation>
+    </message>
+    <message>
+        <source>Hold “Continue (hold)” to continue.</source>
+        <translation>Mantenga pulsado «Continuar (mantener)» para continuar.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::SceneDock</name>
@@ -11050,6 +11082,10 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
     <message>
         <source>Variables of the program</source>
         <translation>Variables del programa</translation>
+    </message>
+    <message>
+        <source>The program has set another variable, so the value was not changed. Enter it again.</source>
+        <translation>El programa ha asignado otra variable, por lo que el valor no se cambió. Introdúzcalo de nuevo.</translation>
     </message>
 </context>
 <context>
@@ -12875,6 +12911,15 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     <message>
         <source>Keyboard jogging was disarmed, because an input field has the focus: the keys now edit the field. Arm the keyboard again to jog.</source>
         <translation>El teclado se ha desarmado porque un campo de entrada tiene el foco: las teclas editan ahora el campo. Arme de nuevo el teclado para mover el brazo.</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>robot, address</comment>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 — Tiller</source>
+        <translation>%1 — Tiller</translation>
     </message>
 </context>
 <context>

@@ -3390,10 +3390,6 @@
         <translation>Seuls les nombres et les valeurs True ou False peuvent être modifiés.</translation>
     </message>
     <message>
-        <source>Only variables that a step of the program sets can be changed.</source>
-        <translation>Seules les variables définies par une étape du programme peuvent être modifiées.</translation>
-    </message>
-    <message>
         <source>The program has no variable “%1”.</source>
         <translation>Le programme n&apos;a pas de variable « %1 ».</translation>
     </message>
@@ -3408,6 +3404,14 @@
     <message>
         <source>The robot does not report its variables. Wait until the connection is restored.</source>
         <translation>Le robot ne communique pas ses variables. Attendez que la connexion soit rétablie.</translation>
+    </message>
+    <message>
+        <source>The recoverability check did not reach step %1 (%2). Check again with the inputs of the run to find out whether the program can continue.</source>
+        <translation>La vérification de la reprise n’a pas atteint l’étape %1 (%2). Vérifiez à nouveau avec les entrées de l’exécution si le programme peut reprendre.</translation>
+    </message>
+    <message>
+        <source>This variable is set by URScript text. Only variables of a “Set variable” step can be changed.</source>
+        <translation>Cette variable est définie par du texte URScript. Seules les variables d’une étape « Définir une variable » peuvent être modifiées.</translation>
     </message>
 </context>
 <context>
@@ -6520,6 +6524,10 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <source>not stopped</source>
         <translation>non arrêté</translation>
     </message>
+    <message>
+        <source>The program was stopped on the robot, so the stop could not be measured.</source>
+        <translation>Le programme a été arrêté sur le robot, l’arrêt n’a donc pas pu être mesuré.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::HoldRules</name>
@@ -7079,24 +7087,8 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Tiller</translation>
     </message>
     <message>
-        <source>the operator</source>
-        <translation>l’opérateur</translation>
-    </message>
-    <message>
-        <source>the robot</source>
-        <translation>le robot</translation>
-    </message>
-    <message>
         <source>(×%1 until %2) %3</source>
         <translation>(×%1 jusqu’à %2) %3</translation>
-    </message>
-    <message>
-        <source>%1 · from %2</source>
-        <translation>%1 · de %2</translation>
-    </message>
-    <message>
-        <source>%1 times between %2 and %3 · from %4</source>
-        <translation>%1 fois de %2 à %3 · de %4</translation>
     </message>
     <message>
         <source>Time</source>
@@ -7121,6 +7113,22 @@ Clic droit ou F2 pour renommer.</translation>
     <message>
         <source>Open the recording at this time</source>
         <translation>Ouvrir l’enregistrement à ce moment</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Opérateur</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>%1 · Origin: %2</source>
+        <translation>%1 · Origine : %2</translation>
+    </message>
+    <message>
+        <source>%1 times between %2 and %3 · Origin: %4</source>
+        <translation>%1 fois de %2 à %3 · Origine : %4</translation>
     </message>
 </context>
 <context>
@@ -9443,6 +9451,18 @@ Relâchez le bouton pour arrêter le bras.</translation>
             <numerusform>%n étapes ont changé avec le projet. Appuyez sur « Aperçu » pour simuler le programme.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Paused before step %1 (%2) at the maximum hold time. Hold “Continue (hold)” to continue.</source>
+        <translation>En pause avant l’étape %1 (%2) : durée maximale de maintien atteinte. Maintenez « Reprendre (maintenir) » pour reprendre.</translation>
+    </message>
+    <message>
+        <source>Running step %1 (%2). Joint moves are slow, because the preview did not run the whole program from this position.</source>
+        <translation>Étape %1 (%2) en cours. Les mouvements articulaires sont lents, car l’aperçu n’a pas exécuté tout le programme à partir de cette position.</translation>
+    </message>
+    <message>
+        <source>Not checked: %1.</source>
+        <translation>Non vérifié : %1.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectDocument</name>
@@ -10397,6 +10417,18 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <source>Starts the program at the selected step. Move the arm to the start position first.</source>
         <translation>Démarre le programme à l’étape sélectionnée. Amenez d’abord le bras à la position de départ.</translation>
     </message>
+    <message>
+        <source>The program waits with a jog speed of %1. Select this speed again, or stop the program.</source>
+        <translation>Le programme attend avec une vitesse manuelle de %1. Sélectionnez à nouveau cette vitesse ou arrêtez le programme.</translation>
+    </message>
+    <message>
+        <source>%1 Preview the program with the present inputs, or select a higher jog speed, so that it can run to its end.</source>
+        <translation>%1 Simulez le programme avec les entrées actuelles ou sélectionnez une vitesse manuelle plus élevée pour qu’il puisse aller jusqu’à sa fin.</translation>
+    </message>
+    <message>
+        <source>Hold “Continue (hold)” to continue.</source>
+        <translation>Maintenez « Reprendre (maintenir) » pour reprendre.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::SceneDock</name>
@@ -11050,6 +11082,10 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
     <message>
         <source>Variables of the program</source>
         <translation>Variables du programme</translation>
+    </message>
+    <message>
+        <source>The program has set another variable, so the value was not changed. Enter it again.</source>
+        <translation>Le programme a défini une autre variable, la valeur n’a donc pas été modifiée. Saisissez-la à nouveau.</translation>
     </message>
 </context>
 <context>
@@ -12875,6 +12911,15 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     <message>
         <source>Keyboard jogging was disarmed, because an input field has the focus: the keys now edit the field. Arm the keyboard again to jog.</source>
         <translation>Le clavier a été désarmé, car un champ de saisie a le focus : les touches modifient maintenant le champ. Réarmez le clavier pour déplacer le bras.</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>robot, address</comment>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 — Tiller</source>
+        <translation>%1 — Tiller</translation>
     </message>
 </context>
 <context>

@@ -3390,10 +3390,6 @@
         <translation>変更できるのは数値と True または False の値だけです。</translation>
     </message>
     <message>
-        <source>Only variables that a step of the program sets can be changed.</source>
-        <translation>変更できるのは、プログラムのステップが設定する変数だけです。</translation>
-    </message>
-    <message>
         <source>The program has no variable “%1”.</source>
         <translation>プログラムに変数「%1」はありません。</translation>
     </message>
@@ -3408,6 +3404,14 @@
     <message>
         <source>The robot does not report its variables. Wait until the connection is restored.</source>
         <translation>ロボットが変数を送信していません。接続が復旧するまでお待ちください。</translation>
+    </message>
+    <message>
+        <source>The recoverability check did not reach step %1 (%2). Check again with the inputs of the run to find out whether the program can continue.</source>
+        <translation>続行可能性のチェックはステップ %1 (%2) に到達しませんでした。プログラムを続行できるかどうか、実行時の入力でもう一度チェックしてください。</translation>
+    </message>
+    <message>
+        <source>This variable is set by URScript text. Only variables of a “Set variable” step can be changed.</source>
+        <translation>この変数は URScript テキストで設定されています。変更できるのは「変数を設定」ステップの変数だけです。</translation>
     </message>
 </context>
 <context>
@@ -6511,6 +6515,10 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <source>not stopped</source>
         <translation>停止していません</translation>
     </message>
+    <message>
+        <source>The program was stopped on the robot, so the stop could not be measured.</source>
+        <translation>プログラムはロボット側で停止されたため、停止を測定できませんでした。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::HoldRules</name>
@@ -7070,24 +7078,8 @@ Right-click or press F2 to rename it.</source>
         <translation>Tiller</translation>
     </message>
     <message>
-        <source>the operator</source>
-        <translation>操作者</translation>
-    </message>
-    <message>
-        <source>the robot</source>
-        <translation>ロボット</translation>
-    </message>
-    <message>
         <source>(×%1 until %2) %3</source>
         <translation>（%2 まで ×%1）%3</translation>
-    </message>
-    <message>
-        <source>%1 · from %2</source>
-        <translation>%1 · %2 から</translation>
-    </message>
-    <message>
-        <source>%1 times between %2 and %3 · from %4</source>
-        <translation>%2 から %3 まで %1 回 · %4 から</translation>
     </message>
     <message>
         <source>Time</source>
@@ -7112,6 +7104,22 @@ Right-click or press F2 to rename it.</source>
     <message>
         <source>Open the recording at this time</source>
         <translation>この時点で記録を開きます</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>オペレーター</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>ロボット</translation>
+    </message>
+    <message>
+        <source>%1 · Origin: %2</source>
+        <translation>%1 · 発生元: %2</translation>
+    </message>
+    <message>
+        <source>%1 times between %2 and %3 · Origin: %4</source>
+        <translation>%2 から %3 まで %1 回 · 発生元: %4</translation>
     </message>
 </context>
 <context>
@@ -9422,6 +9430,18 @@ Release the button to stop the arm.</source>
             <numerusform>プロジェクトの変更により %n ステップが変わりました。「プレビュー」を押してプログラムをシミュレートしてください。</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Paused before step %1 (%2) at the maximum hold time. Hold “Continue (hold)” to continue.</source>
+        <translation>最大保持時間に達したため、ステップ %1 (%2) の前で一時停止中。続けるには「再開 (長押し)」を押し続けてください。</translation>
+    </message>
+    <message>
+        <source>Running step %1 (%2). Joint moves are slow, because the preview did not run the whole program from this position.</source>
+        <translation>ステップ %1 (%2) を実行中。プレビューがこの位置からプログラム全体を実行していないため、関節動作は低速です。</translation>
+    </message>
+    <message>
+        <source>Not checked: %1.</source>
+        <translation>未チェック: %1。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectDocument</name>
@@ -10371,6 +10391,18 @@ Release the button to stop the arm.</source>
         <source>Starts the program at the selected step. Move the arm to the start position first.</source>
         <translation>選択したステップからプログラムを開始します。先にアームを開始位置へ移動してください。</translation>
     </message>
+    <message>
+        <source>The program waits with a jog speed of %1. Select this speed again, or stop the program.</source>
+        <translation>プログラムはジョグ速度 %1 で待機しています。この速度をもう一度選択するか、プログラムを停止してください。</translation>
+    </message>
+    <message>
+        <source>%1 Preview the program with the present inputs, or select a higher jog speed, so that it can run to its end.</source>
+        <translation>%1 最後まで実行できるように、現在の入力でプログラムをプレビューするか、より高いジョグ速度を選択してください。</translation>
+    </message>
+    <message>
+        <source>Hold “Continue (hold)” to continue.</source>
+        <translation>続けるには「再開 (長押し)」を押し続けてください。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::SceneDock</name>
@@ -11022,6 +11054,10 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
     <message>
         <source>Variables of the program</source>
         <translation>プログラムの変数</translation>
+    </message>
+    <message>
+        <source>The program has set another variable, so the value was not changed. Enter it again.</source>
+        <translation>プログラムが別の変数を設定したため、値は変更されませんでした。もう一度入力してください。</translation>
     </message>
 </context>
 <context>
@@ -12833,6 +12869,15 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>Keyboard jogging was disarmed, because an input field has the focus: the keys now edit the field. Arm the keyboard again to jog.</source>
         <translation>入力欄にフォーカスが移ったため、キーボードジョグを無効にしました。キーは入力欄を編集します。ジョグするには、キーボードをもう一度有効にしてください。</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>robot, address</comment>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 — Tiller</source>
+        <translation>%1 — Tiller</translation>
     </message>
 </context>
 <context>

@@ -3390,10 +3390,6 @@
         <translation>只能更改数字以及 True 或 False 值。</translation>
     </message>
     <message>
-        <source>Only variables that a step of the program sets can be changed.</source>
-        <translation>只能更改由程序步骤设置的变量。</translation>
-    </message>
-    <message>
         <source>The program has no variable “%1”.</source>
         <translation>程序没有变量“%1”。</translation>
     </message>
@@ -3408,6 +3404,14 @@
     <message>
         <source>The robot does not report its variables. Wait until the connection is restored.</source>
         <translation>机器人未报告其变量。请等待连接恢复。</translation>
+    </message>
+    <message>
+        <source>The recoverability check did not reach step %1 (%2). Check again with the inputs of the run to find out whether the program can continue.</source>
+        <translation>可恢复性检查没有到达步骤 %1（%2）。请使用运行时的输入重新检查程序能否继续。</translation>
+    </message>
+    <message>
+        <source>This variable is set by URScript text. Only variables of a “Set variable” step can be changed.</source>
+        <translation>此变量由 URScript 文本设置。只能更改“设置变量”步骤的变量。</translation>
     </message>
 </context>
 <context>
@@ -6511,6 +6515,10 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <source>not stopped</source>
         <translation>未停止</translation>
     </message>
+    <message>
+        <source>The program was stopped on the robot, so the stop could not be measured.</source>
+        <translation>程序在机器人上被停止，因此无法测量此次停止。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::HoldRules</name>
@@ -7070,24 +7078,8 @@ Right-click or press F2 to rename it.</source>
         <translation>Tiller</translation>
     </message>
     <message>
-        <source>the operator</source>
-        <translation>操作员</translation>
-    </message>
-    <message>
-        <source>the robot</source>
-        <translation>机器人</translation>
-    </message>
-    <message>
         <source>(×%1 until %2) %3</source>
         <translation>（×%1，至 %2）%3</translation>
-    </message>
-    <message>
-        <source>%1 · from %2</source>
-        <translation>%1 · 来自%2</translation>
-    </message>
-    <message>
-        <source>%1 times between %2 and %3 · from %4</source>
-        <translation>%2 至 %3 共 %1 次 · 来自%4</translation>
     </message>
     <message>
         <source>Time</source>
@@ -7112,6 +7104,22 @@ Right-click or press F2 to rename it.</source>
     <message>
         <source>Open the recording at this time</source>
         <translation>在此时刻打开记录</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>操作员</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>机器人</translation>
+    </message>
+    <message>
+        <source>%1 · Origin: %2</source>
+        <translation>%1 · 来源：%2</translation>
+    </message>
+    <message>
+        <source>%1 times between %2 and %3 · Origin: %4</source>
+        <translation>%2 至 %3 共 %1 次 · 来源：%4</translation>
     </message>
 </context>
 <context>
@@ -9422,6 +9430,18 @@ Release the button to stop the arm.</source>
             <numerusform>项目的更改使 %n 个步骤发生变化。按“预览”对程序进行仿真。</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Paused before step %1 (%2) at the maximum hold time. Hold “Continue (hold)” to continue.</source>
+        <translation>已达到最长按住时间，在步骤 %1（%2）之前暂停。按住“继续（按住）”以继续。</translation>
+    </message>
+    <message>
+        <source>Running step %1 (%2). Joint moves are slow, because the preview did not run the whole program from this position.</source>
+        <translation>正在运行步骤 %1（%2）。预览没有从此位置运行整个程序，因此关节运动较慢。</translation>
+    </message>
+    <message>
+        <source>Not checked: %1.</source>
+        <translation>未检查：%1。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectDocument</name>
@@ -10371,6 +10391,18 @@ Release the button to stop the arm.</source>
         <source>Starts the program at the selected step. Move the arm to the start position first.</source>
         <translation>从所选步骤开始程序。请先将机械臂移动到起始位置。</translation>
     </message>
+    <message>
+        <source>The program waits with a jog speed of %1. Select this speed again, or stop the program.</source>
+        <translation>程序以 %1 的点动速度等待。请重新选择此速度，或停止程序。</translation>
+    </message>
+    <message>
+        <source>%1 Preview the program with the present inputs, or select a higher jog speed, so that it can run to its end.</source>
+        <translation>%1 请用当前输入预览程序，或选择更高的点动速度，使其能够运行到结束。</translation>
+    </message>
+    <message>
+        <source>Hold “Continue (hold)” to continue.</source>
+        <translation>按住“继续（按住）”以继续。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::SceneDock</name>
@@ -11022,6 +11054,10 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
     <message>
         <source>Variables of the program</source>
         <translation>程序的变量</translation>
+    </message>
+    <message>
+        <source>The program has set another variable, so the value was not changed. Enter it again.</source>
+        <translation>程序设置了另一个变量，因此值未更改。请重新输入。</translation>
     </message>
 </context>
 <context>
@@ -12833,6 +12869,15 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>Keyboard jogging was disarmed, because an input field has the focus: the keys now edit the field. Arm the keyboard again to jog.</source>
         <translation>输入框获得焦点，因此已停用键盘点动：按键现在编辑该输入框。要点动，请重新启用键盘。</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>robot, address</comment>
+        <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>%1 — Tiller</source>
+        <translation>%1 — Tiller</translation>
     </message>
 </context>
 <context>
