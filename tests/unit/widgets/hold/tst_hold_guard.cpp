@@ -47,6 +47,36 @@ private Q_SLOTS:
         QCOMPARE(s.target.ends, QList<StopCause>{StopCause::Released});
     }
 
+    // The motion pauses in the last quarter of the maximum hold time, which may take longer than the rest of it.
+    void theMotionPausesBeforeTheMaximumHoldTime_data() {
+        QTest::addColumn<int>("needed");  // [s]
+        QTest::addColumn<int>("end");     // [s]
+        QTest::newRow("soon") << 0 << 20;
+        QTest::newRow("within the limit") << 3 << 20;
+        QTest::newRow("later") << 12 << 27;
+    }
+    void theMotionPausesBeforeTheMaximumHoldTime() {
+        QFETCH(int, needed);
+        QFETCH(int, end);
+        Scene s;
+        QList<std::int64_t> asked;
+        const std::int64_t begin = s.clock.nowNs();
+        HoldMotion motion = s.target.motion();
+        motion.pause = [&] {
+            asked << s.clock.nowNs() - begin;
+            return needed * kNsPerSecond;
+        };
+        s.key->setMotion(motion);
+        s.press();
+        while (s.key->isHolding() && s.clock.nowNs() - begin < 60 * kNsPerSecond) {
+            s.clock.advanceNs(HoldGuard::kRefreshMs * kNsPerMs);
+            s.key->guard().pump();
+        }
+        QCOMPARE(asked, QList<std::int64_t>{15 * kNsPerSecond});
+        QCOMPARE((s.clock.nowNs() - begin) / kNsPerSecond, end);
+        QCOMPARE(s.target.ends, QList<StopCause>{StopCause::HeldTooLong});
+    }
+
     void pointerWithinThirtyPixelsKeepsMoving() {
         Scene s;
         s.press();
