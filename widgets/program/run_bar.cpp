@@ -544,8 +544,10 @@ void RunBar::updateGateKeys() {
               : !preview_                 ? runObstacle()
               : selected_.isNull()        ? tr("Select one step.")
                                           : QString(),
-              tr("Starts the program at the selected step. Press again to start at the beginning. Move the "
-                 "arm to the start position first."));
+              startStep_ ? tr("The program starts at step %1. Press to start at the beginning again.")
+                               .arg(script_.numberOf(startStep_->step))
+                         : tr("Starts the program at the selected step. Move the arm to the start position "
+                              "first."));
     hold_->setText(continuesStop_ || runner_.waitsForPress() ? tr("Continue (hold)") : tr("Run (hold)"));
     from_->setChecked(startStep_.has_value());
     from_->setText(startStep_    ? tr("From step %1 ✕").arg(script_.numberOf(startStep_->step))

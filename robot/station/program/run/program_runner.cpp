@@ -15,6 +15,8 @@
 #include "robot/station/program/program_edit.h"
 #include "robot/station/program/program_text.h"
 #include "robot/station/program/run/steps_not_reached.h"
+#include "robot/station/program/step_kind.h"
+#include "robot/station/text/error_summary.h"
 #include "robot/station/text/texts.h"
 
 namespace tiller::program {
@@ -486,6 +488,10 @@ bool ProgramRunner::isStoppedInLastStep() const {
                          (end_ == End::Stopped &&
                           std::find(kWithoutData.begin(), kWithoutData.end(), cause_) == kWithoutData.end());
     return state_ == State::Ended && isKnown && log_.lastStep() > 0;
+}
+
+QString ProgramRunner::endDetails() const {
+    return end_ == End::Failed ? error_.toString() : QString();
 }
 
 bool ProgramRunner::wasHeldTooLong() const {
