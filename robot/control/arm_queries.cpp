@@ -176,8 +176,9 @@ Result<JointPositions> ArmQueries::jointPositionsHistory(int steps, const Deadli
     constexpr int kSurelyRemembered = 2000;
     const QString context = QStringLiteral("read the joint position history");
     if (steps < 0 || steps > kSurelyRemembered) {
-        return Error{ErrorCode::LimitExceeded, context,
-                     QStringLiteral("steps: %1 is outside 0 to %2").arg(steps).arg(kSurelyRemembered)};
+        return Error{
+            ErrorCode::LimitExceeded, context,
+            QStringLiteral("steps: %1 is outside the range 0 to %2").arg(steps).arg(kSurelyRemembered)};
     }
     auto& d = ControllerAccess::of(*controller_);
     if (const auto known = d.program.needs(kContactSince, kNever, context); !known) {

@@ -109,8 +109,8 @@ Result<void> Controller::Private::connect(const Deadline& deadline, bool join) {
         }
         link.begin(program.listener());
     });
-    return joined ? program.awaitControl(deadline,
-                                         QStringLiteral("join the control program at %1").arg(options.host))
+    return joined ? program.awaitControl(
+                        deadline, QStringLiteral("connect to the control program at %1").arg(options.host))
                   : program.upload(session, {}, deadline);
 }
 
@@ -181,9 +181,9 @@ Error Controller::Private::obstacle(const QString& context) const {
                 QStringLiteral("no data for more than %1 ms").arg(options.dataTimeout.count())};
     }
     if (status.roundTripMs > static_cast<double>(options.dataTimeout.count())) {
-        return {
-            ErrorCode::LinkLost, context,
-            QStringLiteral("commands have a round-trip time of %1 ms").arg(status.roundTripMs, 0, 'f', 0)};
+        return {ErrorCode::LinkLost, context,
+                QStringLiteral("the round-trip time of commands is %1 ms: check the network")
+                    .arg(status.roundTripMs, 0, 'f', 0)};
     }
     return {};
 }
@@ -213,7 +213,7 @@ Result<void> Controller::Private::awaitPulses(std::uint64_t stops, const Deadlin
         return {};
     }
     return Error{deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout, context,
-                 QStringLiteral("the pulse of digital output %1 lasts for another %2 s")
+                 QStringLiteral("the pulse of digital output %1 ends only in %2 s: wait, or end the pulse")
                      .arg(std::distance(pulseEndsNs.begin(), last()))
                      .arg(static_cast<double>(last()->load() - now()) * 1e-9, 0, 'f', 1)};
 }

@@ -398,7 +398,7 @@ Result<Jog> Motions::startJog(const JogTarget& target, Holding holding) {
     const std::uint64_t stops = this->stops();
     const QString context = QStringLiteral("start a jog");
     if (!isFinite(target)) {
-        return Error{ErrorCode::InvalidArgument, context, QStringLiteral("target: not a number")};
+        return Error{ErrorCode::InvalidArgument, context, QStringLiteral("target: a value is not a number")};
     }
     constexpr double kHighestForce = 1000.0;  // [N]; above the forces of all arms
     if (const auto check =

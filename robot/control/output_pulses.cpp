@@ -13,7 +13,7 @@ namespace {
 Error checkPulse(const QString& context, std::uint32_t mask) {
     if (mask == 0 || mask >> kPulseOutputs != 0) {
         return {ErrorCode::InvalidArgument, context,
-                QStringLiteral("mask: digital outputs are 0 to %1").arg(kPulseOutputs - 1)};
+                QStringLiteral("mask: use only digital outputs 0 to %1").arg(kPulseOutputs - 1)};
     }
     return {};
 }

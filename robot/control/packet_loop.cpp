@@ -232,8 +232,8 @@ std::int64_t awakeNs(const Controller::Private& d) {
 /// Error if the loop ended because the callback was too slow.
 Error slowCallback(std::int64_t tookNs, const CycleReport& report, double period) {
     return {ErrorCode::Stopped, QStringLiteral("run a packet loop"),
-            QStringLiteral("a callback call took %1 ms, with a control period of %2 ms; the robot stops "
-                           "after %3 ms without a heartbeat. %4 of %5 calls took longer than a period")
+            QStringLiteral("one call of the callback took %1 ms, with a control period of %2 ms; the robot "
+                           "stops after %3 ms without a heartbeat. %4 of %5 calls took longer than a period")
                 .arg(static_cast<double>(tookNs) * 1e-6, 0, 'f', 1)
                 .arg(1e3 * period, 0, 'f', 0)
                 .arg(kHoldTime.count())

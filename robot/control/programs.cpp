@@ -167,7 +167,8 @@ Result<void> watchScript(Controller::Private& d, RunningScript& run, const QStri
                 statesAtEnd = d.program.statesReceived();
             }
         } else if (begun.hasExpired() && !heard.started) {
-            bad = {ErrorCode::Timeout, context, QStringLiteral("the script was never observed running")};
+            bad = {ErrorCode::Timeout, context,
+                   QStringLiteral("the robot did not report that the script was running")};
         }
         return bad.code != ErrorCode::None;
     };
@@ -232,11 +233,11 @@ Result<void> Programs::runScript(const Text& program, const Deadline& deadline, 
     }
     if (!attended && terms.holding == Holding::Held) {
         return Error{ErrorCode::InvalidArgument, context,
-                     QStringLiteral("holding: an unattended program cannot be held")};
+                     QStringLiteral("holding: an unattended program does not support hold-to-run")};
     }
     if (!attended && terms.gate) {
         return Error{ErrorCode::InvalidArgument, context,
-                     QStringLiteral("gate: an unattended program has no step gate")};
+                     QStringLiteral("gate: an unattended program does not support a step gate")};
     }
     auto& d = ControllerAccess::of(*controller_);
     const std::uint64_t stops = terms.stops.value_or(d.mailbox.epoch().stops());

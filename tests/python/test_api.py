@@ -117,7 +117,7 @@ class TestLink(unittest.TestCase):
                     move.wait(LIMIT)
                 simulator.fault("silence off")
                 text = raised.exception.controller_message
-                measured = re.match(rf"no data from the robot for (\d+) ms, limit {limit} ms: ", text)
+                measured = re.match(rf"no data from the robot for (\d+) ms \(limit {limit} ms\): ", text)
                 self.assertTrue(measured, text)
                 self.assertTrue(limit < int(measured[1]) < 450, text)
                 self.assertIn("silence", text)

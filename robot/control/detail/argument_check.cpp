@@ -27,9 +27,11 @@ QString text(const char* literal) {
 }
 
 QString aboveCap(const char* name, double speed, double cap) {
-    const QString above = QStringLiteral("%1: %2 is above %3 m/s").arg(text(name)).arg(speed).arg(cap);
-    return cap < kHighestToolSpeed ? above + QStringLiteral(", the speed cap; setSpeedCap() changes it")
-                                   : above;
+    const QString excess =
+        cap < kHighestToolSpeed
+            ? QStringLiteral("%1: %2 m/s exceeds the speed cap of %3 m/s; change the cap with setSpeedCap()")
+            : QStringLiteral("%1: %2 m/s exceeds the maximum of %3 m/s");
+    return excess.arg(text(name)).arg(speed).arg(cap);
 }
 
 }  // namespace
@@ -69,7 +71,7 @@ ArgumentCheck& ArgumentCheck::joints(const char* name, const JointPositions& q, 
         const auto i = static_cast<std::size_t>(joint);
         if (q[joint] < arm.minPosition[i] || q[joint] > arm.maxPosition[i]) {
             refuse(ErrorCode::LimitExceeded,
-                   QStringLiteral("%1: %2 at %3 deg is outside %4 to %5 deg")
+                   QStringLiteral("%1: %2 at %3 deg is outside the range %4 to %5 deg")
                        .arg(text(name), text(kJointNames[i]), degrees(q[joint]), degrees(arm.minPosition[i]),
                             degrees(arm.maxPosition[i])));
             return *this;
@@ -87,7 +89,7 @@ ArgumentCheck& ArgumentCheck::pose(const char* name, const Pose& pose) {
     }
     if (pose.rotation.norm() > kSurelyDegreesOfRotation) {
         refuse(ErrorCode::InvalidArgument,
-               QStringLiteral("%1: a rotation vector of %2 rad. Was it given in degrees?")
+               QStringLiteral("%1: the length of the rotation vector is %2 rad. Was it given in degrees?")
                    .arg(text(name))
                    .arg(pose.rotation.norm()));
     }
@@ -102,7 +104,7 @@ ArgumentCheck& ArgumentCheck::jointSpeeds(const char* name, const JointVelocitie
         }
         if (std::abs(qd[joint]) > arm.maxSpeed[i] + kRounding) {
             refuse(ErrorCode::LimitExceeded,
-                   QStringLiteral("%1: %2 at %3 rad/s is above the maximum of %4 rad/s")
+                   QStringLiteral("%1: %2 at %3 rad/s exceeds the maximum of %4 rad/s")
                        .arg(text(name), text(kJointNames[i]))
                        .arg(qd[joint])
                        .arg(arm.maxSpeed[i]));
@@ -119,7 +121,7 @@ ArgumentCheck& ArgumentCheck::torques(const char* name, const JointTorques& torq
             return *this;
         }
         if (std::abs(torques[joint]) > arm.maxTorque[i] + kRounding) {
-            refuse(ErrorCode::LimitExceeded, QStringLiteral("%1: %2 at %3 Nm is above the maximum of %4 Nm")
+            refuse(ErrorCode::LimitExceeded, QStringLiteral("%1: %2 at %3 Nm exceeds the maximum of %4 Nm")
                                                  .arg(text(name), text(kJointNames[i]))
                                                  .arg(torques[joint])
                                                  .arg(arm.maxTorque[i]));
@@ -137,18 +139,20 @@ ArgumentCheck& ArgumentCheck::twist(const char* name, const Twist& twist, double
         }
     }
     if (twist.linear.norm() > kSurelyMillimetres) {
-        refuse(ErrorCode::InvalidArgument, QStringLiteral("%1: %2 m/s is above %3 m/s. Was it given in mm/s?")
-                                               .arg(text(name))
-                                               .arg(twist.linear.norm())
-                                               .arg(cap));
+        refuse(ErrorCode::InvalidArgument,
+               QStringLiteral("%1: %2 m/s exceeds the maximum of %3 m/s. Was it given in mm/s?")
+                   .arg(text(name))
+                   .arg(twist.linear.norm())
+                   .arg(cap));
     } else if (twist.linear.norm() > cap + kRounding) {
         refuse(ErrorCode::LimitExceeded, aboveCap(name, twist.linear.norm(), cap));
     }
     constexpr double kFastestRotation = 12.0;  // [rad/s], above the speed of all wrist joints
     if (twist.angular.norm() > kFastestRotation) {
-        refuse(
-            ErrorCode::InvalidArgument,
-            QStringLiteral("%1: %2 rad/s. Was it given in deg/s?").arg(text(name)).arg(twist.angular.norm()));
+        refuse(ErrorCode::InvalidArgument,
+               QStringLiteral("%1: the angular speed is %2 rad/s. Was it given in deg/s?")
+                   .arg(text(name))
+                   .arg(twist.angular.norm()));
     }
     return *this;
 }
@@ -160,9 +164,10 @@ ArgumentCheck& ArgumentCheck::offset(const char* name, const Eigen::Vector3d& me
         }
     }
     if (metres.norm() > largest) {
-        refuse(
-            ErrorCode::InvalidArgument,
-            QStringLiteral("%1: %2 m away. Was it given in millimetres?").arg(text(name)).arg(metres.norm()));
+        refuse(ErrorCode::InvalidArgument,
+               QStringLiteral("%1: the distance is %2 m. Was it given in millimetres?")
+                   .arg(text(name))
+                   .arg(metres.norm()));
     }
     return *this;
 }
@@ -180,11 +185,11 @@ ArgumentCheck& ArgumentCheck::finite(const char* name, const double* values, int
 
 ArgumentCheck& ArgumentCheck::range(const char* name, double value, double low, double high,
                                     const char* unit) {
-    if (!checkFinite(name, "it", value)) {
+    if (!checkFinite(name, "the value", value)) {
         return *this;
     }
     if (value < low - kRounding || value > high + kRounding) {
-        refuse(ErrorCode::LimitExceeded, QStringLiteral("%1: %2 is outside %3 to %4 %5")
+        refuse(ErrorCode::LimitExceeded, QStringLiteral("%1: %2 is outside the range %3 to %4 %5")
                                              .arg(text(name))
                                              .arg(value)
                                              .arg(low)
@@ -206,19 +211,20 @@ ArgumentCheck& ArgumentCheck::toolSpeed(const char* name, double speed, double c
 
 ArgumentCheck& ArgumentCheck::positive(const char* name, double value, double high, const char* unit,
                                        const char* hint) {
-    if (!checkFinite(name, "it", value)) {
+    if (!checkFinite(name, "the value", value)) {
         return *this;
     }
     if (value <= 0) {
-        refuse(ErrorCode::InvalidArgument, QStringLiteral("%1: %2 %3; the value must be above 0")
-                                               .arg(text(name))
-                                               .arg(value)
-                                               .arg(text(unit)));
+        refuse(ErrorCode::InvalidArgument,
+               QStringLiteral("%1: %2 %3 is not allowed; the value must be greater than 0")
+                   .arg(text(name))
+                   .arg(value)
+                   .arg(text(unit)));
     } else if (value > high + kRounding) {
         constexpr double kFar = 5.0;
         const bool otherUnit = hint != nullptr && value > kFar * high;
         refuse(ErrorCode::LimitExceeded,
-               QStringLiteral("%1: %2 is above %3 %4%5")
+               QStringLiteral("%1: %2 exceeds the maximum of %3 %4%5")
                    .arg(text(name))
                    .arg(value)
                    .arg(high)

@@ -146,7 +146,7 @@ Result<Feedback> ControlLink::firstData(const Deadline& deadline, const QString&
         return layout_.decode(values, now());
     }
     return Error{deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout, context,
-                 QStringLiteral("no data package arrived")};
+                 QStringLiteral("no data packet arrived")};
 }
 
 Result<void> ControlLink::checkModes(const Deadline& deadline) {
@@ -165,7 +165,7 @@ Result<void> ControlLink::checkModes(const Deadline& deadline) {
 
 // Only reads registers, because another program could interpret a request as a command.
 Result<Echo> ControlLink::findProgram(const Deadline& deadline) {
-    const QString context = QStringLiteral("join the control program at %1").arg(connection_->peer());
+    const QString context = QStringLiteral("connect to the control program at %1").arg(connection_->peer());
     const auto data = firstData(deadline, context);
     if (!data) {
         return data.error();

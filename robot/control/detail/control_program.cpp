@@ -83,7 +83,7 @@ Result<void> ControlProgram::needs(const SoftwareVersion& eSeries, const Softwar
     if (least.major > 0 && has >= least) {
         return {};
     }
-    QString since = QStringLiteral("not available in this series");
+    QString since = QStringLiteral("not available on this controller series");
     if (least.major > 0) {
         since = QStringLiteral("%1 or newer is required").arg(shortly(has.isCb3() ? cb3 : eSeries));
         since += ownOfX ? QStringLiteral(", on PolyScope X %1").arg(shortly(polyScopeX)) : QString();
@@ -100,7 +100,7 @@ Result<void> ControlProgram::knows(const char* name, const QString& context) con
         return {};
     }
     return Error{ErrorCode::VersionUnsupported, context,
-                 QStringLiteral("software %1.%2.%3 has no %4")
+                 QStringLiteral("software %1.%2.%3 does not provide %4")
                      .arg(has.major)
                      .arg(has.minor)
                      .arg(has.bugfix)

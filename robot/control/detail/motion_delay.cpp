@@ -18,7 +18,8 @@ QString MotionDelay::text() const {
     const QString limit = inWholeMs(limitNs);
     const QString silence =
         QStringLiteral("a longer timeout for moves to a target (parameter silence, at most 4 s)");
-    const QString busy = QStringLiteral("Use real-time priority, less load, or %1").arg(silence);
+    const QString busy =
+        QStringLiteral("Use real-time priority, reduce the load on this computer, or use %1").arg(silence);
     const QString network = QStringLiteral("Check the network, or use %1").arg(silence);
     switch (kind) {
         case Kind::None:
@@ -26,20 +27,19 @@ QString MotionDelay::text() const {
         case Kind::Data:
             if (2 * stalledNs >= measuredNs) {
                 return QStringLiteral(
-                           "no data from the robot for %1 ms, limit %2 ms: this computer was busy, its "
-                           "control "
-                           "thread did not run for %3 ms. %4")
+                           "no data from the robot for %1 ms (limit %2 ms): this computer was busy, and its "
+                           "control thread did not run for %3 ms. %4")
                     .arg(measured, limit, inWholeMs(stalledNs), busy);
             }
             return QStringLiteral(
-                       "no data from the robot for %1 ms, limit %2 ms: the control thread was waiting for "
-                       "them. %3")
+                       "no data from the robot for %1 ms (limit %2 ms): the control thread was waiting for "
+                       "data. %3")
                 .arg(measured, limit, network);
         case Kind::Answer:
-            return QStringLiteral("the control program on the robot did not respond for %1 ms, limit %2 ms")
+            return QStringLiteral("the control program on the robot did not respond for %1 ms (limit %2 ms)")
                 .arg(measured, limit);
         case Kind::RoundTrip:
-            return QStringLiteral("the robot responded to a command after %1 ms, limit %2 ms. %3")
+            return QStringLiteral("the robot responded to a command after %1 ms (limit %2 ms). %3")
                 .arg(measured, limit, network);
         case Kind::Heartbeat:
             return QStringLiteral(

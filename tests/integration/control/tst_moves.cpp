@@ -485,7 +485,7 @@ private Q_SLOTS:
         const Error error = move->wait(Deadline::after(std::chrono::seconds(60))).error();
         QCOMPARE(error.code, ErrorCode::LinkLost);
         const QRegularExpression measured(
-            QStringLiteral("^no data from the robot for [1-9]\\d\\d ms, limit 100 ms: .*silence"));
+            QStringLiteral("^no data from the robot for [1-9]\\d\\d ms \\(limit 100 ms\\): .*silence"));
         QVERIFY2(measured.match(error.controllerMessage).hasMatch(), qPrintable(error.controllerMessage));
     }
 

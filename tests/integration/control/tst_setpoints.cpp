@@ -480,7 +480,7 @@ private Q_SLOTS:
                                   << "software 5.25.0: 5.25.1 or newer is required, on PolyScope X 10.12.1";
         QTest::newRow("older e-Series") << 5 << 22 << 1 << "software 5.22.1: 5.25.1 or newer is required";
         QTest::newRow("PolyScope X") << 10 << 12 << 0 << "software 10.12.0: ";
-        QTest::newRow("CB3") << 3 << 15 << 8 << "software 3.15.8: not available in this series";
+        QTest::newRow("CB3") << 3 << 15 << 8 << "software 3.15.8: not available on this controller series";
     }
     void softwareWithoutTorqueSupportIsReported() {
         QFETCH(int, major);

@@ -210,19 +210,19 @@ private Q_SLOTS:
         QTest::addColumn<QString>("text");
         QTest::newRow("late data") << QStringLiteral("data")
                                    << QStringLiteral(
-                                          "no data from the robot for 104 ms, limit 100 ms: the "
-                                          "control thread was waiting for them.");
+                                          "no data from the robot for 104 ms (limit 100 ms): the "
+                                          "control thread was waiting for data.");
         QTest::newRow("suspended thread")
             << QStringLiteral("thread")
             << QStringLiteral(
-                   "no data from the robot for 142 ms, limit 100 ms: this computer was busy, its "
+                   "no data from the robot for 142 ms (limit 100 ms): this computer was busy, and its "
                    "control thread did not run for 142 ms.");
-        QTest::newRow("longer timeout")
-            << QStringLiteral("silence") << QStringLiteral("no data from the robot for 304 ms, limit 300 ms");
+        QTest::newRow("longer timeout") << QStringLiteral("silence")
+                                        << QStringLiteral("no data from the robot for 304 ms (limit 300 ms)");
         QTest::newRow("no response") << QStringLiteral("answer")
                                      << QStringLiteral(
                                             "the control program on the robot did not respond for "
-                                            "102 ms, limit 100 ms");
+                                            "102 ms (limit 100 ms)");
         QTest::newRow("heartbeat lost on this computer")
             << QStringLiteral("late heartbeat")
             << QStringLiteral(
