@@ -22,13 +22,13 @@ public:
     explicit Words(const QStringList& words) : words_(words) {}
 
     bool has() const { return next_ < words_.size(); }
-    QString word() { return has() ? words_[next_++] : complain(QStringLiteral("a word is missing")); }
+    QString word() { return has() ? words_[next_++] : complain(QStringLiteral("an argument is missing")); }
     QString peek() const { return words_.value(next_); }
     QString rest() { return words_.mid(std::exchange(next_, words_.size())).join(' '); }
     bool choice(const char* yes, const char* no) {
         const QString given = word();
         if (given != QLatin1String(yes) && given != QLatin1String(no)) {
-            complain(QStringLiteral("'%1' is neither %2 nor %3")
+            complain(QStringLiteral("expected %2 or %3, not '%1'")
                          .arg(given, QLatin1String(yes), QLatin1String(no)));
         }
         return given == QLatin1String(yes);
@@ -61,7 +61,7 @@ public:
         return {};
     }
     QString complaint() {
-        return complaint_.isEmpty() && has() ? QStringLiteral("'%1' is unexpected").arg(words_[next_])
+        return complaint_.isEmpty() && has() ? QStringLiteral("unexpected argument '%1'").arg(words_[next_])
                                              : complaint_;
     }
     bool good() { return complaint().isEmpty(); }
@@ -112,9 +112,9 @@ QString changeDevice(ControllerServices& controlBox, Words& words) {
                               : wanted == QLatin1String("silent") ? Presence::Silent
                                                                   : Presence::Answers;
     if (words.goodSoFar() && device == nullptr) {
-        words.complain(QStringLiteral("there is no device of that name"));
+        words.complain(QStringLiteral("there is no device with this name"));
     } else if (presence == Presence::Answers && wanted != QLatin1String("answers")) {
-        words.complain(QStringLiteral("'%1' is neither answers nor refuses nor silent").arg(wanted));
+        words.complain(QStringLiteral("expected answers, refuses or silent, not '%1'").arg(wanted));
     }
     if (words.good()) {
         if (const Result<void> done = controlBox.services.setPresence(*device, presence); !done) {
@@ -225,7 +225,7 @@ QString answer(ControllerServices& controlBox, Words& words) {
     ScriptHost& host = controlBox.plant.scriptHost();
     const auto asked = host.asked();
     if (!asked) {
-        words.complain(QStringLiteral("no program asks for a value"));
+        words.complain(QStringLiteral("no program is requesting a value"));
         return {};
     }
     urscript::RequestAnswer value;
@@ -271,7 +271,8 @@ QString modbusMemory(ControllerServices& controlBox, Words& words) {
     const auto kind = std::ranges::find_if(
         kKinds, [&given](const auto& entry) { return given == QLatin1String(entry.first); });
     if (kind == std::end(kKinds)) {
-        words.complain(QStringLiteral("'%1' is neither input, coil, input-register nor register").arg(given));
+        words.complain(
+            QStringLiteral("expected input, coil, input-register or register, not '%1'").arg(given));
         return {};
     }
     const int address = words.integer(0, 65535);
@@ -311,7 +312,7 @@ QString operationalMode(ControllerServices& controlBox, Words& words) {
     const bool manual = mode == QLatin1String("manual");
     const bool automatic = mode == QLatin1String("automatic");
     if (!manual && !automatic && mode != QLatin1String("none")) {
-        words.complain(QStringLiteral("'%1' is neither manual, automatic nor none").arg(mode));
+        words.complain(QStringLiteral("expected manual, automatic or none, not '%1'").arg(mode));
     }
     if (words.good()) {
         controlBox.plant.safety().setOperationalMode(manual      ? OperationalMode::Manual
@@ -374,9 +375,9 @@ const Verb kVerbs[] = {
      [](ControllerServices& m, Words& w) { if (w.good()) { m.plant.safety().violation(); } return QString(); }},
     {"fault", "", "the safety system finds a fault: power off, requires a restart of the safety system",
      [](ControllerServices& m, Words& w) { if (w.good()) { m.plant.safety().fault(); } return QString(); }},
-    {"power-loss", "", "the arm's supply fails",
+    {"power-loss", "", "the power supply of the arm fails",
      [](ControllerServices& m, Words& w) { if (w.good()) { m.plant.losePower(); } return QString(); }},
-    {"restart", "[SECONDS] [unconfirmed]", "the controller restarts slowly (default 20 s); unconfirmed: waits in CONFIRM_SAFETY",
+    {"restart", "[SECONDS] [unconfirmed]", "the controller restarts, which takes SECONDS (default 20); unconfirmed: waits in CONFIRM_SAFETY",
      [](ControllerServices& m, Words& w) {
          const double seconds = w.numberOr(20, 0, 3600);
          const bool unconfirmed = w.has() && w.choice("unconfirmed", "confirmed");
@@ -384,7 +385,7 @@ const Verb kVerbs[] = {
          return QString(); }},
     {"confirm-safety", "", "the operator confirms the safety configuration",
      [](ControllerServices& m, Words& w) { if (w.good()) { m.plant.power().confirmSafety(); } return QString(); }},
-    {"backdrive", "on|off", "moves joints by hand with the brakes overridden, from IDLE",
+    {"backdrive", "on|off", "moves joints by hand with the brakes overridden; requires IDLE",
      [](ControllerServices& m, Words& w) { const bool on = w.on(); if (w.good()) { m.plant.setBackdrive(on); } return QString(); }},
     {"script-error", "[TEXT]", "the running program fails with a runtime exception",
      [](ControllerServices& m, Words& w) {
@@ -396,26 +397,26 @@ const Verb kVerbs[] = {
          const QString text = w.has() ? w.rest() : w.word();
          if (w.good()) { m.plant.showPopup(text.toStdString(), true); }
          return QString(); }},
-    {"close-popup", "", "the button of the newest popup is pressed",
+    {"close-popup", "", "presses the button of the newest popup",
      [](ControllerServices& m, Words& w) { if (w.good()) { m.plant.popups().closeNewest(); } return QString(); }},
-    {"answer", "VALUE", "answers a request of a program to primary clients: true|false, a number, a text", &answer},
+    {"answer", "VALUE", "answers a request of a program to primary clients: true|false, a number or text", &answer},
     {"hold-registers", "lower|upper|NAME,NAME...", "another client owns these RTDE inputs", &holdRegisters},
-    {"release-registers", "", "releases these inputs again",
+    {"release-registers", "", "releases the inputs of 'hold-registers'",
      [](ControllerServices& m, Words& w) { if (w.good()) { m.services.rtde().releaseHeldInputs(); } return QString(); }},
     {"link", "lost|back", "unplugs the cable, or plugs it in again: no data are transferred, connections stay open",
      [](ControllerServices& m, Words& w) { return changeLink(m, w, [](LinkConditions& c, Words& r) { c.lost = r.choice("lost", "back"); }); }},
     {"silence", "on|off", "an unresponsive controller: time continues, nothing is read or sent",
      [](ControllerServices& m, Words& w) { const bool on = w.on(); if (w.good()) { m.silent = on; } return QString(); }},
-    {"delay", "MS [JITTER]", "delay in each direction, plus a random jitter; 0: none",
+    {"delay", "MS [JITTER]", "delay in each direction, plus a random jitter [ms]; 0: no delay",
      [](ControllerServices& m, Words& w) { return changeLink(m, w, [](LinkConditions& c, Words& r) {
          c.delay = r.number(0, 60'000) * kMilli; c.jitter = r.numberOr(0, 0, 60'000) * kMilli; }); }},
-    {"split", "BYTES", "sent data arrive in two parts, the first with this number of bytes; 0: not split",
+    {"split", "BYTES", "data arrive in two parts, the first with this number of bytes; 0: not split",
      [](ControllerServices& m, Words& w) { return changeLink(m, w, [](LinkConditions& c, Words& r) {
          c.splitAt = static_cast<std::size_t>(r.integer(0, 65'536)); }); }},
-    {"coalesce", "MS", "data sent within this time arrive together; 0: no effect",
+    {"coalesce", "MS", "data sent within this time [ms] arrive together; 0: no effect",
      [](ControllerServices& m, Words& w) { return changeLink(m, w, [](LinkConditions& c, Words& r) {
          c.coalesce = r.number(0, 60'000) * kMilli; }); }},
-    {"drop", "PERCENT", "this percentage of the RTDE data packages is not sent, as by an overloaded controller; 0: none",
+    {"drop", "PERCENT", "this percentage of the RTDE data packets is not sent, as on an overloaded controller; 0: none",
      [](ControllerServices& m, Words& w) { return changeLink(m, w, [](LinkConditions& c, Words& r) {
          c.drop = r.number(0, 100) / kPercent; }); }},
     {"half-open", "", "the controller drops all connections without notifying the clients",
@@ -431,9 +432,9 @@ const Verb kVerbs[] = {
          const int most = w.integer(0, 1000);
          if (w.good()) { m.services.rtde().setMaxClients(static_cast<std::size_t>(most)); }
          return QString(); }},
-    {"close-clients", "", "closes all connections in order",
+    {"close-clients", "", "closes all connections, and notifies the clients",
      [](ControllerServices& m, Words& w) { if (w.good()) { m.services.closeClients(); } return QString(); }},
-    {"joint-near-limit", "JOINT [DEGREES]", "moves joint 1 to 6 to this distance from the end of its range (default 1); below 0: beyond it, RECOVERY", &jointNearLimit},
+    {"joint-near-limit", "JOINT [DEGREES]", "moves a joint (1 to 6) to this distance from the end of its range (default 1); below 0: beyond the range, in RECOVERY", &jointNearLimit},
     {"calibration", "SIZE", "the reported kinematics deviate from the arm by up to SIZE mm and mrad; 0: no deviation",
      [](ControllerServices& m, Words& w) { const double size = w.number(0, 1000); if (w.good()) { m.plant.setCalibrationError(size); } return QString(); }},
     {"remote", "on|off", "the pendant's Local/Remote switch",
@@ -449,28 +450,28 @@ const Verb kVerbs[] = {
          return QString(); }},
     {"speed", "FRACTION", "the speed slider, 0 to 1",
      [](ControllerServices& m, Words& w) { const double f = w.number(0, 1); if (w.good()) { m.plant.setSpeedSlider(f); } return QString(); }},
-    {"hand", "FX FY FZ [TX TY TZ]", "a hand on the tool [N, Nm], base frame; zeros release it", &hand},
-    {"plane", "HEIGHT", "a horizontal surface at that height [m], base frame", &plane},
-    {"box", "X Y Z SX SY SZ", "a box centred at that point [m], base frame, with these edge lengths", &box},
+    {"hand", "FX FY FZ [TX TY TZ]", "a hand pushes the tool [N, Nm], base frame; zeros end the push", &hand},
+    {"plane", "HEIGHT", "adds a horizontal surface at this height [m], base frame", &plane},
+    {"box", "X Y Z SX SY SZ", "adds a box with its centre at this point [m], base frame, and with these edge lengths", &box},
     {"no-surfaces", "", "removes all planes and boxes",
      [](ControllerServices& m, Words& w) { if (w.good()) { m.plant.arm().environment().clearSurfaces(); } return QString(); }},
     {"load", "KG [X Y Z]|none", "actual load of the tool and its centre [m], flange frame; none: the payload of the controller", &load},
-    {"conveyor", "0|1 TICKS", "ticks per second of that encoder", &conveyor},
-    {"gripper-object", "POSITION|none", "an object between the gripper fingers stops them at 0 to 255",
+    {"conveyor", "0|1 TICKS", "speed of this encoder in ticks per second", &conveyor},
+    {"gripper-object", "POSITION|none", "an object between the gripper fingers stops the fingers at this position, 0 to 255",
      [](ControllerServices& m, Words& w) {
          const QString given = w.word();
          bool ok = false;
          const int position = given.toInt(&ok);
          if (given != QLatin1String("none") && (!ok || position < 0 || position > 255)) {
-             w.complain(QStringLiteral("'%1' is neither none nor a position from 0 to 255").arg(given)); }
+             w.complain(QStringLiteral("expected none or a position from 0 to 255, not '%1'").arg(given)); }
          if (w.good()) { m.services.gripper().setObject(ok ? std::optional(position) : std::nullopt); }
          return QString(); }},
     {"modbus-signal", "NAME VALUE...", "value of a signal that a program added to the simulated Modbus device: 0 to 65535, on, off", &modbusSignal},
-    {"modbus-memory", "KIND ADDRESS VALUE...", "the same by address; KIND: input, coil, input-register or register", &modbusMemory},
-    {"modbus-error", "NAME CODE", "answer of the device to that signal: 0 none, 1 illegal function, 2 address, 3 value, 4 failure, 6 busy", &modbusError},
+    {"modbus-memory", "KIND ADDRESS VALUE...", "value at an address of the Modbus device; KIND: input, coil, input-register or register", &modbusMemory},
+    {"modbus-error", "NAME CODE", "error code of the device for this signal: 0 no error, 1 illegal function, 2 illegal address, 3 illegal value, 4 failure, 6 busy", &modbusError},
     {"modbus-link", "on|off", "off: the Modbus device cannot be reached",
      [](ControllerServices& m, Words& w) { const bool on = w.on(); if (w.good()) { m.plant.scriptHost().modbus().setConnected(on); } return QString(); }},
-    {"device", "NAME answers|refuses|silent", "a device of --device: answers, refuses connections, or accepts them and is silent", &changeDevice},
+    {"device", "NAME answers|refuses|silent", "a device of --device: answers, refuses connections, or accepts connections without answering", &changeDevice},
     {"assume", "NAME=VALUE", "changes an assumption from now on; see 'tiller-cli simulate --assume help'",
      [](ControllerServices& m, Words& w) {
          const QString words = w.word();
@@ -487,7 +488,9 @@ const Verb kVerbs[] = {
 Result<QString> injectFault(ControllerServices& controlBox, const QString& line) {
     QStringList words = line.simplified().split(' ', Qt::SkipEmptyParts);
     if (words.isEmpty()) {
-        return Error{ErrorCode::InvalidArgument, QStringLiteral("a word is missing; 'help' lists them"), {}};
+        return Error{ErrorCode::InvalidArgument,
+                     QStringLiteral("the name of the fault is missing; 'help' lists all faults"),
+                     {}};
     }
     const QString name = words.takeFirst();
     if (name == QLatin1String("help")) {
@@ -507,8 +510,9 @@ Result<QString> injectFault(ControllerServices& controlBox, const QString& line)
         }
         return answer;
     }
-    return Error{
-        ErrorCode::InvalidArgument, QStringLiteral("'%1' is not known; 'help' lists all").arg(name), {}};
+    return Error{ErrorCode::InvalidArgument,
+                 QStringLiteral("'%1' is not a known fault; 'help' lists all faults").arg(name),
+                 {}};
 }
 
 std::string answerFaultLine(ControllerServices& controlBox, std::string_view line) {

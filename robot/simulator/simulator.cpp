@@ -457,7 +457,7 @@ void Simulator::setRemoteControl(bool remote) {
 
 Result<QString> Simulator::inject(const Text& words) {
     Result<QString> outcome =
-        Error{ErrorCode::NotConnected, QStringLiteral("the controller does not run"), {}};
+        Error{ErrorCode::NotConnected, QStringLiteral("the simulated controller is not running"), {}};
     d_->call([&](ControllerServices& controlBox) { outcome = injectFault(controlBox, words); });
     return outcome;
 }

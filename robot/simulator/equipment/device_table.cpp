@@ -100,13 +100,15 @@ Result<DeviceTable> DeviceTable::parse(const QString& shown, const QString& text
             hasProtocol = rest == QLatin1String("xml-rpc") || rest == QLatin1String("lines");
             table.protocol_ = rest == QLatin1String("lines") ? Protocol::Lines : Protocol::XmlRpc;
             if (!hasProtocol) {
-                outcome = corrupt(QStringLiteral("the protocol is xml-rpc or lines, not '%1'").arg(rest));
+                outcome =
+                    corrupt(QStringLiteral("the protocol must be xml-rpc or lines, not '%1'").arg(rest));
             }
         } else if (word == QLatin1String("address") && !line.contains('|')) {
             table.host_ = rest.section(':', 0, -2).trimmed();
             table.port_ = rest.section(':', -1).toInt();
             if (table.host_.isEmpty() || table.port_ <= 0 || table.port_ > 65535) {
-                outcome = corrupt(QStringLiteral("an address is like 192.168.1.20:4242, not '%1'").arg(rest));
+                outcome = corrupt(
+                    QStringLiteral("the address must have the form 192.168.1.20:4242, not '%1'").arg(rest));
             }
         } else if (!hasProtocol) {
             outcome =
@@ -120,7 +122,7 @@ Result<DeviceTable> DeviceTable::parse(const QString& shown, const QString& text
         }
     }
     if (table.port_ == 0) {
-        return corrupt(QStringLiteral("%1: there is no address").arg(shown));
+        return corrupt(QStringLiteral("%1: the address is missing").arg(shown));
     }
     return table;
 }
@@ -128,8 +130,8 @@ Result<DeviceTable> DeviceTable::parse(const QString& shown, const QString& text
 Result<void> DeviceTable::addRow(const QString& line) {
     const QStringList cells = splitOutside(line, '|');
     if (cells.size() < 3 || cells.size() > 4) {
-        return corrupt(
-            QStringLiteral("a row is NAME | ARGUMENTS | ANSWER | DELAY, and the delay may be missing"));
+        return corrupt(QStringLiteral(
+            "a row must have the form NAME | ARGUMENTS | ANSWER | DELAY; the delay is optional"));
     }
     Row row;
     row.name = cells[0].trimmed().toStdString();
@@ -153,7 +155,7 @@ Result<void> DeviceTable::addRow(const QString& line) {
     } else if (!answer.isEmpty()) {
         const Result<urscript::Value> value = urscript::constantValue(answer.toStdString());
         if (!value) {
-            return corrupt(QStringLiteral("the answer '%1' is not a value of URScript: %2")
+            return corrupt(QStringLiteral("the answer '%1' is not a URScript value: %2")
                                .arg(answer, value.error().controllerMessage));
         }
         row.answer.value = *value;
@@ -177,7 +179,7 @@ Result<void> DeviceTable::readArguments(Row& row) {
         }
         const Result<urscript::Value> value = urscript::constantValue(argument.toStdString());
         if (!value) {
-            return corrupt(QStringLiteral("the argument '%1' is not a value of URScript: %2")
+            return corrupt(QStringLiteral("the argument '%1' is not a URScript value: %2")
                                .arg(argument, value.error().controllerMessage));
         }
         row.arguments.emplace_back(*value);

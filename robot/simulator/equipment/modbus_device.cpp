@@ -57,7 +57,7 @@ Result<urscript::ModbusStatus> ModbusDevice::status(std::string_view name) const
         return noSignal(name);
     }
     if (signal->invalidFor > signal->watchdog) {
-        return urscript::scriptError("Modbus signal '" + std::string(name) + "' is not answered");
+        return urscript::scriptError("Modbus signal '" + std::string(name) + "' receives no answer");
     }
     return urscript::ModbusStatus{signal->values, signal->what.isDigital(), signal->what.list};
 }
@@ -93,8 +93,8 @@ Result<void> ModbusDevice::setOutput(std::string_view name, bool digital,
         return noSignal(name);
     }
     if (!signal->what.isOutput() || signal->what.isDigital() != digital) {
-        return urscript::scriptError("Modbus signal '" + std::string(name) + "' is no " +
-                                     (digital ? "digital output" : "output register"));
+        return urscript::scriptError("Modbus signal '" + std::string(name) + "' is not " +
+                                     (digital ? "a digital output" : "an output register"));
     }
     if (values.size() > static_cast<std::size_t>(signal->what.writeCount)) {
         return urscript::scriptError("Modbus signal '" + std::string(name) + "' has only " +

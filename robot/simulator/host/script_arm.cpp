@@ -31,7 +31,8 @@ Result<JointPositions> ScriptArm::jointPositionsHistory(int steps) const {
     if (const auto q = plant_.arm().jointHistory(steps)) {
         return *q;
     }
-    return urscript::scriptError("get_actual_joint_positions_history: no record of so many steps ago");
+    return urscript::scriptError(
+        "get_actual_joint_positions_history: the history is shorter than this number of steps");
 }
 
 JointTorques ScriptArm::externalJointTorques() const {
@@ -78,7 +79,7 @@ Result<urscript::StateHost::FieldValue> ScriptArm::rtdeValue(std::string_view na
     const rtde::Field* field = rtde::findOutput(name);
     const auto source = field == nullptr ? std::nullopt : fieldSource(*field);
     if (!source) {
-        return urscript::scriptError("no such RTDE output: " + std::string(name));
+        return urscript::scriptError("unknown RTDE output: " + std::string(name));
     }
     std::array<double, 6> values{};
     source->read(plant_.telemetry(), source->number, values.data());

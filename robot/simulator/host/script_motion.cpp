@@ -171,7 +171,7 @@ void ScriptMotion::motionAbandoned(urscript::ThreadId thread) {
 
 Result<void> ScriptMotion::begunForces(const arm::ForceModeParameters& parameters) {
     if (plant_.arm().superposition().active()) {
-        return urscript::scriptError("force mode and path offset or conveyor tracking exclude each other");
+        return urscript::scriptError("force mode cannot be combined with path offset or conveyor tracking");
     }
     const arm::MotionError error = plant_.arm().compliance().startForceMode(parameters);
     return error == arm::MotionError::None ? Result<void>() : Result<void>(refusal(error, -1));
@@ -211,7 +211,7 @@ double ScriptMotion::forceModeDamping() const {
 
 Result<void> ScriptMotion::setForceModeGainScaling(double scaling) {
     if (plant_.options().software.isCb3()) {
-        return urscript::scriptError("force_mode_set_gain_scaling: not on this series of controllers");
+        return urscript::scriptError("force_mode_set_gain_scaling: not available on this controller series");
     }
     plant_.arm().compliance().setGainScaling(scaling);
     return {};
@@ -224,7 +224,7 @@ double ScriptMotion::forceModeGainScaling() const {
 Result<void> ScriptMotion::freedrive(const urscript::Freedrive& mode) {
     arm::Arm& arm = plant_.arm();
     if (arm.superposition().active()) {
-        return urscript::scriptError("freedrive and path offset or conveyor tracking exclude each other");
+        return urscript::scriptError("freedrive cannot be combined with path offset or conveyor tracking");
     }
     if (mode.checkPayload && !arm.compliance().isFreedrive() &&
         arm.unexplainedForce() > kUnexplainedInFreedrive) {

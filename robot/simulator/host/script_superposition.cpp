@@ -12,10 +12,12 @@ namespace {
 
 Result<void> mayTrack(arm::Arm& arm, double ticks) {
     if (!(std::abs(ticks) > 0)) {
-        return urscript::scriptError("conveyor tracking: the ticks of the way must not be 0");
+        return urscript::scriptError(
+            "conveyor tracking: the number of ticks per metre or revolution must not be 0");
     }
     if (arm.compliance().isForceMode() || arm.compliance().isFreedrive()) {
-        return urscript::scriptError("conveyor tracking: not while force mode or freedrive is active");
+        return urscript::scriptError(
+            "conveyor tracking: not possible while force mode or freedrive is active");
     }
     return {};
 }
@@ -32,7 +34,8 @@ void ScriptSuperposition::stepConveyors() {
 Result<void> ScriptSuperposition::enablePathOffset() {
     const arm::Compliance& compliance = plant_.arm().compliance();
     if (compliance.isForceMode() || compliance.isFreedrive()) {
-        return urscript::scriptError("path_offset_enable: not while force mode or freedrive is active");
+        return urscript::scriptError(
+            "path_offset_enable: not possible while force mode or freedrive is active");
     }
     plant_.arm().superposition().enableOffset();
     return {};
@@ -40,7 +43,7 @@ Result<void> ScriptSuperposition::enablePathOffset() {
 
 Result<void> ScriptSuperposition::setPathOffset(const Pose& offset, int type) {
     if (!offset.allFinite()) {
-        return urscript::scriptError("path_offset_set: the offset must be finite numbers");
+        return urscript::scriptError("path_offset_set: the offset must contain only finite numbers");
     }
     plant_.arm().superposition().setOffset(offset, static_cast<arm::OffsetFrame>(type));
     return {};
@@ -74,7 +77,7 @@ Result<void> ScriptSuperposition::trackConveyorLinear(const Pose& direction, dou
     }
     const double length = direction.position.norm();
     if (!(length > 1e-9) || !std::isfinite(length)) {
-        return urscript::scriptError("track_conveyor_linear: the direction has no length");
+        return urscript::scriptError("track_conveyor_linear: the direction must not be zero");
     }
     trackedEncoder_ = encoder;
     arm.superposition().setTravel(plant_.encoders().travel(encoder));
@@ -89,7 +92,7 @@ Result<void> ScriptSuperposition::trackConveyorCircular(const Pose& center, doub
         return may;
     }
     if (!center.allFinite()) {
-        return urscript::scriptError("track_conveyor_circular: the centre must be finite numbers");
+        return urscript::scriptError("track_conveyor_circular: the centre must contain only finite numbers");
     }
     trackedEncoder_ = encoder;
     arm.superposition().setTravel(plant_.encoders().travel(encoder));

@@ -16,10 +16,11 @@ Result<void> Listener::open(const QHostAddress& address, std::uint16_t port, con
                               .arg(address.toString());
     switch (serverError()) {
         case QAbstractSocket::AddressInUseError:
-            return Error{ErrorCode::Rejected,
-                         where + QStringLiteral(" is in use: end the program that has it, or start this "
-                                                "controller on another address (127.0.0.2) or port offset"),
-                         errorString()};
+            return Error{
+                ErrorCode::Rejected,
+                where + QStringLiteral(" is in use: end the program that uses this port, or start this "
+                                       "controller with another address (127.0.0.2) or port offset"),
+                errorString()};
         case QAbstractSocket::SocketAddressNotAvailableError:
             return Error{ErrorCode::AddressInvalid,
                          where + QStringLiteral(" cannot be opened: this machine has no such address"),

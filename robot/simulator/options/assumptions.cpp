@@ -65,13 +65,14 @@ const std::vector<Row>& rows() {
             "which version is used for functions, RTDE fields and dashboard commands whose first version is "
             "known only as a range"),
         row(&A::teachMode, "teach_mode", kBuiltin,
-            "missing: teach_mode and end_teach_mode are compile errors"),
-        row(&A::servoc, "servoc", kBuiltin, "missing: calling it is a compile error"),
+            "missing: calling teach_mode or end_teach_mode is a compile error"),
+        row(&A::servoc, "servoc", kBuiltin, "missing: calling the function is a compile error"),
         row(&A::isWithinSafetyLimits, "is_within_safety_limits", kBuiltin,
-            "missing: calling it is a compile error"),
-        row(&A::setPayloadMass, "set_payload_mass", kBuiltin, "missing: calling it is a compile error"),
+            "missing: calling the function is a compile error"),
+        row(&A::setPayloadMass, "set_payload_mass", kBuiltin,
+            "missing: calling the function is a compile error"),
         row(&A::enableExternalFtSensor, "enable_external_ft_sensor", kBuiltin,
-            "missing: calling it is a compile error"),
+            "missing: calling the function is a compile error"),
     };
     return kRows;
 }

@@ -76,7 +76,7 @@ void Expressions::appendPart(const XmlElement& part, Expression& to) {
         const XmlElement* const waypoint = part.target("Waypoint");
         const QString name = waypoint == nullptr ? QString() : waypointName(*waypoint);
         if (name.isEmpty()) {
-            t_.refuse(part, QStringLiteral("it does not refer to a waypoint with a fixed position"));
+            t_.refuse(part, QStringLiteral("the referenced element is not a waypoint with a fixed position"));
         }
         to.script += name + QStringLiteral("_p");
         to.shown += name;
@@ -110,20 +110,20 @@ QString Expressions::variable(const XmlElement& node, const char* child) {
 QString Expressions::nameOfVariable(const XmlElement& reference) {
     const XmlElement* const variable = reference.resolved();
     if (variable == nullptr) {
-        t_.refuse(reference, QStringLiteral("it does not refer to a variable"));
+        t_.refuse(reference, QStringLiteral("the referenced element is not a variable"));
         return {};
     }
     if (const QString feature = variable->attribute("featureName"); !feature.isEmpty()) {
         const auto found = t_.installation.features.find(feature);
         if (found == t_.installation.features.end() || !found->second.isVariable) {
-            t_.refuse(reference, QStringLiteral("there is no feature '%1' that is a variable: %2")
+            t_.refuse(reference, QStringLiteral("there is no variable feature '%1': %2")
                                      .arg(feature, t_.installation.shownName()));
         }
         return identifier(feature);
     }
     const QString name = variable->attribute("name");
     if (name.isEmpty()) {
-        t_.refuse(reference, QStringLiteral("it does not refer to a variable"));
+        t_.refuse(reference, QStringLiteral("the referenced element is not a variable"));
     }
     if (variable->is("InstallationVariable") &&
         std::ranges::find(t_.installation.variables, name, &std::pair<QString, QString>::first) ==
@@ -144,7 +144,7 @@ Expressions::Frame Expressions::frame(const XmlElement& node, const XmlElement* 
     }
     const XmlElement* const feature = given->resolved();
     if (feature == nullptr) {
-        t_.refuse(*given, QStringLiteral("it does not refer to a feature"));
+        t_.refuse(*given, QStringLiteral("the referenced element is not a feature"));
         return {};
     }
     // A feature that is a variable has its name in another attribute.
@@ -193,7 +193,7 @@ QString Expressions::Signal::write(const QString& value) const {
 Expressions::Signal Expressions::signal(const XmlElement& node) {
     const XmlElement* const given = node.child("pin");
     if (given == nullptr) {
-        t_.unfinished(node, QStringLiteral("it does not name a pin"));
+        t_.unfinished(node, QStringLiteral("the name of the pin is missing"));
         return {{}, QStringLiteral("False")};
     }
     const XmlElement* const pin = given->resolved();
@@ -217,7 +217,7 @@ Expressions::Signal Expressions::signal(const XmlElement& node) {
                 &found->second};
     }
     t_.refuse(node, pin == nullptr
-                        ? QStringLiteral("its pin does not exist")
+                        ? QStringLiteral("the pin does not exist")
                         : QStringLiteral("pin '%1' is not known: %2").arg(name, installation.shownName()));
     return {name, QStringLiteral("False")};
 }

@@ -196,7 +196,7 @@ QString Motion::targetOf(const XmlElement& waypoint, const Definer& move, bool j
     const QString name = x_.waypointName(waypoint);
     if (type == QLatin1String("Relative")) {
         if (name.isEmpty()) {
-            t_.unfinished(waypoint, QStringLiteral("its positions are missing"));
+            t_.unfinished(waypoint, QStringLiteral("the positions are missing"));
             return {};
         }
         return QStringLiteral("pose_add(get_target_tcp_pose(), pose_sub(%1_to_p, %1_from_p))").arg(name);
@@ -218,7 +218,7 @@ QString Motion::targetOf(const XmlElement& waypoint, const Definer& move, bool j
         return {};
     }
     if (name.isEmpty()) {
-        t_.unfinished(waypoint, QStringLiteral("its position is missing"));
+        t_.unfinished(waypoint, QStringLiteral("the position is missing"));
         return {};
     }
     const bool hasJoints = !anglesOf(position).isEmpty();
@@ -352,7 +352,7 @@ void Motion::labelWaypoint(const XmlElement& waypoint) {
 void Motion::writeWaypoint(const XmlElement& node) {
     const Definer move = definerOf(node);
     if (move.function.isEmpty()) {
-        t_.refuse(node, QStringLiteral("it is not in a move that is simulated"));
+        t_.refuse(node, QStringLiteral("the move around this node is not simulated"));
         return;
     }
     labelWaypoint(node);
@@ -516,7 +516,7 @@ void Motion::writeDirection(const XmlElement& node) {
         {"YMinus", {"[0,-1,0]", "Y-"}}, {"ZPlus", {"[0,0,1]", "Z+"}},   {"ZMinus", {"[0,0,-1]", "Z-"}}};
     const Definer move = definerOf(node);
     if (move.node == nullptr) {
-        t_.refuse(node, QStringLiteral("it is not in a move"));
+        t_.refuse(node, QStringLiteral("this node is not inside a move"));
         return;
     }
     const Expressions::Frame frame = x_.frame(node, move.node);
@@ -541,7 +541,7 @@ void Motion::writeDirection(const XmlElement& node) {
     const QString speed = hasOwn ? numberList(own[0], 1) : number(*move.node, "speed");
     const QString acceleration = hasOwn ? numberList(own[1], 1) : number(*move.node, "acceleration");
     if (speed.isEmpty() || acceleration.isEmpty()) {
-        t_.refuse(node, QStringLiteral("toolParams are not two numbers"));
+        t_.refuse(node, QStringLiteral("the tool speed or the tool acceleration is not a number"));
         return;
     }
     const std::vector<Until> untils = untilsOf(node, false);

@@ -94,7 +94,8 @@ Result<PendantProgram> readUrpx(const QByteArray& content) {
     addNodeTypes(
         root.value(QLatin1String("program")).toObject().value(QLatin1String("programContent")).toObject(),
         types);
-    QString reason = QStringLiteral("it contains no URScript, and there is no .script file next to it");
+    QString reason =
+        QStringLiteral("the program contains no URScript, and there is no .script file in the same folder");
     if (!types.isEmpty()) {
         reason += QStringLiteral("; its nodes are not translated: %1").arg(types.join(QStringLiteral(", ")));
     }

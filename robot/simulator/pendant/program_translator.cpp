@@ -61,9 +61,9 @@ Result<PendantProgram> ProgramTranslator::translate(const XmlElement& root, cons
     if (root.name.contains(QLatin1String("ProgramRootNode"))) {
         t_.refuse(root, QStringLiteral("programs saved before PolyScope 3 are not simulated"));
     } else if (!root.is("URProgram")) {
-        t_.refuse(root, QStringLiteral("this is not a program, which begins with URProgram"));
+        t_.refuse(root, QStringLiteral("this is not a program: the root element is not URProgram"));
     } else if (main == nullptr) {
-        t_.refuse(root, QStringLiteral("there is no MainProgram"));
+        t_.refuse(root, QStringLiteral("the element MainProgram is missing"));
     }
     if (t_.refusal()) {
         return *t_.refusal();
@@ -413,7 +413,7 @@ void ProgramTranslator::writeChildren(const XmlElement& node) {
             if (!branches.empty()) {
                 branches.push_back(&child);
             } else if (!node.is("If")) {
-                t_.refuse(child, QStringLiteral("there is no If before it"));
+                t_.refuse(child, QStringLiteral("there is no If before this branch"));
             }
             continue;
         }
@@ -477,7 +477,7 @@ void ProgramTranslator::writeBranches(const std::vector<const XmlElement*>& bran
         t_.label(node, QStringLiteral("Else"));
         writeChildren(node);
         if (hasNext) {
-            t_.refuse(*branches[first + 1], QStringLiteral("it comes after an Else"));
+            t_.refuse(*branches[first + 1], QStringLiteral("this branch comes after an Else"));
         }
         return;
     }
@@ -569,7 +569,7 @@ void ProgramTranslator::writeNode(const XmlElement& node) {
         const QString comment = node.attribute("comment");
         t_.label(node, comment.isEmpty() ? QStringLiteral("Comment") : '\'' + comment + '\'');
     } else if (node.is("Placeholder")) {
-        t_.unfinished(node, QStringLiteral("it is empty"));
+        t_.unfinished(node, QStringLiteral("this node is empty"));
     } else if (!node.is("Until")) {  // written with its direction or waypoint
         t_.refuse(node, QStringLiteral("this node is not simulated"));
     }
@@ -908,7 +908,7 @@ void ProgramTranslator::writeCall(const XmlElement& node) {
     }
     const XmlElement* const sub = named->resolved();
     if (sub == nullptr || subPrograms_.size() >= kMaxSubPrograms) {
-        t_.refuse(node, QStringLiteral("it does not refer to a subprogram"));
+        t_.refuse(node, QStringLiteral("the referenced element is not a subprogram"));
         return;
     }
     const std::optional<std::size_t> place = addSubProgram(*sub);

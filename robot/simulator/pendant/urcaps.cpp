@@ -152,7 +152,8 @@ Result<QStringList> UrcapStandIns::bodyOf(const UrcapStandIn& standIn, const Xml
             const auto value = values.find(match.captured(1));
             if (value == values.end()) {
                 return Error{ErrorCode::FileCorrupt,
-                             QStringLiteral("the node has no value '%1', and its stand-in no default")
+                             QStringLiteral(
+                                 "the node has no value '%1', and its stand-in has no default for this value")
                                  .arg(match.captured(1)),
                              {}};
             }

@@ -103,7 +103,7 @@ Result<std::unique_ptr<XmlElement>> readXmlTree(const QByteArray& xml) {
             case QXmlStreamReader::StartElement: {
                 if (++depth > kMaxDepth || ++count > kMaxElements) {
                     return Error{ErrorCode::FileCorrupt,
-                                 QStringLiteral("line %1: too deep or too large for a program")
+                                 QStringLiteral("line %1: nested too deeply or too large for a program")
                                      .arg(reader.lineNumber()),
                                  {}};
                 }

@@ -72,7 +72,8 @@ Result<SoftwareVersion> parseSoftware(const QString& text) {
     const QStringList parts = text.split('.');
     std::uint32_t numbers[4] = {0, 0, 0, 0};
     const Error notOne = wrongOption(
-        QStringLiteral("a software version is of series 3, 5 or 10, such as 3.15, 5.22 or 10.12, not '%1'")
+        QStringLiteral(
+            "the software version must be of series 3, 5 or 10, such as 3.15, 5.22 or 10.12, not '%1'")
             .arg(text));
     if (parts.size() < 2 || parts.size() > 4) {
         return notOne;
@@ -112,9 +113,9 @@ Result<void> checkSoftware(RobotModelId id, const SoftwareVersion& software) {
     const QString name = QString::fromLatin1(model.name);
     const QString version = QString::fromStdString(versionText(software));
     if (software.isCb3() != model.isCb3()) {
-        return wrongOption(
-            QStringLiteral("a %1 does not run software %2: CB3 models run series 3, all others 5 and 10")
-                .arg(name, version));
+        return wrongOption(QStringLiteral("a %1 does not run software %2: CB3 models run series 3, and all "
+                                          "other models run series 5 and 10")
+                               .arg(name, version));
     }
     const SoftwareVersion first = firstSoftware(id, software.isPolyScopeX());
     if (!model.isCb3() && software < first) {

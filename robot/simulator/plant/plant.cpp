@@ -50,7 +50,7 @@ StopMessage stopMessage(arm::StopReason reason) {
         case arm::StopReason::WrongPayload:
             return {156, "wrong payload, or the arm was pushed when freedrive started"};
         case arm::StopReason::TcpForceLimit:
-            return {158, "the tool touched something hard"};
+            return {158, "the tool touched a hard object"};
         case arm::StopReason::PathDeviation:
             return {159, "force mode left the programmed path by more than its limits allow"};
     }

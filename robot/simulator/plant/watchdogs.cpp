@@ -11,10 +11,10 @@ namespace tiller::simulator {
 Result<void> Watchdogs::set(std::string_view field, double minFrequency, urscript::WatchdogAction action) {
     const rtde::Field* found = rtde::findInput(field);
     if (found == nullptr) {
-        return urscript::scriptError("rtde_set_watchdog: no such input: " + std::string(field));
+        return urscript::scriptError("rtde_set_watchdog: unknown RTDE input: " + std::string(field));
     }
     if (!(minFrequency > 0)) {
-        return urscript::scriptError("rtde_set_watchdog: the frequency must be above zero");
+        return urscript::scriptError("rtde_set_watchdog: the frequency must be greater than 0");
     }
     const auto input = static_cast<std::size_t>(found - rtde::inputFields().data());
     std::erase_if(dogs_, [input](const Watchdog& dog) { return dog.input == input; });

@@ -58,8 +58,8 @@ void ProgramRunner::takeControlScript() {
     const std::unique_ptr<Controlled> done = std::move(controlled_);
     if (script->empty()) {
         const ScriptProvider& from = done->provider;
-        script = "popup(\"No script came from " + from.host.toStdString() + ':' + std::to_string(from.port) +
-                 "\", title=\"External Control\", error=True, blocking=True)";
+        script = "popup(\"No script was received from " + from.host.toStdString() + ':' +
+                 std::to_string(from.port) + "\", title=\"External Control\", error=True, blocking=True)";
     }
     enqueue(withControlScript(std::move(done->text), std::move(*script)), true);
 }

@@ -133,7 +133,7 @@ Result<std::string> ProgramStore::script() const {
     }
     if (program->unfinished) {
         return Error{ErrorCode::FileCorrupt,
-                     QStringLiteral("the program is not finished: %1").arg(program->unfinished->context),
+                     QStringLiteral("the program is incomplete: %1").arg(program->unfinished->context),
                      {}};
     }
     std::string text = std::move(program->script);

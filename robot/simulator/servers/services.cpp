@@ -78,9 +78,10 @@ Result<void> Services::openOne(const Entry& entry, const QHostAddress& address,
     const Ports standard;
     const auto at = [&](int port) -> Result<void> {
         if (port < 0 || port > 65535) {
-            return Error{ErrorCode::InvalidArgument,
-                         QStringLiteral("port offset %1 exceeds the range of ports").arg(options.portOffset),
-                         {}};
+            return Error{
+                ErrorCode::InvalidArgument,
+                QStringLiteral("the port numbers with port offset %1 exceed 65535").arg(options.portOffset),
+                {}};
         }
         return entry.server->open(address, static_cast<std::uint16_t>(port), entry.name, link_.poller());
     };

@@ -15,10 +15,10 @@ Status interpreterMode(Call& c) {
         fault(kTooMuchBehind);
     }
     if (c.thread != 0) {
-        fault("interpreter_mode: only the main thread may enter it");
+        fault("interpreter_mode: only the main thread can enter interpreter mode");
     }
     if (mode.isInLine()) {
-        fault("interpreter_mode: it runs already");
+        fault("interpreter_mode: interpreter mode is already active");
     }
     switch (mode.proceed(c.boolean(0), c.boolean(1))) {
         case InterpreterMode::Next::Line:

@@ -37,7 +37,7 @@ Status normalize(Call& c) {
         sum += d * d;
     }
     if (!(sum > 0)) {
-        fault("normalize: the vector has no length");
+        fault("normalize: the length of the vector is zero");
     }
     for (double& d : v) {
         d /= std::sqrt(sum);
@@ -111,7 +111,7 @@ Status inv(Call& c) {
     }
     const MatrixData& m = c.args[0].matrix();
     if (m.rows != m.cols || m.rows > kMaxInverse) {
-        fault("inv: the matrix must be square, at most 32x32");
+        fault("inv: the matrix must be square, with a maximum size of 32x32");
     }
     const auto n = static_cast<Eigen::Index>(m.rows);
     const Eigen::FullPivLU<RowMajor> lu(Eigen::Map<const RowMajor>(m.numbers.data(), n, n));

@@ -34,7 +34,7 @@ template <double (*function)(double)>
 Status rounded(Call& c) {
     const double f = function(c.number(0));
     if (!(f >= std::numeric_limits<std::int32_t>::min() && f <= std::numeric_limits<std::int32_t>::max())) {
-        fault("Range error: " + c.name() + "(" + toStr(c.args[0]) + ") does not fit an integer");
+        fault("Range error: " + c.name() + "(" + toStr(c.args[0]) + ") does not fit in an integer");
     }
     c.result = static_cast<std::int32_t>(f);
     return Status::Done;

@@ -24,7 +24,7 @@ T checked(Result<T> outcome) {
 std::string nameAt(Call& c, std::size_t i) {
     const std::string& name = c.string(i);
     if (name.empty() || name.size() > kMaxNameLength) {
-        fault(c.name() + ": a signal has a name of 1 to 20 characters");
+        fault(c.name() + ": the name of a signal must have 1 to 20 characters");
     }
     return name;
 }
@@ -120,12 +120,12 @@ std::vector<std::int32_t> valuesAt(Call& c, std::size_t i, bool digital) {
         given.push_back(c.integer(i));
     }
     if (given.empty() || given.size() > kMaxPerRequest) {
-        fault("Range error: " + c.name() + " takes 1 to 123 values");
+        fault("Range error: " + c.name() + " accepts 1 to 123 values");
     }
     std::vector<std::int32_t> values;
     for (const double value : given) {
         if (!(value >= 0 && value <= 65535)) {
-            fault("Range error: " + c.name() + " takes values from 0 to 65535");
+            fault("Range error: " + c.name() + " accepts values from 0 to 65535");
         }
         values.push_back(static_cast<std::int32_t>(value));
     }
@@ -150,7 +150,7 @@ Status setFrequency(Call& c) {
 Status setSignalWatchdog(Call& c) {
     const double seconds = c.finite(1);
     if (seconds < 0 || seconds > 300) {
-        fault("Range error: modbus_set_signal_watchdog takes 0 to 300 s");
+        fault("Range error: modbus_set_signal_watchdog accepts 0 to 300 s");
     }
     c.check(c.host.setModbusWatchdog(nameAt(c, 0), seconds));
     return Status::Done;
@@ -159,7 +159,7 @@ Status setSignalWatchdog(Call& c) {
 Status setInputAction(Call& c) {
     const std::string& action = c.string(1);
     if (action != "default" && action != "freedrive") {
-        fault("modbus_set_digital_input_action: the action is \"default\" or \"freedrive\"");
+        fault("modbus_set_digital_input_action: action must be \"default\" or \"freedrive\"");
     }
     c.check(c.host.setModbusFreedrive(nameAt(c, 0), action == "freedrive"));
     return Status::Done;
@@ -176,7 +176,7 @@ Status sendCommand(Call& c) {
     std::vector<std::uint8_t> bytes;
     for (const double value : c.numbers(3)) {
         if (!(value >= 0 && value <= 255)) {
-            fault("Range error: modbus_send_custom_command takes bytes from 0 to 255");
+            fault("Range error: modbus_send_custom_command accepts bytes from 0 to 255");
         }
         bytes.push_back(static_cast<std::uint8_t>(value));
     }

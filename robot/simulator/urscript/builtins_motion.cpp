@@ -233,7 +233,7 @@ Status jerkGainGet(Call& c) {
     return Status::Done;
 }
 
-constexpr const char* kNoJerkLimit = "profiles have no limit of the jerk";
+constexpr const char* kNoJerkLimit = "motion profiles have no jerk limit";
 
 constexpr BuiltinRow kMotionRows[] = {
     {"movej(q, a=1.4, v=1.05, t=0, r=0)", movej, kMotion},
@@ -260,12 +260,12 @@ constexpr BuiltinRow kMotionRows[] = {
     {"tool_wrench_limit_set(frame_offset, Fx?, Fy?, Fz?, Mx?, My?, Mz?)", setting, kPlain, {{19}}},
     {"tool_wrench_limit_disable()", setting, kPlain, {{19}}},
     {"motion_version_set(version)", motionVersionSet, kPlain, kAfter515, nullptr,
-     "the profile of movej and movel stays that of version 1"},
+     "movej and movel always use the profile of version 1"},
     {"motion_version_get()", motionVersionGet, kPlain, kAfter515},
     {"jerk_gain_scaling_set(gain)", jerkGainSet, kPlain, kAfter515, nullptr, kNoJerkLimit},
     {"jerk_gain_scaling_get()", jerkGainGet, kPlain, kAfter515},
-    {"frame_tracking_enable(frame_name)", absent, kPlain, kPolyScopeX, "a frame that moves"},
-    {"frame_tracking_disable()", absent, kPlain, kPolyScopeX, "a frame that moves"},
+    {"frame_tracking_enable(frame_name)", absent, kPlain, kPolyScopeX, "a moving frame"},
+    {"frame_tracking_disable()", absent, kPlain, kPolyScopeX, "a moving frame"},
 };
 
 }  // namespace

@@ -111,7 +111,7 @@ std::vector<Vector6> rowsAt(const Call& c, std::size_t i) {
     }
     if (out.size() < 4 ||
         !std::all_of(out.begin(), out.end(), [](const Vector6& v) { return v.allFinite(); })) {
-        c.badArgument(i, "a list of at least four");
+        c.badArgument(i, "a list of at least four elements");
     }
     return out;
 }
@@ -123,7 +123,9 @@ Status estimatePayload(Call& c) {
     const std::vector<Vector6> wrenches = rowsAt(c, 1);
     const Eigen::Vector3d g = c.host.gravity();
     if (poses.size() != wrenches.size() || g.norm() < 1e-6) {
-        fault("estimate_payload: requires as many wrenches as poses, and gravity");
+        fault(
+            "estimate_payload: the number of wrenches must equal the number of poses, and gravity must not "
+            "be zero");
     }
     double mass = 0;
     Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
@@ -139,7 +141,7 @@ Status estimatePayload(Call& c) {
     }
     const Eigen::FullPivLU<Eigen::Matrix3d> lu(normal);
     if (!lu.isInvertible()) {
-        fault("estimate_payload: the poses must differ in orientation");
+        fault("estimate_payload: the poses must have different orientations");
     }
     const Eigen::Vector3d cog = lu.solve(right);
     StructData data;

@@ -42,7 +42,7 @@ Value constantOf(const ast::Expr& e) {
             return Value::structure(std::move(data));
         }
         default:
-            fault("it is not a constant value");
+            fault("the value is not constant");
     }
 }
 
@@ -56,7 +56,7 @@ Result<Value> constantValue(std::string_view text) {
     }
     const ast::Block& body = parsed.tree.functions.front().body;
     if (body.size() != 1 || body.front()->kind != ast::StmtKind::Assign) {
-        return scriptError("it is not one value");
+        return scriptError("not a single value");
     }
     try {
         return constantOf(*body.front()->value);

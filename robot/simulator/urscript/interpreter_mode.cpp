@@ -15,7 +15,7 @@ InterpreterMode::Reply InterpreterMode::submit(std::string_view line) {
         return {Reply::Kind::Wait, 0, {}};
     }
     if (queue_.size() >= kMaxWaiting) {
-        return {Reply::Kind::Discard, 0, "too many statements wait"};
+        return {Reply::Kind::Discard, 0, "too many statements are waiting"};
     }
     if (code_.functions.size() + code_.globals.size() >
         code_.program.code->functions.size() + code_.program.code->globals.size() + kMaxDefinitions) {

@@ -379,7 +379,7 @@ void assignIndexed(Value& v, const Value& i, const Value& element) {
             const std::size_t row = checkedIndex(i, v.matrix().rows);
             if (!element.is(Type::List) || !element.list().isNumeric() ||
                 element.list().numbers.size() != v.matrix().cols) {
-                fault("A row of a matrix must be a list of as many numbers");
+                fault("A row of a matrix must be a list with one number per column");
             }
             MatrixData& m = v.ownMatrix();
             m.integer = m.integer && element.list().kind == ListData::Kind::Int;

@@ -14,7 +14,7 @@ Error unreachable(const xml_rpc::Address& address) {
 Result<std::int32_t> RemoteCalls::declare(std::string_view url) {
     const auto address = xml_rpc::parseAddress(url);
     if (!address) {
-        return scriptError("rpc_factory: \"" + std::string(url) + "\" is no address of a server");
+        return scriptError("rpc_factory: \"" + std::string(url) + "\" is not the address of a server");
     }
     if (servers_.size() >= kMaxHandles) {
         return scriptError("rpc_factory: too many handles");
@@ -73,7 +73,7 @@ Result<std::int64_t> RemoteCalls::begin(std::int32_t handle, std::string_view me
 Result<std::optional<Value>> RemoteCalls::result(std::int64_t number) {
     const auto it = calls_.find(number);
     if (it == calls_.end()) {
-        return scriptError("Too many calls of XML-RPC servers at once");
+        return scriptError("Too many simultaneous calls of XML-RPC servers");
     }
     const std::string socket = socketOf(number);
     const SocketHost::State state = host_.socketState(socket);

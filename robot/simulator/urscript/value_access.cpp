@@ -94,7 +94,8 @@ Value& descend(Value& root, const Path& path, std::size_t steps, const Value*& i
             auto& members = v->ownStructure().members;
             v = &members[checkedIndex(*indices++, members.size())].second;
         } else {
-            fault(std::string("Type error: an element of this ") + v->typeName() + " has no parts to assign");
+            fault(std::string("Type error: an element of this ") + v->typeName() +
+                  " has no elements to assign");
         }
     }
     return *v;
@@ -103,7 +104,7 @@ Value& descend(Value& root, const Path& path, std::size_t steps, const Value*& i
 void checkBounds(const Value& root, std::size_t listLength) {
     std::size_t budget = listLength;
     if (!root.withinBounds(kMaxValueDepth, budget)) {
-        fault("Value is nested too deep or too large");
+        fault("Value is nested too deeply or too large");
     }
 }
 

@@ -8,7 +8,7 @@ namespace tiller::simulator::urscript {
 namespace {
 
 Error noFrame(const std::string& name) {
-    return scriptError("There is no frame '" + name + "'");
+    return scriptError("Unknown frame '" + name + "'");
 }
 
 Eigen::Matrix3d inertiaMatrix(const Vector6& i) {
@@ -61,7 +61,7 @@ bool WorldModel::hangsOn(std::string_view name, std::string_view ancestor) const
 
 Result<void> WorldModel::add(const std::string& name, const Pose& pose, const std::string& ref) {
     if (name.empty() || contains(name)) {
-        return scriptError("There is a frame '" + name + "' already");
+        return scriptError("Frame '" + name + "' already exists");
     }
     if (!contains(ref)) {
         return noFrame(ref);

@@ -68,7 +68,7 @@ private:
     }
     void number(double d) {
         if (!std::isfinite(d)) {
-            fault("XML-RPC has no form for a number that is not finite");
+            fault("XML-RPC cannot represent a number that is not finite");
         }
         scalar("double", QString::number(d, 'g', 17));
     }
@@ -116,7 +116,7 @@ private:
                 break;
             case Value::Type::None:
             case Value::Type::Unset:
-                fault("XML-RPC has no form for None");
+                fault("XML-RPC cannot represent None");
         }
         xml_.writeEndElement();
     }

@@ -143,7 +143,7 @@ private Q_SLOTS:
         QCOMPARE(cell.told(say), (QByteArrayList{"True", "7"}));
         cell.robot.controller.stepSeconds(2.5);
         QVERIFY(cell.told("textmsg(modbus_get_signal_status(\"s\"))").isEmpty());
-        QCOMPARE(cell.error, QByteArray("Modbus signal 's' is not answered"));
+        QCOMPARE(cell.error, QByteArray("Modbus signal 's' receives no answer"));
         QCOMPARE(cell.fault("modbus-link on"), QString());
         cell.robot.controller.stepSeconds(0.2);
         QCOMPARE(cell.told("textmsg(modbus_get_signal_status(\"s\"))\n"
@@ -210,9 +210,9 @@ private Q_SLOTS:
         row("kind", kAdd + "1, 4, \"s\")", "signal_type");
         row("count", kAdd + "1, 2, \"s\", False, 124)", "123");
         row("input written", kAdd + "1, 2, \"s\")\nmodbus_set_output_register(\"s\", 1)",
-            "no output register");
+            "not an output register");
         row("coil as register", kAdd + "1, 1, \"s\")\nmodbus_set_output_register(\"s\", 1)",
-            "no output register");
+            "not an output register");
         row("too many", kAdd + "1, 3, \"s\")\nmodbus_set_output_register(\"s\", [1, 2])", "has only 1");
         row("too large", kAdd + "1, 3, \"s\")\nmodbus_set_output_register(\"s\", 65536)", "65535");
         row("frequency", kAdd + "1, 3, \"s\")\nmodbus_set_signal_update_frequency(\"s\", 501)", "500");
@@ -242,7 +242,7 @@ private Q_SLOTS:
         QTest::newRow("error") << "modbus-error s x"
                                << "not a number";
         QTest::newRow("link") << "modbus-link perhaps"
-                              << "neither on nor off";
+                              << "expected on or off";
     }
     void wrongFaultsAreExplained() {
         QFETCH(QString, words);

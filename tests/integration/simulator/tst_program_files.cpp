@@ -454,14 +454,14 @@ private Q_SLOTS:
         const auto row = [](const char* name, const QString& parts, const char* why) {
             QTest::newRow(name) << program(parts) << QString::fromLatin1(why);
         };
-        row("no main program", "<InitVariablesNode/>", "no MainProgram");
+        row("no main program", "<InitVariablesNode/>", "MainProgram is missing");
         row("unknown node", mainProgram(good + "\n\n<Palletizing name=\"tray\"/>"),
             "line 3, Palletizing 'tray': this node is not simulated");
         row("node of a URCap", mainProgram("<Contributed strategyURCapName=\"Welding\"/>"), "Welding");
         row("unknown part", mainProgram(good) + "<Riddle/>", "Riddle");
         row("variable from nowhere",
             mainProgram(assign("reference=\"../../../../../../nothing/variable\"", "1")),
-            "refer to a variable");
+            "is not a variable");
         row("variable waypoint in another frame",
             mainProgram(withChildren("Move motionType=\"MoveL\" speed=\"1\" acceleration=\"1\"",
                                      "<Waypoint type=\"Variable\" name=\"w1\"><variable "
@@ -485,7 +485,7 @@ private Q_SLOTS:
         row("wait of another kind", mainProgram("<Wait type=\"Riddle\"/>"), "Riddle");
         row("sub program from nowhere",
             mainProgram("<CallSubProgram><subprogram reference=\"../nowhere\"/></CallSubProgram>"),
-            "refer to a subprogram");
+            "is not a subprogram");
         row("sub program that cannot be told",
             mainProgram("<CallSubProgram>" + withChildren("subprogram name=\"s\"", "<Palletizing/>") +
                         "</CallSubProgram>"),
@@ -539,13 +539,13 @@ private Q_SLOTS:
         row("loop without condition", withChildren("Loop type=\"While\"", line("sync()")), "Loop");
         row("no pin",
             "<Assignment><variable name=\"a\"/><expression><ExpressionIO/></expression></Assignment>",
-            "does not name a pin");
+            "name of the pin is missing");
         row("wait for no input", "<Wait type=\"DigitalInput\"/>", "Wait");
         row("set of no output", "<Set type=\"DigitalOutput\"/>", "Set");
         row("assignment to nothing", "<Assignment/>", "the variable is missing");
         row("waypoint without position",
             "<Move motionType=\"MoveJ\"><children><Waypoint type=\"Fixed\" name=\"w\"/></children></Move>",
-            "Waypoint 'w': its position is missing");
+            "Waypoint 'w': the position is missing");
         row("call of nothing", "<CallSubProgram/>", "CallSubProgram");
         row("placeholder", "<Placeholder/>", "Placeholder");
         QTest::newRow("event without condition") << mainProgram(line("sync()")) + "<Event/>"
@@ -557,7 +557,7 @@ private Q_SLOTS:
         Loaded cell(program(parts));
         QCOMPARE(cell.reply, QByteArray("Loading program: p.urp\n"));
         QTest::ignoreMessage(QtWarningMsg,
-                             QRegularExpression("is not finished.*" + QRegularExpression::escape(why)));
+                             QRegularExpression("is incomplete.*" + QRegularExpression::escape(why)));
         QVERIFY(!cell.play());
     }
 

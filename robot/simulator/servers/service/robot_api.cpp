@@ -259,12 +259,13 @@ const char* RobotApi::stateName() const {
 
 HttpResponse RobotApi::putLoad(const HttpRequest& request, const std::string&) {
     const auto body = bodyOf(request);
-    return body ? loadProgram(*body, "programName") : invalid(QStringLiteral("the body is no JSON object"));
+    return body ? loadProgram(*body, "programName")
+                : invalid(QStringLiteral("the body is not a JSON object"));
 }
 
 HttpResponse RobotApi::putLoaded(const HttpRequest& request, const std::string&) {
     const auto body = bodyOf(request);
-    return body ? loadProgram(*body, "name") : invalid(QStringLiteral("the body is no JSON object"));
+    return body ? loadProgram(*body, "name") : invalid(QStringLiteral("the body is not a JSON object"));
 }
 
 HttpResponse RobotApi::loadProgram(const QJsonObject& body, const char* key) {
@@ -420,7 +421,7 @@ HttpResponse RobotApi::store(const HttpRequest& request, bool mustExist) {
     const QByteArray content = QByteArray::fromStdString(file->content);
     const QJsonDocument document = QJsonDocument::fromJson(content);
     if (!document.isObject()) {
-        return refuse(400, QStringLiteral("Bad upload"), QStringLiteral("the file is no program (JSON)"));
+        return refuse(400, QStringLiteral("Bad upload"), QStringLiteral("the file is not a program (JSON)"));
     }
     // The name in the program overrides the file name.
     const QJsonObject root = document.object();
@@ -433,7 +434,7 @@ HttpResponse RobotApi::store(const HttpRequest& request, bool mustExist) {
         return refuse(404, QStringLiteral("Program not found"), name);
     }
     if (!mustExist && exists) {
-        return refuse(400, QStringLiteral("The program exists already"), name);
+        return refuse(400, QStringLiteral("The program already exists"), name);
     }
     if (mustExist && store_.isLoaded() && loadedName() == name) {
         return refuse(409, QStringLiteral("The program is loaded"), name);

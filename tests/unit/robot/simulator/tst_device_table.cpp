@@ -123,16 +123,16 @@ private Q_SLOTS:
         const auto row = [](const char* name, const QString& text, const char* reason) {
             QTest::newRow(name) << text << QString(reason);
         };
-        row("no address", "protocol lines\n", "there is no address");
-        row("address", "protocol lines\naddress 10.0.0.9\n", "line 2: an address is like");
-        row("protocol", "protocol modbus\n", "line 1: the protocol is xml-rpc or lines, not 'modbus'");
+        row("no address", "protocol lines\n", "the address is missing");
+        row("address", "protocol lines\naddress 10.0.0.9\n", "line 2: the address must have the form");
+        row("protocol", "protocol modbus\n", "line 1: the protocol must be xml-rpc or lines, not 'modbus'");
         row("row first", "a | | 1\n", "line 1: 'protocol xml-rpc' or 'protocol lines' must come before");
-        row("cells", QString(kHead) + "a 1\n", "line 3: a row is NAME | ARGUMENTS | ANSWER | DELAY");
+        row("cells", QString(kHead) + "a 1\n",
+            "line 3: a row must have the form NAME | ARGUMENTS | ANSWER | DELAY");
         row("name", QString(kHead) + " | | 1\n", "line 3: the name is missing");
         row("delay", QString(kHead) + "a | | 1 | soon\n", "line 3: 'soon' is not a delay");
-        row("answer", QString(kHead) + "a | | 1 +\n", "line 3: the answer '1 +' is not a value of URScript");
-        row("argument", QString(kHead) + "a | b | 1\n",
-            "line 3: the argument 'b' is not a value of URScript");
+        row("answer", QString(kHead) + "a | | 1 +\n", "line 3: the answer '1 +' is not a URScript value");
+        row("argument", QString(kHead) + "a | b | 1\n", "line 3: the argument 'b' is not a URScript value");
     }
     void errorsAreReported() {
         QFETCH(QString, text);

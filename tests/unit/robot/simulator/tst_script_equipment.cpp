@@ -114,10 +114,10 @@ private Q_SLOTS:
     void wrongFramesEndTheProgram_data() {
         QTest::addColumn<QString>("body");
         QTest::addColumn<QByteArray>("error");
-        QTest::newRow("unknown") << "x = get_pose(\"a\", \"base\")" << QByteArray("There is no frame 'a'");
+        QTest::newRow("unknown") << "x = get_pose(\"a\", \"base\")" << QByteArray("Unknown frame 'a'");
         QTest::newRow("twice") << "add_frame(\"a\", p[0,0,0,0,0,0])\nadd_frame(\"a\", p[0,0,0,0,0,0])"
-                               << QByteArray("There is a frame 'a' already");
-        QTest::newRow("fixed") << "delete_frame(\"base\")" << QByteArray("There is no frame 'base'");
+                               << QByteArray("Frame 'a' already exists");
+        QTest::newRow("fixed") << "delete_frame(\"base\")" << QByteArray("Unknown frame 'base'");
         QTest::newRow("loop") << "add_frame(\"a\", p[0,0,0,0,0,0])\nadd_frame(\"b\", p[0,0,0,0,0,0], \"a\")\n"
                                  "attach_frame(\"a\", \"b\")"
                               << QByteArray("Frame 'a' cannot be attached to itself");

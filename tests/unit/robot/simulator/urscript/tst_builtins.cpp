@@ -191,7 +191,7 @@ private Q_SLOTS:
         row("pow(-8, 0.5)", "error: Domain error: pow(-8, 0.5)");
         row("pow(-2, 3)", "-8");
         row("pow(0, -1)", "error: Domain error: pow(0, -1)");
-        row("normalize([0,0])", "error: normalize: the vector has no length");
+        row("normalize([0,0])", "error: normalize: the length of the vector is zero");
         row("random() < 1 and random() >= 0", "True");
         row("force()", "5");
         row("get_actual_joint_positions_history(1)[0]", "-0.9");

@@ -190,7 +190,7 @@ private Q_SLOTS:
         const std::string body =
             "s = struct(a=1, b=2)\nt = struct(a=s, b=s)\ni = 0\n"
             "while i < 100:\nlocal u = t\nt = struct(a=u, b=u)\ni = i + 1\nend\n";
-        QCOMPARE(evaluate("1", body), "error: Value is nested too deep or too large");
+        QCOMPARE(evaluate("1", body), "error: Value is nested too deeply or too large");
     }
 };
 

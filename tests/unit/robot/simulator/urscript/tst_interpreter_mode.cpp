@@ -223,13 +223,13 @@ private Q_SLOTS:
     void onlyTheMainThreadOfAMainProgramMayEnter() {
         ScriptRun thread("def p():\n thread t():\n interpreter_mode()\n end\n h = run t()\n sleep(1)\nend\n");
         QCOMPARE(thread.frames(3), Interpreter::State::Failed);
-        QCOMPARE(thread.error(), "interpreter_mode: only the main thread may enter it");
+        QCOMPARE(thread.error(), "interpreter_mode: only the main thread can enter interpreter mode");
         ScriptRun secondary("sec s():\n interpreter_mode()\nend\n");
         QCOMPARE(secondary.frames(1), Interpreter::State::Failed);
         Session nested;
         nested.line("interpreter_mode()");
         QCOMPARE(nested.frames(2), Interpreter::State::Failed);
-        QCOMPARE(nested.error(), "interpreter_mode: it runs already");
+        QCOMPARE(nested.error(), "interpreter_mode: interpreter mode is already active");
     }
     void anErrorInALineEndsTheProgramWithItsPosition() {
         Session s;
@@ -257,7 +257,7 @@ private Q_SLOTS:
         for (std::size_t i = 0; i < InterpreterMode::kMaxWaiting; ++i) {
             s.mode().submit("sync()");
         }
-        QCOMPARE(s.line("sync()"), "discard too many statements wait");
+        QCOMPARE(s.line("sync()"), "discard too many statements are waiting");
         s.mode().skip();
         for (std::size_t i = 0; i <= InterpreterMode::kMaxDefinitions; ++i) {
             s.mode().submit("v" + std::to_string(i) + " = 0");

@@ -149,9 +149,9 @@ private Q_SLOTS:
         QCOMPARE(evaluate("rpc_factory(\"soap\", \"http://a\")"),
                  "error: rpc_factory: type must be \"xmlrpc\"");
         QCOMPARE(evaluate("rpc_factory(\"xmlrpc\", \"::\")"),
-                 "error: rpc_factory: \"::\" is no address of a server");
+                 "error: rpc_factory: \"::\" is not the address of a server");
         QCOMPARE(evaluate("h.f(0/0.0)", "h = rpc_factory(\"xmlrpc\", \"a:1\")"),
-                 "error: XML-RPC has no form for a number that is not finite");
+                 "error: XML-RPC cannot represent a number that is not finite");
         ScriptRun secondary("sec s():\n h = rpc_factory(\"xmlrpc\", \"a:1\")\nend\n");
         QCOMPARE(secondary.frames(1), Interpreter::State::Failed);
     }
