@@ -252,10 +252,6 @@
         <translation>%1: nicht verglichen</translation>
     </message>
     <message>
-        <source>%1: not compared because the recording has no %2; record all signals to MCAP</source>
-        <translation>%1: nicht verglichen, da die Aufzeichnung kein Signal %2 enthält; zeichnen Sie alle Signale als MCAP auf</translation>
-    </message>
-    <message>
         <source>%1: no values</source>
         <translation>%1: keine Werte</translation>
     </message>
@@ -309,10 +305,6 @@
         <translation>Ab diesem Zeitpunkt wurde der Arm geschoben oder festgehalten, seine Nutzlast war eine andere, oder ein Gelenk folgte seinem Sollwert nicht.</translation>
     </message>
     <message>
-        <source>This recording cannot be compared with a model: target or actual joint positions are missing. Record all signals to MCAP.</source>
-        <translation>Diese Aufzeichnung lässt sich nicht mit einem Modell vergleichen: Soll- oder Ist-Gelenkpositionen fehlen. Zeichnen Sie alle Signale als MCAP auf.</translation>
-    </message>
-    <message>
         <source>This recording cannot be compared with a model: its sampling interval is too long. Record every packet.</source>
         <translation>Diese Aufzeichnung lässt sich nicht mit einem Modell vergleichen: Ihr Abtastintervall ist zu lang. Zeichnen Sie jedes Paket auf.</translation>
     </message>
@@ -335,6 +327,14 @@
     <message>
         <source>Compare the recording with the model of a %1.</source>
         <translation>Vergleichen Sie die Aufzeichnung mit dem Modell eines %1.</translation>
+    </message>
+    <message>
+        <source>%1: not compared because the recording has no %2; record all signals to an MCAP file</source>
+        <translation>%1: nicht verglichen, da die Aufzeichnung kein Signal %2 enthält; zeichnen Sie alle Signale als MCAP auf</translation>
+    </message>
+    <message>
+        <source>This recording cannot be compared with a model: target or actual joint positions are missing. Record all signals to an MCAP file.</source>
+        <translation>Diese Aufzeichnung lässt sich nicht mit einem Modell vergleichen: Soll- oder Ist-Gelenkpositionen fehlen. Zeichnen Sie alle Signale als MCAP auf.</translation>
     </message>
 </context>
 <context>
@@ -2217,14 +2217,6 @@
         <translation>Fortfahren</translation>
     </message>
     <message>
-        <source>“%1” is not set.</source>
-        <translation>„%1“ ist nicht gesetzt.</translation>
-    </message>
-    <message>
-        <source>“%1” has an invalid value.</source>
-        <translation>„%1“ hat einen ungültigen Wert.</translation>
-    </message>
-    <message>
         <source>“%1” is %2. The value must be between %3 and %4.</source>
         <translation>„%1“ ist %2; der Wert muss zwischen %3 und %4 liegen.</translation>
     </message>
@@ -2247,10 +2239,6 @@
     <message>
         <source>Steps in “Watch in parallel” cannot move the arm. Move this step out of the section.</source>
         <translation>Schritte in „Parallel überwachen“ können den Arm nicht bewegen. Verschieben Sie diesen Schritt aus dem Abschnitt heraus.</translation>
-    </message>
-    <message>
-        <source>“%1” cannot contain steps.</source>
-        <translation>„%1“ kann keine Schritte enthalten.</translation>
     </message>
     <message>
         <source>This version of Tiller does not support the step “%1”. Update Tiller, or delete the step.</source>
@@ -2281,10 +2269,6 @@
         <translation>Die Variable „%1“ hat an anderer Stelle im Programm einen anderen Typ. Verwenden Sie denselben Typ oder einen anderen Namen.</translation>
     </message>
     <message>
-        <source>A program cannot call itself.</source>
-        <translation>Ein Programm kann sich nicht selbst aufrufen.</translation>
-    </message>
-    <message>
         <source>Program calls are nested too deeply. Use fewer levels of calls.</source>
         <translation>Die Programmaufrufe sind zu tief verschachtelt. Verwenden Sie weniger Aufrufebenen.</translation>
     </message>
@@ -2303,18 +2287,6 @@
     <message>
         <source>An expression must be a single line.</source>
         <translation>Ein Ausdruck muss eine einzige Zeile sein.</translation>
-    </message>
-    <message>
-        <source>Unexpected character “%1”.</source>
-        <translation>Unerwartetes Zeichen „%1“.</translation>
-    </message>
-    <message>
-        <source>“%1” cannot be part of an expression.</source>
-        <translation>„%1“ kann nicht Teil eines Ausdrucks sein.</translation>
-    </message>
-    <message>
-        <source>The brackets do not match.</source>
-        <translation>Die Klammern passen nicht zusammen.</translation>
     </message>
     <message>
         <source>“%1” is not a valid variable name. Use letters, digits and underscores, and do not start with a digit.</source>
@@ -3137,20 +3109,8 @@
         <translation>ein Programm eines anderen Clients hat übernommen</translation>
     </message>
     <message>
-        <source>the Message step has no title</source>
-        <translation>der Schritt „Meldung“ hat keinen Titel</translation>
-    </message>
-    <message>
-        <source>the payload is not given by numbers</source>
-        <translation>die Nutzlast ist nicht durch Zahlen angegeben</translation>
-    </message>
-    <message>
         <source>the speed, acceleration or blend is not a number, or a time is set</source>
         <translation>Geschwindigkeit, Beschleunigung oder Überschleifen ist keine Zahl, oder es ist eine Zeit angegeben</translation>
-    </message>
-    <message>
-        <source>its target cannot be a waypoint or a pose of a step</source>
-        <translation>das Ziel kann weder Wegpunkt noch Pose eines Schritts sein</translation>
     </message>
     <message>
         <source>%1. Save the program on the pendant and copy its .script file to the same folder, or change the program.</source>
@@ -3189,36 +3149,12 @@
         <translation>die Datei ist kein Text in UTF-8</translation>
     </message>
     <message>
-        <source>the External Control node runs a script of another computer, which cannot be imported. Remove this node from the program.</source>
-        <translation>der Knoten „External Control“ führt ein Skript eines anderen Computers aus, das nicht importiert werden kann. Entfernen Sie diesen Knoten aus dem Programm.</translation>
-    </message>
-    <message>
         <source>this line ends a block that was not opened</source>
         <translation>diese Zeile schließt einen Block, der nicht geöffnet wurde</translation>
     </message>
     <message>
         <source>line %1: %2</source>
         <translation>Zeile %1: %2</translation>
-    </message>
-    <message>
-        <source>the blocks are nested too deep</source>
-        <translation>die Blöcke sind zu tief verschachtelt</translation>
-    </message>
-    <message>
-        <source>a block continues beyond its node</source>
-        <translation>ein Block reicht über seinen Knoten hinaus</translation>
-    </message>
-    <message>
-        <source>several statements share a line</source>
-        <translation>mehrere Anweisungen stehen in einer Zeile</translation>
-    </message>
-    <message>
-        <source>the block that begins in line %1 has no end</source>
-        <translation>der Block, der in Zeile %1 beginnt, hat kein Ende</translation>
-    </message>
-    <message>
-        <source>no step generates this statement</source>
-        <translation>kein Schritt erzeugt diese Anweisung</translation>
     </message>
     <message>
         <source>the program contains a return</source>
@@ -3257,10 +3193,6 @@
         <translation>deaktiviert</translation>
     </message>
     <message>
-        <source>The program uses output integer register 46 or 47, in which Tiller writes the number of the running step.</source>
-        <translation>Das Programm verwendet das ganzzahlige Ausgangsregister 46 oder 47, in das Tiller die Nummer des laufenden Schritts schreibt.</translation>
-    </message>
-    <message>
         <source>In this project, programs begin with the TCP of the tool &apos;%1&apos;.</source>
         <translation>In diesem Projekt beginnen Programme mit dem TCP des Werkzeugs „%1“.</translation>
     </message>
@@ -3269,24 +3201,8 @@
         <translation>Das Programm setzt den TCP nicht. Seine Wegpunkte erfordern den TCP %1.</translation>
     </message>
     <message>
-        <source>a disabled node in a part that is text</source>
-        <translation>ein deaktivierter Knoten in einem Teil, der Text ist</translation>
-    </message>
-    <message>
-        <source>it is nested too deep</source>
-        <translation>sie ist zu tief verschachtelt</translation>
-    </message>
-    <message>
         <source>the TCP applies until the end of the program</source>
         <translation>der TCP gilt bis zum Ende des Programms</translation>
-    </message>
-    <message>
-        <source>its condition cannot be a condition of a step</source>
-        <translation>die Bedingung kann nicht Bedingung eines Schritts sein</translation>
-    </message>
-    <message>
-        <source>functions with parameters or results, and threads, have no step</source>
-        <translation>für Funktionen mit Parametern oder Ergebnis und für Threads gibt es keinen Schritt</translation>
     </message>
     <message>
         <source>the program does not call this function</source>
@@ -3299,10 +3215,6 @@
     <message>
         <source>part of a waypoint</source>
         <translation>Teil eines Wegpunkts</translation>
-    </message>
-    <message>
-        <source>the type or the scope of the variable is not certain</source>
-        <translation>Typ oder Gültigkeitsbereich der Variablen ist nicht eindeutig</translation>
     </message>
     <message>
         <source>The project was taught with a %1, but the robot is a different model. Adapt the project to the robot first.</source>
@@ -3412,6 +3324,94 @@
     <message>
         <source>This variable is set by URScript text. Only variables of a “Set variable” step can be changed.</source>
         <translation>Diese Variable wird von URScript-Text gesetzt. Nur Variablen eines Schritts „Variable setzen“ können geändert werden.</translation>
+    </message>
+    <message>
+        <source>“%1” is not set. Select or enter a value.</source>
+        <translation>„%1“ ist nicht gesetzt. Wählen Sie einen Wert oder geben Sie ihn ein.</translation>
+    </message>
+    <message>
+        <source>“%1” has an invalid value. Enter a different value.</source>
+        <translation>„%1“ hat einen ungültigen Wert. Geben Sie einen anderen Wert ein.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot contain steps. Move its steps to another section.</source>
+        <translation>„%1“ kann keine Schritte enthalten. Verschieben Sie die Schritte in einen anderen Abschnitt.</translation>
+    </message>
+    <message>
+        <source>A program cannot call itself. Select a different program.</source>
+        <translation>Ein Programm kann sich nicht selbst aufrufen. Wählen Sie ein anderes Programm.</translation>
+    </message>
+    <message>
+        <source>Unexpected character “%1”. Remove this character.</source>
+        <translation>Unerwartetes Zeichen „%1“. Entfernen Sie dieses Zeichen.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be part of an expression. Remove this word.</source>
+        <translation>„%1“ kann nicht Teil eines Ausdrucks sein. Entfernen Sie dieses Wort.</translation>
+    </message>
+    <message>
+        <source>The brackets do not match. Add or remove a bracket.</source>
+        <translation>Die Klammern passen nicht zusammen. Ergänzen oder entfernen Sie eine Klammer.</translation>
+    </message>
+    <message>
+        <source>a Message step cannot have this title</source>
+        <translation>ein Schritt „Meldung“ kann diesen Titel nicht haben</translation>
+    </message>
+    <message>
+        <source>the payload is not given as numbers in the permitted range</source>
+        <translation>die Nutzlast ist nicht durch Zahlen im zulässigen Bereich angegeben</translation>
+    </message>
+    <message>
+        <source>the target cannot be stored as a waypoint or as the pose of a step</source>
+        <translation>das Ziel kann weder Wegpunkt noch Pose eines Schritts sein</translation>
+    </message>
+    <message>
+        <source>the External Control node runs a script from another computer, which cannot be imported. Remove this node from the program.</source>
+        <translation>der Knoten „External Control“ führt ein Skript eines anderen Computers aus, das nicht importiert werden kann. Entfernen Sie diesen Knoten aus dem Programm.</translation>
+    </message>
+    <message>
+        <source>the blocks are nested too deeply</source>
+        <translation>die Blöcke sind zu tief verschachtelt</translation>
+    </message>
+    <message>
+        <source>a block extends beyond its node</source>
+        <translation>ein Block reicht über seinen Knoten hinaus</translation>
+    </message>
+    <message>
+        <source>the line contains several statements</source>
+        <translation>mehrere Anweisungen stehen in einer Zeile</translation>
+    </message>
+    <message>
+        <source>the block that begins on line %1 has no end</source>
+        <translation>der Block, der in Zeile %1 beginnt, hat kein Ende</translation>
+    </message>
+    <message>
+        <source>no step corresponds to this statement</source>
+        <translation>kein Schritt erzeugt diese Anweisung</translation>
+    </message>
+    <message>
+        <source>The program uses output integer register 46 or 47, to which Tiller writes the number of the running step. Use different registers.</source>
+        <translation>Das Programm verwendet das ganzzahlige Ausgangsregister 46 oder 47, in das Tiller die Nummer des laufenden Schritts schreibt. Verwenden Sie andere Register.</translation>
+    </message>
+    <message>
+        <source>a disabled node in a section that is imported as URScript text</source>
+        <translation>ein deaktivierter Knoten in einem Teil, der Text ist</translation>
+    </message>
+    <message>
+        <source>it is nested too deeply</source>
+        <translation>sie ist zu tief verschachtelt</translation>
+    </message>
+    <message>
+        <source>the condition cannot be used in a step</source>
+        <translation>die Bedingung kann nicht Bedingung eines Schritts sein</translation>
+    </message>
+    <message>
+        <source>no step corresponds to a thread, or to a function with parameters or a result</source>
+        <translation>für Funktionen mit Parametern oder Ergebnis und für Threads gibt es keinen Schritt</translation>
+    </message>
+    <message>
+        <source>the type or the scope of the variable cannot be determined</source>
+        <translation>Typ oder Gültigkeitsbereich der Variablen ist nicht eindeutig</translation>
     </message>
 </context>
 <context>
@@ -3584,8 +3584,8 @@
 <context>
     <name>RetracePath</name>
     <message>
-        <source>back: no recorded motion left to retrace</source>
-        <translation>zurückfahren: keine aufgezeichnete Bewegung mehr vorhanden</translation>
+        <source>There is no path to retrace. Jog the arm first.</source>
+        <translation>Es gibt keine Bahn zum Zurückfahren. Verfahren Sie zuerst den Arm.</translation>
     </message>
 </context>
 <context>
@@ -4397,10 +4397,6 @@
         <translation>Fehler</translation>
     </message>
     <message>
-        <source>Stopped by safety</source>
-        <translation>Von der Sicherheit gestoppt</translation>
-    </message>
-    <message>
         <source>Enabling device</source>
         <translation>Zustimmgerät</translation>
     </message>
@@ -4439,6 +4435,10 @@
     <message>
         <source>off</source>
         <translation>aus</translation>
+    </message>
+    <message>
+        <source>Stopped due to safety</source>
+        <translation>Von der Sicherheit gestoppt</translation>
     </message>
 </context>
 <context>
@@ -4908,16 +4908,16 @@
         <translation>das Fenster reagierte nicht</translation>
     </message>
     <message>
-        <source>not measured: another program moves the arm</source>
-        <translation>nicht gemessen: ein anderes Programm bewegt den Arm</translation>
-    </message>
-    <message>
         <source>not measured: no data during the stop</source>
         <translation>nicht gemessen: keine Daten während des Stopps</translation>
     </message>
     <message>
         <source>the robot did not receive the stop</source>
         <translation>der Roboter hat den Stopp nicht erhalten</translation>
+    </message>
+    <message>
+        <source>not measured: another program is moving the arm</source>
+        <translation>nicht gemessen: ein anderes Programm bewegt den Arm</translation>
     </message>
 </context>
 <context>
@@ -10129,10 +10129,6 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Gestoppt: %1 (%2)</translation>
     </message>
     <message>
-        <source>Not stopped: the arm moves (%1). Press STOP again.</source>
-        <translation>Nicht angehalten: Der Arm bewegt sich (%1). Drücken Sie erneut STOP.</translation>
-    </message>
-    <message>
         <source>Not stopped: a program is still running (%1). Press STOP again.</source>
         <translation>Nicht gestoppt: Ein Programm läuft noch (%1). Drücken Sie erneut STOP.</translation>
     </message>
@@ -10143,6 +10139,10 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     <message>
         <source>Another program of another client has replaced the running program.</source>
         <translation>Ein anderes Programm eines anderen Clients hat das laufende Programm ersetzt.</translation>
+    </message>
+    <message>
+        <source>Not stopped: the arm is still moving (%1). Press STOP again.</source>
+        <translation>Nicht angehalten: Der Arm bewegt sich (%1). Drücken Sie erneut STOP.</translation>
     </message>
 </context>
 <context>
@@ -10192,10 +10192,6 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Der Greifer antwortet nicht. Prüfen Sie das Kabel am Handgelenk und die Einstellungen des Greifers am Teach-Pendant unter „Installation“. Wenn das Problem bleibt, starten Sie den Roboter neu.</translation>
     </message>
     <message>
-        <source>The robot closed the connection to the gripper and may be restarting. Tiller reconnects automatically; the gripper keeps its grip.</source>
-        <translation>Der Roboter hat die Verbindung zum Greifer geschlossen und startet eventuell neu. Tiller verbindet sich automatisch neu; der Greifer hält weiter.</translation>
-    </message>
-    <message>
         <source>The gripper did not accept the command. Activate the gripper. If it is already active, check its settings on the Installation tab of the teach pendant.</source>
         <translation>Der Greifer hat den Befehl nicht angenommen. Aktivieren Sie ihn. Ist er aktiv, prüfen Sie seine Einstellungen am Teach-Pendant unter „Installation“.</translation>
     </message>
@@ -10243,16 +10239,16 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <source>The gripper reports fault %1. Press “Activate”. If the fault returns, see the gripper manual.</source>
         <translation>Der Greifer meldet Fehler %1. Drücken Sie „Aktivieren“; wenn der Fehler erneut auftritt, lesen Sie sein Handbuch.</translation>
     </message>
+    <message>
+        <source>The robot closed the connection to the gripper and may be restarting. Tiller reconnects automatically; the gripper continues to hold its object.</source>
+        <translation>Der Roboter hat die Verbindung zum Greifer geschlossen und startet eventuell neu. Tiller verbindet sich automatisch neu; der Greifer hält weiter.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RouteRunner</name>
     <message>
         <source>The route has no waypoints. Teach or select waypoints first.</source>
         <translation>Die Route enthält keine Wegpunkte. Teachen oder wählen Sie zuerst Wegpunkte.</translation>
-    </message>
-    <message>
-        <source>The first waypoint of the route has no previous waypoint.</source>
-        <translation>Der erste Wegpunkt der Route hat keinen vorherigen Wegpunkt.</translation>
     </message>
     <message>
         <source>A waypoint of the route was deleted from the project. Select the waypoints of the route again.</source>
@@ -10265,6 +10261,10 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     <message>
         <source>A loop requires at least two waypoints. Select more waypoints, or clear “Loop”.</source>
         <translation>Eine Schleife benötigt mindestens zwei Wegpunkte. Wählen Sie weitere Wegpunkte oder schalten Sie die Schleife aus.</translation>
+    </message>
+    <message>
+        <source>There is no waypoint before the first waypoint of the route.</source>
+        <translation>Vor dem ersten Wegpunkt der Route gibt es keinen Wegpunkt.</translation>
     </message>
 </context>
 <context>

@@ -252,10 +252,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: not compared because the recording has no %2; record all signals to MCAP</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1: no values</source>
         <translation type="unfinished"></translation>
     </message>
@@ -309,10 +305,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This recording cannot be compared with a model: target or actual joint positions are missing. Record all signals to MCAP.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>This recording cannot be compared with a model: its sampling interval is too long. Record every packet.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -334,6 +326,14 @@
     </message>
     <message>
         <source>Compare the recording with the model of a %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: not compared because the recording has no %2; record all signals to an MCAP file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This recording cannot be compared with a model: target or actual joint positions are missing. Record all signals to an MCAP file.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2217,14 +2217,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” is not set.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>“%1” has an invalid value.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>“%1” is %2. The value must be between %3 and %4.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2246,10 +2238,6 @@
     </message>
     <message>
         <source>Steps in “Watch in parallel” cannot move the arm. Move this step out of the section.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>“%1” cannot contain steps.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2281,10 +2269,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A program cannot call itself.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Program calls are nested too deeply. Use fewer levels of calls.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2302,18 +2286,6 @@
     </message>
     <message>
         <source>An expression must be a single line.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Unexpected character “%1”.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>“%1” cannot be part of an expression.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The brackets do not match.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3137,19 +3109,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the Message step has no title</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the payload is not given by numbers</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>the speed, acceleration or blend is not a number, or a time is set</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>its target cannot be a waypoint or a pose of a step</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3189,35 +3149,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the External Control node runs a script of another computer, which cannot be imported. Remove this node from the program.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>this line ends a block that was not opened</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>line %1: %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the blocks are nested too deep</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>a block continues beyond its node</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>several statements share a line</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the block that begins in line %1 has no end</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>no step generates this statement</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3257,10 +3193,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The program uses output integer register 46 or 47, in which Tiller writes the number of the running step.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>In this project, programs begin with the TCP of the tool &apos;%1&apos;.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3269,23 +3201,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>a disabled node in a part that is text</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>it is nested too deep</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>the TCP applies until the end of the program</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>its condition cannot be a condition of a step</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>functions with parameters or results, and threads, have no step</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3298,10 +3214,6 @@
     </message>
     <message>
         <source>part of a waypoint</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the type or the scope of the variable is not certain</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3411,6 +3323,94 @@
     </message>
     <message>
         <source>This variable is set by URScript text. Only variables of a “Set variable” step can be changed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is not set. Select or enter a value.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” has an invalid value. Enter a different value.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” cannot contain steps. Move its steps to another section.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A program cannot call itself. Select a different program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unexpected character “%1”. Remove this character.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” cannot be part of an expression. Remove this word.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The brackets do not match. Add or remove a bracket.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a Message step cannot have this title</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the payload is not given as numbers in the permitted range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the target cannot be stored as a waypoint or as the pose of a step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the External Control node runs a script from another computer, which cannot be imported. Remove this node from the program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the blocks are nested too deeply</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a block extends beyond its node</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the line contains several statements</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the block that begins on line %1 has no end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no step corresponds to this statement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program uses output integer register 46 or 47, to which Tiller writes the number of the running step. Use different registers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a disabled node in a section that is imported as URScript text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is nested too deeply</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the condition cannot be used in a step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no step corresponds to a thread, or to a function with parameters or a result</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the type or the scope of the variable cannot be determined</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3584,7 +3584,7 @@
 <context>
     <name>RetracePath</name>
     <message>
-        <source>back: no recorded motion left to retrace</source>
+        <source>There is no path to retrace. Jog the arm first.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4397,10 +4397,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Stopped by safety</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Enabling device</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4438,6 +4434,10 @@
     </message>
     <message>
         <source>off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopped due to safety</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4908,15 +4908,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>not measured: another program moves the arm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>not measured: no data during the stop</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the robot did not receive the stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not measured: another program is moving the arm</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10116,10 +10116,6 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Not stopped: the arm moves (%1). Press STOP again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Not stopped: a program is still running (%1). Press STOP again.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -10129,6 +10125,10 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>Another program of another client has replaced the running program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not stopped: the arm is still moving (%1). Press STOP again.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10179,10 +10179,6 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot closed the connection to the gripper and may be restarting. Tiller reconnects automatically; the gripper keeps its grip.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The gripper did not accept the command. Activate the gripper. If it is already active, check its settings on the Installation tab of the teach pendant.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -10230,15 +10226,15 @@ Release the button to stop the arm.</source>
         <source>The gripper reports fault %1. Press “Activate”. If the fault returns, see the gripper manual.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The robot closed the connection to the gripper and may be restarting. Tiller reconnects automatically; the gripper continues to hold its object.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::RouteRunner</name>
     <message>
         <source>The route has no waypoints. Teach or select waypoints first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The first waypoint of the route has no previous waypoint.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10251,6 +10247,10 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>A loop requires at least two waypoints. Select more waypoints, or clear “Loop”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no waypoint before the first waypoint of the route.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -252,10 +252,6 @@
         <translation>%1: no se comparan</translation>
     </message>
     <message>
-        <source>%1: not compared because the recording has no %2; record all signals to MCAP</source>
-        <translation>%1: no comparado porque la grabación no contiene %2; grabe todas las señales en MCAP</translation>
-    </message>
-    <message>
         <source>%1: no values</source>
         <translation>%1: sin valores</translation>
     </message>
@@ -309,10 +305,6 @@
         <translation>A partir de ese momento, el brazo fue empujado o sujetado, su carga útil era otra o una articulación no siguió su consigna.</translation>
     </message>
     <message>
-        <source>This recording cannot be compared with a model: target or actual joint positions are missing. Record all signals to MCAP.</source>
-        <translation>Esta grabación no se puede comparar con un modelo: faltan las posiciones articulares de consigna o reales. Grabe todas las señales en MCAP.</translation>
-    </message>
-    <message>
         <source>This recording cannot be compared with a model: its sampling interval is too long. Record every packet.</source>
         <translation>Esta grabación no se puede comparar con un modelo: su intervalo de muestreo es demasiado largo. Grabe todos los paquetes.</translation>
     </message>
@@ -335,6 +327,14 @@
     <message>
         <source>Compare the recording with the model of a %1.</source>
         <translation>Compare el registro con el modelo de un %1.</translation>
+    </message>
+    <message>
+        <source>%1: not compared because the recording has no %2; record all signals to an MCAP file</source>
+        <translation>%1: no comparado porque la grabación no contiene %2; grabe todas las señales en MCAP</translation>
+    </message>
+    <message>
+        <source>This recording cannot be compared with a model: target or actual joint positions are missing. Record all signals to an MCAP file.</source>
+        <translation>Esta grabación no se puede comparar con un modelo: faltan las posiciones articulares de consigna o reales. Grabe todas las señales en MCAP.</translation>
     </message>
 </context>
 <context>
@@ -2217,14 +2217,6 @@
         <translation>Continuar</translation>
     </message>
     <message>
-        <source>“%1” is not set.</source>
-        <translation>«%1» no está definido.</translation>
-    </message>
-    <message>
-        <source>“%1” has an invalid value.</source>
-        <translation>«%1» tiene un valor no válido.</translation>
-    </message>
-    <message>
         <source>“%1” is %2. The value must be between %3 and %4.</source>
         <translation>«%1» es %2; debe estar entre %3 y %4.</translation>
     </message>
@@ -2247,10 +2239,6 @@
     <message>
         <source>Steps in “Watch in parallel” cannot move the arm. Move this step out of the section.</source>
         <translation>Los pasos en paralelo no pueden mover el brazo. Saque este paso de la sección.</translation>
-    </message>
-    <message>
-        <source>“%1” cannot contain steps.</source>
-        <translation>«%1» no puede contener pasos.</translation>
     </message>
     <message>
         <source>This version of Tiller does not support the step “%1”. Update Tiller, or delete the step.</source>
@@ -2281,10 +2269,6 @@
         <translation>La variable «%1» tiene otro tipo en otra parte del programa. Use el mismo tipo u otro nombre.</translation>
     </message>
     <message>
-        <source>A program cannot call itself.</source>
-        <translation>Un programa no puede llamarse a sí mismo.</translation>
-    </message>
-    <message>
         <source>Program calls are nested too deeply. Use fewer levels of calls.</source>
         <translation>Las llamadas a programas están anidadas a demasiada profundidad. Use menos niveles.</translation>
     </message>
@@ -2303,18 +2287,6 @@
     <message>
         <source>An expression must be a single line.</source>
         <translation>Una expresión debe ocupar una sola línea.</translation>
-    </message>
-    <message>
-        <source>Unexpected character “%1”.</source>
-        <translation>Carácter inesperado «%1».</translation>
-    </message>
-    <message>
-        <source>“%1” cannot be part of an expression.</source>
-        <translation>«%1» no puede formar parte de una expresión.</translation>
-    </message>
-    <message>
-        <source>The brackets do not match.</source>
-        <translation>Los paréntesis no coinciden.</translation>
     </message>
     <message>
         <source>“%1” is not a valid variable name. Use letters, digits and underscores, and do not start with a digit.</source>
@@ -3137,20 +3109,8 @@
         <translation>un programa de otro cliente se ha hecho con el robot</translation>
     </message>
     <message>
-        <source>the Message step has no title</source>
-        <translation>el paso «Mensaje» no tiene título</translation>
-    </message>
-    <message>
-        <source>the payload is not given by numbers</source>
-        <translation>la carga útil no está indicada con números</translation>
-    </message>
-    <message>
         <source>the speed, acceleration or blend is not a number, or a time is set</source>
         <translation>la velocidad, la aceleración o el radio de fusión no es un número, o se indica un tiempo</translation>
-    </message>
-    <message>
-        <source>its target cannot be a waypoint or a pose of a step</source>
-        <translation>su destino no puede ser un punto de paso ni una pose de un paso</translation>
     </message>
     <message>
         <source>%1. Save the program on the pendant and copy its .script file to the same folder, or change the program.</source>
@@ -3189,36 +3149,12 @@
         <translation>el archivo no es texto en UTF-8</translation>
     </message>
     <message>
-        <source>the External Control node runs a script of another computer, which cannot be imported. Remove this node from the program.</source>
-        <translation>el nodo External Control ejecuta un script de otro ordenador, que no se puede importar. Elimine este nodo del programa.</translation>
-    </message>
-    <message>
         <source>this line ends a block that was not opened</source>
         <translation>esta línea cierra un bloque que no se ha abierto</translation>
     </message>
     <message>
         <source>line %1: %2</source>
         <translation>línea %1: %2</translation>
-    </message>
-    <message>
-        <source>the blocks are nested too deep</source>
-        <translation>los bloques están anidados a demasiada profundidad</translation>
-    </message>
-    <message>
-        <source>a block continues beyond its node</source>
-        <translation>un bloque continúa más allá de su nodo</translation>
-    </message>
-    <message>
-        <source>several statements share a line</source>
-        <translation>varias instrucciones comparten una línea</translation>
-    </message>
-    <message>
-        <source>the block that begins in line %1 has no end</source>
-        <translation>el bloque que empieza en la línea %1 no tiene fin</translation>
-    </message>
-    <message>
-        <source>no step generates this statement</source>
-        <translation>ningún paso genera esta instrucción</translation>
     </message>
     <message>
         <source>the program contains a return</source>
@@ -3257,10 +3193,6 @@
         <translation>desactivado</translation>
     </message>
     <message>
-        <source>The program uses output integer register 46 or 47, in which Tiller writes the number of the running step.</source>
-        <translation>El programa utiliza el registro de salida entero 46 o 47, en el que Tiller escribe el número del paso en ejecución.</translation>
-    </message>
-    <message>
         <source>In this project, programs begin with the TCP of the tool &apos;%1&apos;.</source>
         <translation>En este proyecto, los programas empiezan con el TCP de la herramienta «%1».</translation>
     </message>
@@ -3269,24 +3201,8 @@
         <translation>El programa no establece el TCP. Sus puntos de paso requieren el TCP %1.</translation>
     </message>
     <message>
-        <source>a disabled node in a part that is text</source>
-        <translation>un nodo desactivado en una parte que es texto</translation>
-    </message>
-    <message>
-        <source>it is nested too deep</source>
-        <translation>está anidada a demasiada profundidad</translation>
-    </message>
-    <message>
         <source>the TCP applies until the end of the program</source>
         <translation>el TCP se aplica hasta el final del programa</translation>
-    </message>
-    <message>
-        <source>its condition cannot be a condition of a step</source>
-        <translation>su condición no puede ser la condición de un paso</translation>
-    </message>
-    <message>
-        <source>functions with parameters or results, and threads, have no step</source>
-        <translation>no hay ningún paso para funciones con parámetros o resultado ni para hilos</translation>
     </message>
     <message>
         <source>the program does not call this function</source>
@@ -3299,10 +3215,6 @@
     <message>
         <source>part of a waypoint</source>
         <translation>parte de un punto de paso</translation>
-    </message>
-    <message>
-        <source>the type or the scope of the variable is not certain</source>
-        <translation>el tipo o el ámbito de la variable no está claro</translation>
     </message>
     <message>
         <source>The project was taught with a %1, but the robot is a different model. Adapt the project to the robot first.</source>
@@ -3412,6 +3324,94 @@
     <message>
         <source>This variable is set by URScript text. Only variables of a “Set variable” step can be changed.</source>
         <translation>Esta variable la asigna un texto URScript. Solo se pueden cambiar las variables de un paso «Asignar variable».</translation>
+    </message>
+    <message>
+        <source>“%1” is not set. Select or enter a value.</source>
+        <translation>«%1» no está definido. Seleccione o introduzca un valor.</translation>
+    </message>
+    <message>
+        <source>“%1” has an invalid value. Enter a different value.</source>
+        <translation>«%1» tiene un valor no válido. Introduzca otro valor.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot contain steps. Move its steps to another section.</source>
+        <translation>«%1» no puede contener pasos. Mueva los pasos a otra sección.</translation>
+    </message>
+    <message>
+        <source>A program cannot call itself. Select a different program.</source>
+        <translation>Un programa no puede llamarse a sí mismo. Seleccione otro programa.</translation>
+    </message>
+    <message>
+        <source>Unexpected character “%1”. Remove this character.</source>
+        <translation>Carácter inesperado «%1». Elimine este carácter.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be part of an expression. Remove this word.</source>
+        <translation>«%1» no puede formar parte de una expresión. Elimine esta palabra.</translation>
+    </message>
+    <message>
+        <source>The brackets do not match. Add or remove a bracket.</source>
+        <translation>Los paréntesis no coinciden. Añada o elimine un paréntesis.</translation>
+    </message>
+    <message>
+        <source>a Message step cannot have this title</source>
+        <translation>un paso «Mensaje» no puede tener este título</translation>
+    </message>
+    <message>
+        <source>the payload is not given as numbers in the permitted range</source>
+        <translation>la carga útil no está indicada con números dentro del rango permitido</translation>
+    </message>
+    <message>
+        <source>the target cannot be stored as a waypoint or as the pose of a step</source>
+        <translation>su destino no puede ser un punto de paso ni una pose de un paso</translation>
+    </message>
+    <message>
+        <source>the External Control node runs a script from another computer, which cannot be imported. Remove this node from the program.</source>
+        <translation>el nodo External Control ejecuta un script de otro ordenador, que no se puede importar. Elimine este nodo del programa.</translation>
+    </message>
+    <message>
+        <source>the blocks are nested too deeply</source>
+        <translation>los bloques están anidados a demasiada profundidad</translation>
+    </message>
+    <message>
+        <source>a block extends beyond its node</source>
+        <translation>un bloque continúa más allá de su nodo</translation>
+    </message>
+    <message>
+        <source>the line contains several statements</source>
+        <translation>varias instrucciones comparten una línea</translation>
+    </message>
+    <message>
+        <source>the block that begins on line %1 has no end</source>
+        <translation>el bloque que empieza en la línea %1 no tiene fin</translation>
+    </message>
+    <message>
+        <source>no step corresponds to this statement</source>
+        <translation>ningún paso genera esta instrucción</translation>
+    </message>
+    <message>
+        <source>The program uses output integer register 46 or 47, to which Tiller writes the number of the running step. Use different registers.</source>
+        <translation>El programa utiliza el registro de salida entero 46 o 47, en el que Tiller escribe el número del paso en ejecución. Utilice otros registros.</translation>
+    </message>
+    <message>
+        <source>a disabled node in a section that is imported as URScript text</source>
+        <translation>un nodo desactivado en una parte que es texto</translation>
+    </message>
+    <message>
+        <source>it is nested too deeply</source>
+        <translation>está anidada a demasiada profundidad</translation>
+    </message>
+    <message>
+        <source>the condition cannot be used in a step</source>
+        <translation>su condición no puede ser la condición de un paso</translation>
+    </message>
+    <message>
+        <source>no step corresponds to a thread, or to a function with parameters or a result</source>
+        <translation>no hay ningún paso para funciones con parámetros o resultado ni para hilos</translation>
+    </message>
+    <message>
+        <source>the type or the scope of the variable cannot be determined</source>
+        <translation>el tipo o el ámbito de la variable no está claro</translation>
     </message>
 </context>
 <context>
@@ -3584,8 +3584,8 @@
 <context>
     <name>RetracePath</name>
     <message>
-        <source>back: no recorded motion left to retrace</source>
-        <translation>volver atrás: no queda movimiento registrado</translation>
+        <source>There is no path to retrace. Jog the arm first.</source>
+        <translation>No hay trayectoria que recorrer hacia atrás. Mueva antes el brazo.</translation>
     </message>
 </context>
 <context>
@@ -4397,10 +4397,6 @@
         <translation>Fallo</translation>
     </message>
     <message>
-        <source>Stopped by safety</source>
-        <translation>Detenido por seguridad</translation>
-    </message>
-    <message>
         <source>Enabling device</source>
         <translation>Dispositivo de habilitación</translation>
     </message>
@@ -4439,6 +4435,10 @@
     <message>
         <source>off</source>
         <translation>desactivada</translation>
+    </message>
+    <message>
+        <source>Stopped due to safety</source>
+        <translation>Detenido por seguridad</translation>
     </message>
 </context>
 <context>
@@ -4908,16 +4908,16 @@
         <translation>la ventana no respondía</translation>
     </message>
     <message>
-        <source>not measured: another program moves the arm</source>
-        <translation>no medido: otro programa mueve el brazo</translation>
-    </message>
-    <message>
         <source>not measured: no data during the stop</source>
         <translation>no medido: sin datos durante la parada</translation>
     </message>
     <message>
         <source>the robot did not receive the stop</source>
         <translation>el robot no ha recibido la parada</translation>
+    </message>
+    <message>
+        <source>not measured: another program is moving the arm</source>
+        <translation>no medido: otro programa mueve el brazo</translation>
     </message>
 </context>
 <context>
@@ -10129,10 +10129,6 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Parado: %1 (%2)</translation>
     </message>
     <message>
-        <source>Not stopped: the arm moves (%1). Press STOP again.</source>
-        <translation>No se ha parado: el brazo se mueve (%1). Pulse STOP de nuevo.</translation>
-    </message>
-    <message>
         <source>Not stopped: a program is still running (%1). Press STOP again.</source>
         <translation>No se ha detenido: un programa sigue en ejecución (%1). Pulse STOP de nuevo.</translation>
     </message>
@@ -10143,6 +10139,10 @@ Suelte el botón para detener el brazo.</translation>
     <message>
         <source>Another program of another client has replaced the running program.</source>
         <translation>Otro programa de otro cliente ha sustituido al programa en ejecución.</translation>
+    </message>
+    <message>
+        <source>Not stopped: the arm is still moving (%1). Press STOP again.</source>
+        <translation>No se ha parado: el brazo se mueve (%1). Pulse STOP de nuevo.</translation>
     </message>
 </context>
 <context>
@@ -10192,10 +10192,6 @@ Suelte el botón para detener el brazo.</translation>
         <translation>La pinza no responde. Compruebe el cable en la muñeca y los ajustes de la pinza en la pestaña Instalación de la consola. Si el problema continúa, reinicie el robot.</translation>
     </message>
     <message>
-        <source>The robot closed the connection to the gripper and may be restarting. Tiller reconnects automatically; the gripper keeps its grip.</source>
-        <translation>El robot cerró la conexión con la pinza y puede estar reiniciándose. Tiller se reconecta automáticamente; la pinza mantiene el agarre.</translation>
-    </message>
-    <message>
         <source>The gripper did not accept the command. Activate the gripper. If it is already active, check its settings on the Installation tab of the teach pendant.</source>
         <translation>La pinza no aceptó la orden. Actívela. Si ya está activa, compruebe sus ajustes en la pestaña Instalación de la consola.</translation>
     </message>
@@ -10243,16 +10239,16 @@ Suelte el botón para detener el brazo.</translation>
         <source>The gripper reports fault %1. Press “Activate”. If the fault returns, see the gripper manual.</source>
         <translation>La pinza comunica el fallo %1. Pulse Activar; si el fallo vuelve, consulte su manual.</translation>
     </message>
+    <message>
+        <source>The robot closed the connection to the gripper and may be restarting. Tiller reconnects automatically; the gripper continues to hold its object.</source>
+        <translation>El robot cerró la conexión con la pinza y puede estar reiniciándose. Tiller se reconecta automáticamente; la pinza mantiene el agarre.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RouteRunner</name>
     <message>
         <source>The route has no waypoints. Teach or select waypoints first.</source>
         <translation>La ruta no tiene puntos de paso. Enseñe o seleccione primero puntos de paso.</translation>
-    </message>
-    <message>
-        <source>The first waypoint of the route has no previous waypoint.</source>
-        <translation>El primer punto de paso de la ruta no tiene ningún punto anterior.</translation>
     </message>
     <message>
         <source>A waypoint of the route was deleted from the project. Select the waypoints of the route again.</source>
@@ -10265,6 +10261,10 @@ Suelte el botón para detener el brazo.</translation>
     <message>
         <source>A loop requires at least two waypoints. Select more waypoints, or clear “Loop”.</source>
         <translation>Un bucle necesita al menos dos puntos de paso. Seleccione más puntos o desactive el bucle.</translation>
+    </message>
+    <message>
+        <source>There is no waypoint before the first waypoint of the route.</source>
+        <translation>No hay ningún punto de paso antes del primero de la ruta.</translation>
     </message>
 </context>
 <context>

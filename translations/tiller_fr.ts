@@ -252,10 +252,6 @@
         <translation>%1 : pas comparé</translation>
     </message>
     <message>
-        <source>%1: not compared because the recording has no %2; record all signals to MCAP</source>
-        <translation>%1 : non comparé, car l’enregistrement ne contient pas %2 ; enregistrez tous les signaux en MCAP</translation>
-    </message>
-    <message>
         <source>%1: no values</source>
         <translation>%1 : aucune valeur</translation>
     </message>
@@ -309,10 +305,6 @@
         <translation>À partir de cet instant, le bras a été poussé ou retenu, sa charge utile était différente, ou une articulation n’a pas suivi sa consigne.</translation>
     </message>
     <message>
-        <source>This recording cannot be compared with a model: target or actual joint positions are missing. Record all signals to MCAP.</source>
-        <translation>Cet enregistrement ne peut pas être comparé à un modèle : les positions articulaires de consigne ou réelles manquent. Enregistrez tous les signaux en MCAP.</translation>
-    </message>
-    <message>
         <source>This recording cannot be compared with a model: its sampling interval is too long. Record every packet.</source>
         <translation>Cet enregistrement ne peut pas être comparé à un modèle : son intervalle d’échantillonnage est trop long. Enregistrez chaque paquet.</translation>
     </message>
@@ -335,6 +327,14 @@
     <message>
         <source>Compare the recording with the model of a %1.</source>
         <translation>Comparez l’enregistrement au modèle d’un %1.</translation>
+    </message>
+    <message>
+        <source>%1: not compared because the recording has no %2; record all signals to an MCAP file</source>
+        <translation>%1 : non comparé, car l’enregistrement ne contient pas %2 ; enregistrez tous les signaux en MCAP</translation>
+    </message>
+    <message>
+        <source>This recording cannot be compared with a model: target or actual joint positions are missing. Record all signals to an MCAP file.</source>
+        <translation>Cet enregistrement ne peut pas être comparé à un modèle : les positions articulaires de consigne ou réelles manquent. Enregistrez tous les signaux en MCAP.</translation>
     </message>
 </context>
 <context>
@@ -2217,14 +2217,6 @@
         <translation>Continuer</translation>
     </message>
     <message>
-        <source>“%1” is not set.</source>
-        <translation>« %1 » n’est pas défini.</translation>
-    </message>
-    <message>
-        <source>“%1” has an invalid value.</source>
-        <translation>« %1 » a une valeur non valide.</translation>
-    </message>
-    <message>
         <source>“%1” is %2. The value must be between %3 and %4.</source>
         <translation>« %1 » vaut %2 ; la valeur doit être entre %3 et %4.</translation>
     </message>
@@ -2247,10 +2239,6 @@
     <message>
         <source>Steps in “Watch in parallel” cannot move the arm. Move this step out of the section.</source>
         <translation>Les étapes en parallèle ne peuvent pas déplacer le bras. Sortez cette étape de la section.</translation>
-    </message>
-    <message>
-        <source>“%1” cannot contain steps.</source>
-        <translation>« %1 » ne peut pas contenir d’étapes.</translation>
     </message>
     <message>
         <source>This version of Tiller does not support the step “%1”. Update Tiller, or delete the step.</source>
@@ -2281,10 +2269,6 @@
         <translation>La variable « %1 » a un autre type ailleurs dans le programme. Utilisez le même type ou un autre nom.</translation>
     </message>
     <message>
-        <source>A program cannot call itself.</source>
-        <translation>Un programme ne peut pas s’appeler lui-même.</translation>
-    </message>
-    <message>
         <source>Program calls are nested too deeply. Use fewer levels of calls.</source>
         <translation>Les appels de programmes sont trop imbriqués. Utilisez moins de niveaux.</translation>
     </message>
@@ -2303,18 +2287,6 @@
     <message>
         <source>An expression must be a single line.</source>
         <translation>Une expression doit tenir sur une seule ligne.</translation>
-    </message>
-    <message>
-        <source>Unexpected character “%1”.</source>
-        <translation>Caractère inattendu « %1 ».</translation>
-    </message>
-    <message>
-        <source>“%1” cannot be part of an expression.</source>
-        <translation>« %1 » ne peut pas faire partie d’une expression.</translation>
-    </message>
-    <message>
-        <source>The brackets do not match.</source>
-        <translation>Les parenthèses ne correspondent pas.</translation>
     </message>
     <message>
         <source>“%1” is not a valid variable name. Use letters, digits and underscores, and do not start with a digit.</source>
@@ -3137,20 +3109,8 @@
         <translation>un programme d’un autre client a pris le robot</translation>
     </message>
     <message>
-        <source>the Message step has no title</source>
-        <translation>l’étape « Message » n’a pas de titre</translation>
-    </message>
-    <message>
-        <source>the payload is not given by numbers</source>
-        <translation>la charge utile n’est pas donnée par des nombres</translation>
-    </message>
-    <message>
         <source>the speed, acceleration or blend is not a number, or a time is set</source>
         <translation>la vitesse, l’accélération ou le raccordement n’est pas un nombre, ou une durée est indiquée</translation>
-    </message>
-    <message>
-        <source>its target cannot be a waypoint or a pose of a step</source>
-        <translation>la cible ne peut être ni un point de passage ni une pose d’une étape</translation>
     </message>
     <message>
         <source>%1. Save the program on the pendant and copy its .script file to the same folder, or change the program.</source>
@@ -3189,36 +3149,12 @@
         <translation>le fichier n’est pas du texte en UTF-8</translation>
     </message>
     <message>
-        <source>the External Control node runs a script of another computer, which cannot be imported. Remove this node from the program.</source>
-        <translation>le nœud External Control exécute un script d’un autre ordinateur, qui ne peut pas être importé. Supprimez ce nœud du programme.</translation>
-    </message>
-    <message>
         <source>this line ends a block that was not opened</source>
         <translation>cette ligne ferme un bloc qui n’a pas été ouvert</translation>
     </message>
     <message>
         <source>line %1: %2</source>
         <translation>ligne %1 : %2</translation>
-    </message>
-    <message>
-        <source>the blocks are nested too deep</source>
-        <translation>les blocs sont imbriqués trop profondément</translation>
-    </message>
-    <message>
-        <source>a block continues beyond its node</source>
-        <translation>un bloc se poursuit au-delà de son nœud</translation>
-    </message>
-    <message>
-        <source>several statements share a line</source>
-        <translation>plusieurs instructions sont sur la même ligne</translation>
-    </message>
-    <message>
-        <source>the block that begins in line %1 has no end</source>
-        <translation>le bloc qui commence à la ligne %1 n’a pas de fin</translation>
-    </message>
-    <message>
-        <source>no step generates this statement</source>
-        <translation>aucune étape ne produit cette instruction</translation>
     </message>
     <message>
         <source>the program contains a return</source>
@@ -3257,10 +3193,6 @@
         <translation>désactivé</translation>
     </message>
     <message>
-        <source>The program uses output integer register 46 or 47, in which Tiller writes the number of the running step.</source>
-        <translation>Le programme utilise le registre de sortie entier 46 ou 47, dans lequel Tiller écrit le numéro de l’étape en cours.</translation>
-    </message>
-    <message>
         <source>In this project, programs begin with the TCP of the tool &apos;%1&apos;.</source>
         <translation>Dans ce projet, les programmes commencent avec le TCP de l’outil « %1 ».</translation>
     </message>
@@ -3269,24 +3201,8 @@
         <translation>Le programme ne définit pas le TCP. Ses points de passage exigent le TCP %1.</translation>
     </message>
     <message>
-        <source>a disabled node in a part that is text</source>
-        <translation>un nœud désactivé dans une partie conservée comme texte</translation>
-    </message>
-    <message>
-        <source>it is nested too deep</source>
-        <translation>elle est imbriquée trop profondément</translation>
-    </message>
-    <message>
         <source>the TCP applies until the end of the program</source>
         <translation>le TCP s’applique jusqu’à la fin du programme</translation>
-    </message>
-    <message>
-        <source>its condition cannot be a condition of a step</source>
-        <translation>sa condition ne peut pas être celle d’une étape</translation>
-    </message>
-    <message>
-        <source>functions with parameters or results, and threads, have no step</source>
-        <translation>aucune étape ne correspond aux fonctions avec paramètres ou résultat, ni aux threads</translation>
     </message>
     <message>
         <source>the program does not call this function</source>
@@ -3299,10 +3215,6 @@
     <message>
         <source>part of a waypoint</source>
         <translation>partie d’un point de passage</translation>
-    </message>
-    <message>
-        <source>the type or the scope of the variable is not certain</source>
-        <translation>le type ou la portée de la variable n’est pas certain</translation>
     </message>
     <message>
         <source>The project was taught with a %1, but the robot is a different model. Adapt the project to the robot first.</source>
@@ -3412,6 +3324,94 @@
     <message>
         <source>This variable is set by URScript text. Only variables of a “Set variable” step can be changed.</source>
         <translation>Cette variable est définie par du texte URScript. Seules les variables d’une étape « Définir une variable » peuvent être modifiées.</translation>
+    </message>
+    <message>
+        <source>“%1” is not set. Select or enter a value.</source>
+        <translation>« %1 » n’est pas défini. Sélectionnez ou saisissez une valeur.</translation>
+    </message>
+    <message>
+        <source>“%1” has an invalid value. Enter a different value.</source>
+        <translation>« %1 » a une valeur non valide. Saisissez une autre valeur.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot contain steps. Move its steps to another section.</source>
+        <translation>« %1 » ne peut pas contenir d’étapes. Déplacez les étapes dans une autre section.</translation>
+    </message>
+    <message>
+        <source>A program cannot call itself. Select a different program.</source>
+        <translation>Un programme ne peut pas s’appeler lui-même. Sélectionnez un autre programme.</translation>
+    </message>
+    <message>
+        <source>Unexpected character “%1”. Remove this character.</source>
+        <translation>Caractère inattendu « %1 ». Supprimez ce caractère.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be part of an expression. Remove this word.</source>
+        <translation>« %1 » ne peut pas faire partie d’une expression. Supprimez ce mot.</translation>
+    </message>
+    <message>
+        <source>The brackets do not match. Add or remove a bracket.</source>
+        <translation>Les parenthèses ne correspondent pas. Ajoutez ou supprimez une parenthèse.</translation>
+    </message>
+    <message>
+        <source>a Message step cannot have this title</source>
+        <translation>une étape « Message » ne peut pas avoir ce titre</translation>
+    </message>
+    <message>
+        <source>the payload is not given as numbers in the permitted range</source>
+        <translation>la charge utile n’est pas donnée par des nombres dans la plage autorisée</translation>
+    </message>
+    <message>
+        <source>the target cannot be stored as a waypoint or as the pose of a step</source>
+        <translation>la cible ne peut être ni un point de passage ni une pose d’une étape</translation>
+    </message>
+    <message>
+        <source>the External Control node runs a script from another computer, which cannot be imported. Remove this node from the program.</source>
+        <translation>le nœud External Control exécute un script d’un autre ordinateur, qui ne peut pas être importé. Supprimez ce nœud du programme.</translation>
+    </message>
+    <message>
+        <source>the blocks are nested too deeply</source>
+        <translation>les blocs sont imbriqués trop profondément</translation>
+    </message>
+    <message>
+        <source>a block extends beyond its node</source>
+        <translation>un bloc se poursuit au-delà de son nœud</translation>
+    </message>
+    <message>
+        <source>the line contains several statements</source>
+        <translation>plusieurs instructions sont sur la même ligne</translation>
+    </message>
+    <message>
+        <source>the block that begins on line %1 has no end</source>
+        <translation>le bloc qui commence à la ligne %1 n’a pas de fin</translation>
+    </message>
+    <message>
+        <source>no step corresponds to this statement</source>
+        <translation>aucune étape ne produit cette instruction</translation>
+    </message>
+    <message>
+        <source>The program uses output integer register 46 or 47, to which Tiller writes the number of the running step. Use different registers.</source>
+        <translation>Le programme utilise le registre de sortie entier 46 ou 47, dans lequel Tiller écrit le numéro de l’étape en cours. Utilisez d’autres registres.</translation>
+    </message>
+    <message>
+        <source>a disabled node in a section that is imported as URScript text</source>
+        <translation>un nœud désactivé dans une partie conservée comme texte</translation>
+    </message>
+    <message>
+        <source>it is nested too deeply</source>
+        <translation>elle est imbriquée trop profondément</translation>
+    </message>
+    <message>
+        <source>the condition cannot be used in a step</source>
+        <translation>sa condition ne peut pas être celle d’une étape</translation>
+    </message>
+    <message>
+        <source>no step corresponds to a thread, or to a function with parameters or a result</source>
+        <translation>aucune étape ne correspond aux fonctions avec paramètres ou résultat, ni aux threads</translation>
+    </message>
+    <message>
+        <source>the type or the scope of the variable cannot be determined</source>
+        <translation>le type ou la portée de la variable n’est pas certain</translation>
     </message>
 </context>
 <context>
@@ -3584,8 +3584,8 @@
 <context>
     <name>RetracePath</name>
     <message>
-        <source>back: no recorded motion left to retrace</source>
-        <translation>revenir en arrière : plus aucun mouvement enregistré</translation>
+        <source>There is no path to retrace. Jog the arm first.</source>
+        <translation>Aucune trajectoire à reparcourir. Déplacez d’abord le bras.</translation>
     </message>
 </context>
 <context>
@@ -4397,10 +4397,6 @@
         <translation>Défaut</translation>
     </message>
     <message>
-        <source>Stopped by safety</source>
-        <translation>Arrêté par la sécurité</translation>
-    </message>
-    <message>
         <source>Enabling device</source>
         <translation>Dispositif de validation</translation>
     </message>
@@ -4439,6 +4435,10 @@
     <message>
         <source>off</source>
         <translation>désactivée</translation>
+    </message>
+    <message>
+        <source>Stopped due to safety</source>
+        <translation>Arrêté par la sécurité</translation>
     </message>
 </context>
 <context>
@@ -4908,16 +4908,16 @@
         <translation>la fenêtre ne répondait pas</translation>
     </message>
     <message>
-        <source>not measured: another program moves the arm</source>
-        <translation>non mesuré : un autre programme déplace le bras</translation>
-    </message>
-    <message>
         <source>not measured: no data during the stop</source>
         <translation>non mesuré : aucune donnée pendant l’arrêt</translation>
     </message>
     <message>
         <source>the robot did not receive the stop</source>
         <translation>le robot n’a pas reçu l’arrêt</translation>
+    </message>
+    <message>
+        <source>not measured: another program is moving the arm</source>
+        <translation>non mesuré : un autre programme déplace le bras</translation>
     </message>
 </context>
 <context>
@@ -10129,10 +10129,6 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Arrêté : %1 (%2)</translation>
     </message>
     <message>
-        <source>Not stopped: the arm moves (%1). Press STOP again.</source>
-        <translation>Non arrêté : le bras bouge (%1). Appuyez de nouveau sur STOP.</translation>
-    </message>
-    <message>
         <source>Not stopped: a program is still running (%1). Press STOP again.</source>
         <translation>Pas d’arrêt : un programme est toujours en cours (%1). Appuyez de nouveau sur STOP.</translation>
     </message>
@@ -10143,6 +10139,10 @@ Relâchez le bouton pour arrêter le bras.</translation>
     <message>
         <source>Another program of another client has replaced the running program.</source>
         <translation>Un autre programme d’un autre client a remplacé le programme en cours.</translation>
+    </message>
+    <message>
+        <source>Not stopped: the arm is still moving (%1). Press STOP again.</source>
+        <translation>Non arrêté : le bras bouge (%1). Appuyez de nouveau sur STOP.</translation>
     </message>
 </context>
 <context>
@@ -10192,10 +10192,6 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>La pince ne répond pas. Vérifiez le câble au poignet et les réglages de la pince dans l’onglet Installation du boîtier. Si le problème persiste, redémarrez le robot.</translation>
     </message>
     <message>
-        <source>The robot closed the connection to the gripper and may be restarting. Tiller reconnects automatically; the gripper keeps its grip.</source>
-        <translation>Le robot a fermé la connexion à la pince et redémarre peut-être. Tiller se reconnecte automatiquement ; la pince maintient sa prise.</translation>
-    </message>
-    <message>
         <source>The gripper did not accept the command. Activate the gripper. If it is already active, check its settings on the Installation tab of the teach pendant.</source>
         <translation>La pince n’a pas accepté la commande. Activez-la. Si elle est déjà active, vérifiez ses réglages dans l’onglet Installation du boîtier.</translation>
     </message>
@@ -10243,16 +10239,16 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <source>The gripper reports fault %1. Press “Activate”. If the fault returns, see the gripper manual.</source>
         <translation>La pince signale le défaut %1. Appuyez sur Activer ; si le défaut revient, consultez son manuel.</translation>
     </message>
+    <message>
+        <source>The robot closed the connection to the gripper and may be restarting. Tiller reconnects automatically; the gripper continues to hold its object.</source>
+        <translation>Le robot a fermé la connexion à la pince et redémarre peut-être. Tiller se reconnecte automatiquement ; la pince maintient sa prise.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RouteRunner</name>
     <message>
         <source>The route has no waypoints. Teach or select waypoints first.</source>
         <translation>L’itinéraire ne contient aucun point de passage. Apprenez ou sélectionnez d’abord des points.</translation>
-    </message>
-    <message>
-        <source>The first waypoint of the route has no previous waypoint.</source>
-        <translation>Le premier point de passage de l’itinéraire n’a pas de point précédent.</translation>
     </message>
     <message>
         <source>A waypoint of the route was deleted from the project. Select the waypoints of the route again.</source>
@@ -10265,6 +10261,10 @@ Relâchez le bouton pour arrêter le bras.</translation>
     <message>
         <source>A loop requires at least two waypoints. Select more waypoints, or clear “Loop”.</source>
         <translation>Une boucle demande au moins deux points de passage. Sélectionnez-en d’autres ou désactivez la boucle.</translation>
+    </message>
+    <message>
+        <source>There is no waypoint before the first waypoint of the route.</source>
+        <translation>Il n’y a pas de point de passage avant le premier de l’itinéraire.</translation>
     </message>
 </context>
 <context>

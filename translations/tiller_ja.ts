@@ -252,10 +252,6 @@
         <translation>%1：比較していません</translation>
     </message>
     <message>
-        <source>%1: not compared because the recording has no %2; record all signals to MCAP</source>
-        <translation>%1：比較していません。記録に %2 がありません。すべての信号を MCAP に記録してください</translation>
-    </message>
-    <message>
         <source>%1: no values</source>
         <translation>%1：値がありません</translation>
     </message>
@@ -309,10 +305,6 @@
         <translation>この時点以降、アームが押されたか押さえられた、ペイロードが違った、または関節が目標に追従しませんでした。</translation>
     </message>
     <message>
-        <source>This recording cannot be compared with a model: target or actual joint positions are missing. Record all signals to MCAP.</source>
-        <translation>この記録はモデルと比較できません：関節への指令または関節の位置がありません。すべての信号を MCAP に記録してください。</translation>
-    </message>
-    <message>
         <source>This recording cannot be compared with a model: its sampling interval is too long. Record every packet.</source>
         <translation>この記録はモデルと比較できません：行の間隔が広すぎます。すべてのパケットを記録してください。</translation>
     </message>
@@ -335,6 +327,14 @@
     <message>
         <source>Compare the recording with the model of a %1.</source>
         <translation>記録を %1 のモデルと比較してください。</translation>
+    </message>
+    <message>
+        <source>%1: not compared because the recording has no %2; record all signals to an MCAP file</source>
+        <translation>%1：比較していません。記録に %2 がありません。すべての信号を MCAP に記録してください</translation>
+    </message>
+    <message>
+        <source>This recording cannot be compared with a model: target or actual joint positions are missing. Record all signals to an MCAP file.</source>
+        <translation>この記録はモデルと比較できません：関節への指令または関節の位置がありません。すべての信号を MCAP に記録してください。</translation>
     </message>
 </context>
 <context>
@@ -2217,14 +2217,6 @@
         <translation>続行</translation>
     </message>
     <message>
-        <source>“%1” is not set.</source>
-        <translation>「%1」が設定されていません。</translation>
-    </message>
-    <message>
-        <source>“%1” has an invalid value.</source>
-        <translation>「%1」の値が無効です。</translation>
-    </message>
-    <message>
         <source>“%1” is %2. The value must be between %3 and %4.</source>
         <translation>「%1」は %2 です。%3〜%4 にしてください。</translation>
     </message>
@@ -2247,10 +2239,6 @@
     <message>
         <source>Steps in “Watch in parallel” cannot move the arm. Move this step out of the section.</source>
         <translation>並列のステップはアームを動かせません。このステップを区間の外に移動してください。</translation>
-    </message>
-    <message>
-        <source>“%1” cannot contain steps.</source>
-        <translation>「%1」にはステップを入れられません。</translation>
     </message>
     <message>
         <source>This version of Tiller does not support the step “%1”. Update Tiller, or delete the step.</source>
@@ -2281,10 +2269,6 @@
         <translation>変数「%1」はプログラムの別の場所で異なる型です。同じ型か別の名前を使ってください。</translation>
     </message>
     <message>
-        <source>A program cannot call itself.</source>
-        <translation>プログラムは自分自身を呼び出せません。</translation>
-    </message>
-    <message>
         <source>Program calls are nested too deeply. Use fewer levels of calls.</source>
         <translation>プログラムの呼び出しの入れ子が深すぎます。階層を減らしてください。</translation>
     </message>
@@ -2303,18 +2287,6 @@
     <message>
         <source>An expression must be a single line.</source>
         <translation>式は 1 行にしてください。</translation>
-    </message>
-    <message>
-        <source>Unexpected character “%1”.</source>
-        <translation>予期しない文字「%1」です。</translation>
-    </message>
-    <message>
-        <source>“%1” cannot be part of an expression.</source>
-        <translation>「%1」は式に使えません。</translation>
-    </message>
-    <message>
-        <source>The brackets do not match.</source>
-        <translation>括弧が対応していません。</translation>
     </message>
     <message>
         <source>“%1” is not a valid variable name. Use letters, digits and underscores, and do not start with a digit.</source>
@@ -3137,20 +3109,8 @@
         <translation>別のクライアントのプログラムがロボットを制御しています</translation>
     </message>
     <message>
-        <source>the Message step has no title</source>
-        <translation>メッセージのステップにはタイトルがありません</translation>
-    </message>
-    <message>
-        <source>the payload is not given by numbers</source>
-        <translation>ペイロードが数値で指定されていません</translation>
-    </message>
-    <message>
         <source>the speed, acceleration or blend is not a number, or a time is set</source>
         <translation>速度、加速度またはブレンドが数値でないか、時間が指定されています</translation>
-    </message>
-    <message>
-        <source>its target cannot be a waypoint or a pose of a step</source>
-        <translation>目標をウェイポイントにもステップの姿勢にもできません</translation>
     </message>
     <message>
         <source>%1. Save the program on the pendant and copy its .script file to the same folder, or change the program.</source>
@@ -3189,36 +3149,12 @@
         <translation>ファイルがUTF-8のテキストではありません</translation>
     </message>
     <message>
-        <source>the External Control node runs a script of another computer, which cannot be imported. Remove this node from the program.</source>
-        <translation>External Controlノードは別のコンピューターのスクリプトを実行するため、インポートできません。このノードをプログラムから削除してください。</translation>
-    </message>
-    <message>
         <source>this line ends a block that was not opened</source>
         <translation>この行は、開かれていないブロックを閉じています</translation>
     </message>
     <message>
         <source>line %1: %2</source>
         <translation>%1行目：%2</translation>
-    </message>
-    <message>
-        <source>the blocks are nested too deep</source>
-        <translation>ブロックの入れ子が深すぎます</translation>
-    </message>
-    <message>
-        <source>a block continues beyond its node</source>
-        <translation>ブロックがノードの範囲を超えています</translation>
-    </message>
-    <message>
-        <source>several statements share a line</source>
-        <translation>1行に複数の文があります</translation>
-    </message>
-    <message>
-        <source>the block that begins in line %1 has no end</source>
-        <translation>%1行目で始まるブロックに終わりがありません</translation>
-    </message>
-    <message>
-        <source>no step generates this statement</source>
-        <translation>この文を生成するステップはありません</translation>
     </message>
     <message>
         <source>the program contains a return</source>
@@ -3257,10 +3193,6 @@
         <translation>無効</translation>
     </message>
     <message>
-        <source>The program uses output integer register 46 or 47, in which Tiller writes the number of the running step.</source>
-        <translation>プログラムは整数出力レジスター46または47を使用していますが、Tillerはそこに実行中のステップの番号を書き込みます。</translation>
-    </message>
-    <message>
         <source>In this project, programs begin with the TCP of the tool &apos;%1&apos;.</source>
         <translation>このプロジェクトでは、プログラムはツール「%1」のTCPで始まります。</translation>
     </message>
@@ -3269,24 +3201,8 @@
         <translation>プログラムはTCPを設定しません。そのウェイポイントにはTCP %1が必要です。</translation>
     </message>
     <message>
-        <source>a disabled node in a part that is text</source>
-        <translation>テキストになった部分の無効なノード</translation>
-    </message>
-    <message>
-        <source>it is nested too deep</source>
-        <translation>入れ子が深すぎます</translation>
-    </message>
-    <message>
         <source>the TCP applies until the end of the program</source>
         <translation>TCPはプログラムの終わりまで有効です</translation>
-    </message>
-    <message>
-        <source>its condition cannot be a condition of a step</source>
-        <translation>条件をステップの条件にできません</translation>
-    </message>
-    <message>
-        <source>functions with parameters or results, and threads, have no step</source>
-        <translation>引数や戻り値のある関数とスレッドに対応するステップはありません</translation>
     </message>
     <message>
         <source>the program does not call this function</source>
@@ -3299,10 +3215,6 @@
     <message>
         <source>part of a waypoint</source>
         <translation>ウェイポイントの一部</translation>
-    </message>
-    <message>
-        <source>the type or the scope of the variable is not certain</source>
-        <translation>変数の型またはスコープを特定できません</translation>
     </message>
     <message>
         <source>The project was taught with a %1, but the robot is a different model. Adapt the project to the robot first.</source>
@@ -3412,6 +3324,94 @@
     <message>
         <source>This variable is set by URScript text. Only variables of a “Set variable” step can be changed.</source>
         <translation>この変数は URScript テキストで設定されています。変更できるのは「変数を設定」ステップの変数だけです。</translation>
+    </message>
+    <message>
+        <source>“%1” is not set. Select or enter a value.</source>
+        <translation>「%1」が設定されていません。値を選択または入力してください。</translation>
+    </message>
+    <message>
+        <source>“%1” has an invalid value. Enter a different value.</source>
+        <translation>「%1」の値が無効です。別の値を入力してください。</translation>
+    </message>
+    <message>
+        <source>“%1” cannot contain steps. Move its steps to another section.</source>
+        <translation>「%1」にはステップを入れられません。ステップを別のセクションに移動してください。</translation>
+    </message>
+    <message>
+        <source>A program cannot call itself. Select a different program.</source>
+        <translation>プログラムは自分自身を呼び出せません。別のプログラムを選択してください。</translation>
+    </message>
+    <message>
+        <source>Unexpected character “%1”. Remove this character.</source>
+        <translation>予期しない文字「%1」です。この文字を削除してください。</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be part of an expression. Remove this word.</source>
+        <translation>「%1」は式に使えません。この語を削除してください。</translation>
+    </message>
+    <message>
+        <source>The brackets do not match. Add or remove a bracket.</source>
+        <translation>括弧が対応していません。括弧を追加または削除してください。</translation>
+    </message>
+    <message>
+        <source>a Message step cannot have this title</source>
+        <translation>メッセージのステップにこのタイトルは使えません</translation>
+    </message>
+    <message>
+        <source>the payload is not given as numbers in the permitted range</source>
+        <translation>ペイロードが許容範囲内の数値で指定されていません</translation>
+    </message>
+    <message>
+        <source>the target cannot be stored as a waypoint or as the pose of a step</source>
+        <translation>目標をウェイポイントにもステップの姿勢にもできません</translation>
+    </message>
+    <message>
+        <source>the External Control node runs a script from another computer, which cannot be imported. Remove this node from the program.</source>
+        <translation>External Controlノードは別のコンピューターのスクリプトを実行するため、インポートできません。このノードをプログラムから削除してください。</translation>
+    </message>
+    <message>
+        <source>the blocks are nested too deeply</source>
+        <translation>ブロックの入れ子が深すぎます</translation>
+    </message>
+    <message>
+        <source>a block extends beyond its node</source>
+        <translation>ブロックがノードの範囲を超えています</translation>
+    </message>
+    <message>
+        <source>the line contains several statements</source>
+        <translation>1行に複数の文があります</translation>
+    </message>
+    <message>
+        <source>the block that begins on line %1 has no end</source>
+        <translation>%1行目で始まるブロックに終わりがありません</translation>
+    </message>
+    <message>
+        <source>no step corresponds to this statement</source>
+        <translation>この文を生成するステップはありません</translation>
+    </message>
+    <message>
+        <source>The program uses output integer register 46 or 47, to which Tiller writes the number of the running step. Use different registers.</source>
+        <translation>プログラムは整数出力レジスター46または47を使用していますが、Tillerはそこに実行中のステップの番号を書き込みます。別のレジスターを使用してください。</translation>
+    </message>
+    <message>
+        <source>a disabled node in a section that is imported as URScript text</source>
+        <translation>テキストになった部分の無効なノード</translation>
+    </message>
+    <message>
+        <source>it is nested too deeply</source>
+        <translation>入れ子が深すぎます</translation>
+    </message>
+    <message>
+        <source>the condition cannot be used in a step</source>
+        <translation>条件をステップの条件にできません</translation>
+    </message>
+    <message>
+        <source>no step corresponds to a thread, or to a function with parameters or a result</source>
+        <translation>引数や戻り値のある関数とスレッドに対応するステップはありません</translation>
+    </message>
+    <message>
+        <source>the type or the scope of the variable cannot be determined</source>
+        <translation>変数の型またはスコープを特定できません</translation>
     </message>
 </context>
 <context>
@@ -3584,8 +3584,8 @@
 <context>
     <name>RetracePath</name>
     <message>
-        <source>back: no recorded motion left to retrace</source>
-        <translation>戻る：記録された動作は残っていません</translation>
+        <source>There is no path to retrace. Jog the arm first.</source>
+        <translation>たどれる軌跡がありません。まずアームをジョグしてください。</translation>
     </message>
 </context>
 <context>
@@ -4395,10 +4395,6 @@
         <translation>故障</translation>
     </message>
     <message>
-        <source>Stopped by safety</source>
-        <translation>安全による停止</translation>
-    </message>
-    <message>
         <source>Enabling device</source>
         <translation>イネーブル装置</translation>
     </message>
@@ -4437,6 +4433,10 @@
     <message>
         <source>off</source>
         <translation>オフ</translation>
+    </message>
+    <message>
+        <source>Stopped due to safety</source>
+        <translation>安全による停止</translation>
     </message>
 </context>
 <context>
@@ -4906,16 +4906,16 @@
         <translation>ウィンドウが応答しませんでした</translation>
     </message>
     <message>
-        <source>not measured: another program moves the arm</source>
-        <translation>測定なし: 別のプログラムがアームを動かしています</translation>
-    </message>
-    <message>
         <source>not measured: no data during the stop</source>
         <translation>測定なし: 停止中のデータがありません</translation>
     </message>
     <message>
         <source>the robot did not receive the stop</source>
         <translation>ロボットが停止指令を受信していません</translation>
+    </message>
+    <message>
+        <source>not measured: another program is moving the arm</source>
+        <translation>測定なし: 別のプログラムがアームを動かしています</translation>
     </message>
 </context>
 <context>
@@ -10103,10 +10103,6 @@ Release the button to stop the arm.</source>
         <translation>停止: %1 (%2)</translation>
     </message>
     <message>
-        <source>Not stopped: the arm moves (%1). Press STOP again.</source>
-        <translation>停止していません：アームが動いています (%1)。もう一度 STOP を押してください。</translation>
-    </message>
-    <message>
         <source>Not stopped: a program is still running (%1). Press STOP again.</source>
         <translation>停止していません: プログラムがまだ実行中です (%1)。もう一度 STOP を押してください。</translation>
     </message>
@@ -10117,6 +10113,10 @@ Release the button to stop the arm.</source>
     <message>
         <source>Another program of another client has replaced the running program.</source>
         <translation>他のクライアントの別のプログラムが、実行中のプログラムを置き換えました。</translation>
+    </message>
+    <message>
+        <source>Not stopped: the arm is still moving (%1). Press STOP again.</source>
+        <translation>停止していません：アームが動いています (%1)。もう一度 STOP を押してください。</translation>
     </message>
 </context>
 <context>
@@ -10166,10 +10166,6 @@ Release the button to stop the arm.</source>
         <translation>グリッパーが応答しません。手首のケーブルと、ティーチペンダントの「インストール」タブのグリッパー設定を確認してください。直らなければロボットを再起動してください。</translation>
     </message>
     <message>
-        <source>The robot closed the connection to the gripper and may be restarting. Tiller reconnects automatically; the gripper keeps its grip.</source>
-        <translation>ロボットがグリッパーとの接続を終えました。再起動中かもしれません。自動で戻ります。グリッパーはつかみ続けます。</translation>
-    </message>
-    <message>
         <source>The gripper did not accept the command. Activate the gripper. If it is already active, check its settings on the Installation tab of the teach pendant.</source>
         <translation>グリッパーがコマンドを受け付けませんでした。有効化してください。すでに有効なら、ティーチペンダントの「インストール」タブで設定を確認してください。</translation>
     </message>
@@ -10217,16 +10213,16 @@ Release the button to stop the arm.</source>
         <source>The gripper reports fault %1. Press “Activate”. If the fault returns, see the gripper manual.</source>
         <translation>グリッパーが故障 %1 を報告しています。「有効化」を押してください。再発したら説明書を見てください。</translation>
     </message>
+    <message>
+        <source>The robot closed the connection to the gripper and may be restarting. Tiller reconnects automatically; the gripper continues to hold its object.</source>
+        <translation>ロボットがグリッパーとの接続を終えました。再起動中かもしれません。自動で戻ります。グリッパーはつかみ続けます。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RouteRunner</name>
     <message>
         <source>The route has no waypoints. Teach or select waypoints first.</source>
         <translation>ルートにウェイポイントがありません。先に教示するか選択してください。</translation>
-    </message>
-    <message>
-        <source>The first waypoint of the route has no previous waypoint.</source>
-        <translation>ルートの最初のウェイポイントには、前のウェイポイントがありません。</translation>
     </message>
     <message>
         <source>A waypoint of the route was deleted from the project. Select the waypoints of the route again.</source>
@@ -10239,6 +10235,10 @@ Release the button to stop the arm.</source>
     <message>
         <source>A loop requires at least two waypoints. Select more waypoints, or clear “Loop”.</source>
         <translation>繰り返しには 2 つ以上のウェイポイントが必要です。ウェイポイントを追加で選択するか、繰り返しをオフにしてください。</translation>
+    </message>
+    <message>
+        <source>There is no waypoint before the first waypoint of the route.</source>
+        <translation>ルートの最初のウェイポイントには、前のウェイポイントがありません。</translation>
     </message>
 </context>
 <context>

@@ -252,10 +252,6 @@
         <translation>%1：未比较</translation>
     </message>
     <message>
-        <source>%1: not compared because the recording has no %2; record all signals to MCAP</source>
-        <translation>%1：未比较，记录中没有 %2；请将所有信号记录为 MCAP</translation>
-    </message>
-    <message>
         <source>%1: no values</source>
         <translation>%1：没有数值</translation>
     </message>
@@ -309,10 +305,6 @@
         <translation>从该时刻起，机械臂被推动或挡住，有效负载不同，或某个关节没有跟随目标。</translation>
     </message>
     <message>
-        <source>This recording cannot be compared with a model: target or actual joint positions are missing. Record all signals to MCAP.</source>
-        <translation>此记录无法与模型比较：缺少关节的指令或位置。请将所有信号记录为 MCAP。</translation>
-    </message>
-    <message>
         <source>This recording cannot be compared with a model: its sampling interval is too long. Record every packet.</source>
         <translation>此记录无法与模型比较：行间隔过大。请记录每个数据包。</translation>
     </message>
@@ -335,6 +327,14 @@
     <message>
         <source>Compare the recording with the model of a %1.</source>
         <translation>请将记录与 %1 的模型进行比较。</translation>
+    </message>
+    <message>
+        <source>%1: not compared because the recording has no %2; record all signals to an MCAP file</source>
+        <translation>%1：未比较，记录中没有 %2；请将所有信号记录为 MCAP</translation>
+    </message>
+    <message>
+        <source>This recording cannot be compared with a model: target or actual joint positions are missing. Record all signals to an MCAP file.</source>
+        <translation>此记录无法与模型比较：缺少关节的指令或位置。请将所有信号记录为 MCAP。</translation>
     </message>
 </context>
 <context>
@@ -2217,14 +2217,6 @@
         <translation>继续</translation>
     </message>
     <message>
-        <source>“%1” is not set.</source>
-        <translation>未设置“%1”。</translation>
-    </message>
-    <message>
-        <source>“%1” has an invalid value.</source>
-        <translation>“%1”的值无效。</translation>
-    </message>
-    <message>
         <source>“%1” is %2. The value must be between %3 and %4.</source>
         <translation>“%1”为 %2；必须在 %3 至 %4 之间。</translation>
     </message>
@@ -2247,10 +2239,6 @@
     <message>
         <source>Steps in “Watch in parallel” cannot move the arm. Move this step out of the section.</source>
         <translation>并行步骤不能移动机械臂。请将此步骤移出该段。</translation>
-    </message>
-    <message>
-        <source>“%1” cannot contain steps.</source>
-        <translation>“%1”不能包含步骤。</translation>
     </message>
     <message>
         <source>This version of Tiller does not support the step “%1”. Update Tiller, or delete the step.</source>
@@ -2281,10 +2269,6 @@
         <translation>变量“%1”在程序的其他位置类型不同。请使用相同的类型或其他名称。</translation>
     </message>
     <message>
-        <source>A program cannot call itself.</source>
-        <translation>程序不能调用自身。</translation>
-    </message>
-    <message>
         <source>Program calls are nested too deeply. Use fewer levels of calls.</source>
         <translation>程序调用嵌套过深。请减少调用层数。</translation>
     </message>
@@ -2303,18 +2287,6 @@
     <message>
         <source>An expression must be a single line.</source>
         <translation>表达式只能是一行。</translation>
-    </message>
-    <message>
-        <source>Unexpected character “%1”.</source>
-        <translation>意外的字符“%1”。</translation>
-    </message>
-    <message>
-        <source>“%1” cannot be part of an expression.</source>
-        <translation>“%1”不能作为表达式的一部分。</translation>
-    </message>
-    <message>
-        <source>The brackets do not match.</source>
-        <translation>括号不匹配。</translation>
     </message>
     <message>
         <source>“%1” is not a valid variable name. Use letters, digits and underscores, and do not start with a digit.</source>
@@ -3137,20 +3109,8 @@
         <translation>其他客户端的程序已接管机器人</translation>
     </message>
     <message>
-        <source>the Message step has no title</source>
-        <translation>“消息”步骤没有标题</translation>
-    </message>
-    <message>
-        <source>the payload is not given by numbers</source>
-        <translation>有效负载不是用数字给出的</translation>
-    </message>
-    <message>
         <source>the speed, acceleration or blend is not a number, or a time is set</source>
         <translation>速度、加速度或交融半径不是数字，或者设置了时间</translation>
-    </message>
-    <message>
-        <source>its target cannot be a waypoint or a pose of a step</source>
-        <translation>目标既不能作为路点，也不能作为步骤的位姿</translation>
     </message>
     <message>
         <source>%1. Save the program on the pendant and copy its .script file to the same folder, or change the program.</source>
@@ -3189,36 +3149,12 @@
         <translation>文件不是 UTF-8 文本</translation>
     </message>
     <message>
-        <source>the External Control node runs a script of another computer, which cannot be imported. Remove this node from the program.</source>
-        <translation>External Control 节点运行另一台计算机的脚本，无法导入。请从程序中删除此节点。</translation>
-    </message>
-    <message>
         <source>this line ends a block that was not opened</source>
         <translation>此行结束了一个未开始的块</translation>
     </message>
     <message>
         <source>line %1: %2</source>
         <translation>第 %1 行：%2</translation>
-    </message>
-    <message>
-        <source>the blocks are nested too deep</source>
-        <translation>块嵌套过深</translation>
-    </message>
-    <message>
-        <source>a block continues beyond its node</source>
-        <translation>某个块超出了其节点</translation>
-    </message>
-    <message>
-        <source>several statements share a line</source>
-        <translation>同一行有多条语句</translation>
-    </message>
-    <message>
-        <source>the block that begins in line %1 has no end</source>
-        <translation>从第 %1 行开始的块没有结束</translation>
-    </message>
-    <message>
-        <source>no step generates this statement</source>
-        <translation>没有步骤能生成此语句</translation>
     </message>
     <message>
         <source>the program contains a return</source>
@@ -3257,10 +3193,6 @@
         <translation>已禁用</translation>
     </message>
     <message>
-        <source>The program uses output integer register 46 or 47, in which Tiller writes the number of the running step.</source>
-        <translation>程序使用整数输出寄存器 46 或 47，而 Tiller 在其中写入正在运行的步骤编号。</translation>
-    </message>
-    <message>
         <source>In this project, programs begin with the TCP of the tool &apos;%1&apos;.</source>
         <translation>在此项目中，程序以工具“%1”的 TCP 开始。</translation>
     </message>
@@ -3269,24 +3201,8 @@
         <translation>程序未设置 TCP。其路点需要 TCP %1。</translation>
     </message>
     <message>
-        <source>a disabled node in a part that is text</source>
-        <translation>文本部分中的已禁用节点</translation>
-    </message>
-    <message>
-        <source>it is nested too deep</source>
-        <translation>嵌套过深</translation>
-    </message>
-    <message>
         <source>the TCP applies until the end of the program</source>
         <translation>该 TCP 一直有效到程序结束</translation>
-    </message>
-    <message>
-        <source>its condition cannot be a condition of a step</source>
-        <translation>其条件不能作为步骤的条件</translation>
-    </message>
-    <message>
-        <source>functions with parameters or results, and threads, have no step</source>
-        <translation>带参数或返回值的函数以及线程没有对应的步骤</translation>
     </message>
     <message>
         <source>the program does not call this function</source>
@@ -3299,10 +3215,6 @@
     <message>
         <source>part of a waypoint</source>
         <translation>路点的一部分</translation>
-    </message>
-    <message>
-        <source>the type or the scope of the variable is not certain</source>
-        <translation>无法确定变量的类型或作用域</translation>
     </message>
     <message>
         <source>The project was taught with a %1, but the robot is a different model. Adapt the project to the robot first.</source>
@@ -3412,6 +3324,94 @@
     <message>
         <source>This variable is set by URScript text. Only variables of a “Set variable” step can be changed.</source>
         <translation>此变量由 URScript 文本设置。只能更改“设置变量”步骤的变量。</translation>
+    </message>
+    <message>
+        <source>“%1” is not set. Select or enter a value.</source>
+        <translation>未设置“%1”。请选择或输入一个值。</translation>
+    </message>
+    <message>
+        <source>“%1” has an invalid value. Enter a different value.</source>
+        <translation>“%1”的值无效。请输入其他值。</translation>
+    </message>
+    <message>
+        <source>“%1” cannot contain steps. Move its steps to another section.</source>
+        <translation>“%1”不能包含步骤。请将这些步骤移到其他区段。</translation>
+    </message>
+    <message>
+        <source>A program cannot call itself. Select a different program.</source>
+        <translation>程序不能调用自身。请选择其他程序。</translation>
+    </message>
+    <message>
+        <source>Unexpected character “%1”. Remove this character.</source>
+        <translation>意外的字符“%1”。请删除该字符。</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be part of an expression. Remove this word.</source>
+        <translation>“%1”不能作为表达式的一部分。请删除该词。</translation>
+    </message>
+    <message>
+        <source>The brackets do not match. Add or remove a bracket.</source>
+        <translation>括号不匹配。请添加或删除括号。</translation>
+    </message>
+    <message>
+        <source>a Message step cannot have this title</source>
+        <translation>“消息”步骤不能使用此标题</translation>
+    </message>
+    <message>
+        <source>the payload is not given as numbers in the permitted range</source>
+        <translation>有效负载不是用允许范围内的数字给出的</translation>
+    </message>
+    <message>
+        <source>the target cannot be stored as a waypoint or as the pose of a step</source>
+        <translation>目标既不能作为路点，也不能作为步骤的位姿</translation>
+    </message>
+    <message>
+        <source>the External Control node runs a script from another computer, which cannot be imported. Remove this node from the program.</source>
+        <translation>External Control 节点运行另一台计算机的脚本，无法导入。请从程序中删除此节点。</translation>
+    </message>
+    <message>
+        <source>the blocks are nested too deeply</source>
+        <translation>块嵌套过深</translation>
+    </message>
+    <message>
+        <source>a block extends beyond its node</source>
+        <translation>某个块超出了其节点</translation>
+    </message>
+    <message>
+        <source>the line contains several statements</source>
+        <translation>同一行有多条语句</translation>
+    </message>
+    <message>
+        <source>the block that begins on line %1 has no end</source>
+        <translation>从第 %1 行开始的块没有结束</translation>
+    </message>
+    <message>
+        <source>no step corresponds to this statement</source>
+        <translation>没有步骤能生成此语句</translation>
+    </message>
+    <message>
+        <source>The program uses output integer register 46 or 47, to which Tiller writes the number of the running step. Use different registers.</source>
+        <translation>程序使用整数输出寄存器 46 或 47，而 Tiller 在其中写入正在运行的步骤编号。请使用其他寄存器。</translation>
+    </message>
+    <message>
+        <source>a disabled node in a section that is imported as URScript text</source>
+        <translation>文本部分中的已禁用节点</translation>
+    </message>
+    <message>
+        <source>it is nested too deeply</source>
+        <translation>嵌套过深</translation>
+    </message>
+    <message>
+        <source>the condition cannot be used in a step</source>
+        <translation>其条件不能作为步骤的条件</translation>
+    </message>
+    <message>
+        <source>no step corresponds to a thread, or to a function with parameters or a result</source>
+        <translation>带参数或返回值的函数以及线程没有对应的步骤</translation>
+    </message>
+    <message>
+        <source>the type or the scope of the variable cannot be determined</source>
+        <translation>无法确定变量的类型或作用域</translation>
     </message>
 </context>
 <context>
@@ -3584,8 +3584,8 @@
 <context>
     <name>RetracePath</name>
     <message>
-        <source>back: no recorded motion left to retrace</source>
-        <translation>返回：没有剩余的已记录运动</translation>
+        <source>There is no path to retrace. Jog the arm first.</source>
+        <translation>没有可返回的路径。请先点动机械臂。</translation>
     </message>
 </context>
 <context>
@@ -4395,10 +4395,6 @@
         <translation>故障</translation>
     </message>
     <message>
-        <source>Stopped by safety</source>
-        <translation>被安全停止</translation>
-    </message>
-    <message>
         <source>Enabling device</source>
         <translation>使能装置</translation>
     </message>
@@ -4437,6 +4433,10 @@
     <message>
         <source>off</source>
         <translation>关</translation>
+    </message>
+    <message>
+        <source>Stopped due to safety</source>
+        <translation>被安全停止</translation>
     </message>
 </context>
 <context>
@@ -4906,16 +4906,16 @@
         <translation>窗口无响应</translation>
     </message>
     <message>
-        <source>not measured: another program moves the arm</source>
-        <translation>未测量：另一个程序正在移动机械臂</translation>
-    </message>
-    <message>
         <source>not measured: no data during the stop</source>
         <translation>未测量：停止期间无数据</translation>
     </message>
     <message>
         <source>the robot did not receive the stop</source>
         <translation>机器人未收到停止指令</translation>
+    </message>
+    <message>
+        <source>not measured: another program is moving the arm</source>
+        <translation>未测量：另一个程序正在移动机械臂</translation>
     </message>
 </context>
 <context>
@@ -10103,10 +10103,6 @@ Release the button to stop the arm.</source>
         <translation>已停止：%1（%2）</translation>
     </message>
     <message>
-        <source>Not stopped: the arm moves (%1). Press STOP again.</source>
-        <translation>未停止：机械臂在运动（%1）。请再次按 STOP。</translation>
-    </message>
-    <message>
         <source>Not stopped: a program is still running (%1). Press STOP again.</source>
         <translation>未停止：程序仍在运行（%1）。请再次按下 STOP。</translation>
     </message>
@@ -10117,6 +10113,10 @@ Release the button to stop the arm.</source>
     <message>
         <source>Another program of another client has replaced the running program.</source>
         <translation>其他客户端的另一个程序替换了正在运行的程序。</translation>
+    </message>
+    <message>
+        <source>Not stopped: the arm is still moving (%1). Press STOP again.</source>
+        <translation>未停止：机械臂在运动（%1）。请再次按 STOP。</translation>
     </message>
 </context>
 <context>
@@ -10166,10 +10166,6 @@ Release the button to stop the arm.</source>
         <translation>夹爪不应答。请检查手腕处的电缆和示教器“安装设置”选项卡中的夹爪设置。若问题仍存在，请重启机器人。</translation>
     </message>
     <message>
-        <source>The robot closed the connection to the gripper and may be restarting. Tiller reconnects automatically; the gripper keeps its grip.</source>
-        <translation>机器人结束了与夹爪的连接，可能正在重启。会自行恢复；夹爪继续夹持。</translation>
-    </message>
-    <message>
         <source>The gripper did not accept the command. Activate the gripper. If it is already active, check its settings on the Installation tab of the teach pendant.</source>
         <translation>夹爪没有接受命令。请激活它；若已激活，请在示教器的“安装设置”选项卡中检查其设置。</translation>
     </message>
@@ -10217,16 +10213,16 @@ Release the button to stop the arm.</source>
         <source>The gripper reports fault %1. Press “Activate”. If the fault returns, see the gripper manual.</source>
         <translation>夹爪报告故障 %1。请按“激活”；若再次出现，查看其手册。</translation>
     </message>
+    <message>
+        <source>The robot closed the connection to the gripper and may be restarting. Tiller reconnects automatically; the gripper continues to hold its object.</source>
+        <translation>机器人结束了与夹爪的连接，可能正在重启。会自行恢复；夹爪继续夹持。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RouteRunner</name>
     <message>
         <source>The route has no waypoints. Teach or select waypoints first.</source>
         <translation>路线中没有路点。请先示教或选择路点。</translation>
-    </message>
-    <message>
-        <source>The first waypoint of the route has no previous waypoint.</source>
-        <translation>路线的第一个路点没有上一个路点。</translation>
     </message>
     <message>
         <source>A waypoint of the route was deleted from the project. Select the waypoints of the route again.</source>
@@ -10239,6 +10235,10 @@ Release the button to stop the arm.</source>
     <message>
         <source>A loop requires at least two waypoints. Select more waypoints, or clear “Loop”.</source>
         <translation>循环至少需要两个路点。请选择更多路点，或关闭循环。</translation>
+    </message>
+    <message>
+        <source>There is no waypoint before the first waypoint of the route.</source>
+        <translation>路线的第一个路点没有上一个路点。</translation>
     </message>
 </context>
 <context>

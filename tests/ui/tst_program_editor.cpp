@@ -374,8 +374,9 @@ private Q_SLOTS:
             const QTreeWidgetItem& item = *rows.topLevelItem(row);
             results << item.text(0) + ": " + item.text(2);
         }
-        QCOMPARE(results, QStringList({"2: 1  MoveJ", "3: ⚠ 2  URScript (no step generates this statement)",
-                                       "4: 3  If", "5: 4  Wait"}));
+        QCOMPARE(results,
+                 QStringList({"2: 1  MoveJ", "3: ⚠ 2  URScript (no step corresponds to this statement)",
+                              "4: 3  If", "5: 4  Wait"}));
         // Enter selects the step of the row.
         rows.setCurrentItem(rows.topLevelItem(3));
         QTest::keyClick(&rows, Qt::Key_Return);
@@ -413,7 +414,7 @@ private Q_SLOTS:
         QTest::addColumn<QString>("cause");
         QTest::addColumn<QString>("action");
         QTest::newRow("open block") << "a.script" << QByteArray("def a():\n  while True:\n")
-                                    << "a.script: line 4: the block that begins in line 2 has no end"
+                                    << "a.script: line 4: the block that begins on line 2 has no end"
                                     << "repair the file";
         QTest::newRow("not a program") << "a.urp" << QByteArray("<Installation/>") << "a.urp: "
                                        << "Save the program on the pendant";

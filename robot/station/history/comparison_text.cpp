@@ -54,7 +54,7 @@ QString outcomeLine(const divergence::Outcome& outcome) {
             fields << QString::fromStdString(field);
         }
         return ComparisonText::tr(
-                   "%1: not compared because the recording has no %2; record all signals to MCAP")
+                   "%1: not compared because the recording has no %2; record all signals to an MCAP file")
             .arg(name, fields.join(QStringLiteral(", ")));
     }
     if (!outcome.greatest) {
@@ -163,7 +163,7 @@ QString comparisonError(const Error& error) {
         case ErrorCode::FieldUnknown:
             return ComparisonText::tr(
                 "This recording cannot be compared with a model: target or actual joint positions are "
-                "missing. Record all signals to MCAP.");
+                "missing. Record all signals to an MCAP file.");
         case ErrorCode::InvalidArgument:
             return ComparisonText::tr(
                 "This recording cannot be compared with a model: its sampling interval is too long. Record "

@@ -150,7 +150,8 @@ Result<void> RecordedStretch::readAll(
     }
     if ((*file)->rows() < rows.first + rows.count || (*file)->startUtcNs() != startUtcNs ||
         (*file)->columns().size() != columns) {
-        return Error{ErrorCode::FileNotReadable, path, QStringLiteral("another file has replaced it")};
+        return Error{ErrorCode::FileNotReadable, path,
+                     QStringLiteral("the file was replaced by another file")};
     }
     const qsizetype before = (*file)->problems().size();
     auto read = RecordedRows(**file, begin, wanted).readAll(rows, cancel, each);

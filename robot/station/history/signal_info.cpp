@@ -203,7 +203,7 @@ QString bitName(const FieldInfo& field, int bit) {
                                 SignalText::tr("Emergency stop"),
                                 SignalText::tr("Violation"),
                                 SignalText::tr("Fault"),
-                                SignalText::tr("Stopped by safety"),
+                                SignalText::tr("Stopped due to safety"),
                                 SignalText::tr("Enabling device")};
         return names.value(bit);
     }

@@ -61,9 +61,10 @@ Result<control::JogTarget> RetracePath::next() {
     }
     const double left = trail_.empty() ? 0 : apart(trail_.back(), now_);
     if (left < kThere) {
-        return Error{ErrorCode::Rejected,
-                     QCoreApplication::translate("RetracePath", "back: no recorded motion left to retrace"),
-                     {}};
+        return Error{
+            ErrorCode::Rejected,
+            QCoreApplication::translate("RetracePath", "There is no path to retrace. Jog the arm first."),
+            {}};
     }
     const double speed = speed_(now_, trail_.back());
     control::JogTarget target;

@@ -840,7 +840,7 @@ void RobotSession::reportUnmeasuredStop() {
         stop.reason = Reason::NotStopped;
         journal_.add(Severity::Error,
                      state.moving
-                         ? tr("Not stopped: the arm moves (%1). Press STOP again.").arg(cause)
+                         ? tr("Not stopped: the arm is still moving (%1). Press STOP again.").arg(cause)
                          : tr("Not stopped: a program is still running (%1). Press STOP again.").arg(cause));
     } else {
         journal_.add(Severity::Warning,

@@ -305,7 +305,7 @@ QString RobotiqLink::errorText(const Error& error) const {
         case ErrorCode::NotConnected:
             return tr(
                 "The robot closed the connection to the gripper and may be restarting. Tiller reconnects "
-                "automatically; the gripper keeps its grip.");
+                "automatically; the gripper continues to hold its object.");
         case ErrorCode::Rejected:
             return tr(
                 "The gripper did not accept the command. Activate the gripper. If it is already active, "

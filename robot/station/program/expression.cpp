@@ -77,14 +77,15 @@ Expression parseExpression(const QString& text) {
         const QRegularExpressionMatch match = token.match(text, at, QRegularExpression::NormalMatch,
                                                           QRegularExpression::AnchorAtOffsetMatchOption);
         if (!match.hasMatch() || match.capturedLength() == 0) {
-            return failed(ProgramText::tr("Unexpected character “%1”.").arg(text[at]));
+            return failed(ProgramText::tr("Unexpected character “%1”. Remove this character.").arg(text[at]));
         }
         at = match.capturedEnd();
         const QString word = match.captured(3);
         const QString sign = match.captured(5);
         if (!word.isEmpty()) {
             if (statementWords().contains(word)) {
-                return failed(ProgramText::tr("“%1” cannot be part of an expression.").arg(word));
+                return failed(
+                    ProgramText::tr("“%1” cannot be part of an expression. Remove this word.").arg(word));
             }
             const QString call = followsDot ? QString() : terminalCall(word);
             if (!call.isEmpty()) {
@@ -101,7 +102,7 @@ Expression parseExpression(const QString& text) {
             } else if (sign == QLatin1String(")") || sign == QLatin1String("]")) {
                 const QString wanted = sign == QLatin1String(")") ? QStringLiteral("(") : QStringLiteral("[");
                 if (!open.endsWith(wanted)) {
-                    return failed(ProgramText::tr("The brackets do not match."));
+                    return failed(ProgramText::tr("The brackets do not match. Add or remove a bracket."));
                 }
                 open.chop(1);
             }
@@ -110,7 +111,7 @@ Expression parseExpression(const QString& text) {
         followsDot = sign == QLatin1String(".");
     }
     if (!open.isEmpty()) {
-        return failed(ProgramText::tr("The brackets do not match."));
+        return failed(ProgramText::tr("The brackets do not match. Add or remove a bracket."));
     }
     result.script = result.script.trimmed();
     return result;

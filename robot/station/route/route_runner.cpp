@@ -159,7 +159,7 @@ QString RouteRunner::obstacle(Way way) const {
     }
     const std::optional<int> first = firstPlace(way);
     if (!first) {
-        return tr("The first waypoint of the route has no previous waypoint.");
+        return tr("There is no waypoint before the first waypoint of the route.");
     }
     if (way == Way::Through && route_.isLoop() && route_.size() == 1 && rowOf(0) >= 0 &&
         document_.waypoints().at(rowOf(0)).actions.empty()) {

@@ -235,7 +235,7 @@ QString unmeasuredText(control::UnmeasuredStop::Reason reason) {
     using Reason = control::UnmeasuredStop::Reason;
     switch (reason) {
         case Reason::OtherProgram:
-            return TextsText::tr("not measured: another program moves the arm");
+            return TextsText::tr("not measured: another program is moving the arm");
         case Reason::NotStopped:
             return TextsText::tr("the robot did not receive the stop");
         case Reason::DataGap:

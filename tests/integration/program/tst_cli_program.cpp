@@ -109,7 +109,8 @@ private Q_SLOTS:
         QVERIFY(last["stops"]["powerLoss"]["reason"].toString().contains("DO 2"));
         QVERIFY(result["points"].toArray().size() > 5);
         const Answer text = run({"run", path(), "--simulate", "--program", "short", "--recoverability"});
-        QVERIFY2(text.out.startsWith("simulated: 3 of 3 steps"), qPrintable(text.out));
+        QVERIFY2(text.out.startsWith("simulated: the program can continue after a stop in 3 of 3 steps"),
+                 qPrintable(text.out));
     }
 
     void findingsGiveAFailureExitCode() {
@@ -285,9 +286,10 @@ private Q_SLOTS:
         QTest::newRow("existing name")
             << "short.script" << QByteArray("sleep(1)\n") << "already has a program 'short'";
         QTest::newRow("damaged script") << "a.script" << QByteArray("def a():\n  while True:\n")
-                                        << "a.script: line 4: the block that begins in line 2";
+                                        << "a.script: line 4: the block that begins on line 2";
         QTest::newRow("damaged program") << "a.urp" << QByteArray("<URProgram") << "a.urp: ";
-        QTest::newRow("empty program") << "b.urpx" << QByteArray("{}") << "b.urpx: it contains no URScript";
+        QTest::newRow("empty program")
+            << "b.urpx" << QByteArray("{}") << "b.urpx: the program contains no URScript";
     }
     void failedImportLeavesTheProjectUnchanged() {
         QFETCH(QString, file);

@@ -179,9 +179,12 @@ QString StepWriter::Private::fieldError(const StepField& checked) const {
     const QJsonValue given = fieldValue(*place.step, checked);
     const QString text = given.toString();
     if (given.isUndefined() || given.isNull() || (given.isString() && text.isEmpty())) {
-        return checked.optional ? QString() : ProgramText::tr("“%1” is not set.").arg(checked.label);
+        return checked.optional
+                   ? QString()
+                   : ProgramText::tr("“%1” is not set. Select or enter a value.").arg(checked.label);
     }
-    const QString wrong = ProgramText::tr("“%1” has an invalid value.").arg(checked.label);
+    const QString wrong =
+        ProgramText::tr("“%1” has an invalid value. Enter a different value.").arg(checked.label);
     switch (checked.type) {
         case FieldType::Number:
         case FieldType::Whole: {
@@ -290,7 +293,8 @@ void StepWriter::Private::checkPosition() {
                    "Steps in “Watch in parallel” cannot move the arm. Move this step out of the section."));
     }
     if (!kind.isSection && !place.step->steps.empty()) {
-        report({}, ProgramText::tr("“%1” cannot contain steps.").arg(kind.name()));
+        report({}, ProgramText::tr("“%1” cannot contain steps. Move its steps to another section.")
+                       .arg(kind.name()));
     }
 }
 
@@ -690,7 +694,7 @@ QString StepWriter::programFunction(const QUuid& id) {
     const project::Program* called = project().programs.find(id);
     const QString key = id.toString();
     if (d_.calls.contains(key)) {
-        error("program", ProgramText::tr("A program cannot call itself."));
+        error("program", ProgramText::tr("A program cannot call itself. Select a different program."));
         return {};
     }
     if (d_.calls.size() > kMaxCallDepth) {

@@ -78,7 +78,7 @@ std::optional<ProgramStep> messageStep(const ScriptCall& call, QString& reason) 
     const auto text = plainString(values->front());
     const auto warning = flagAt(2), error = flagAt(3), waits = flagAt(4);
     if (!values->at(1).isEmpty() && !kTitles.contains(values->at(1))) {
-        reason = ProgramText::tr("the Message step has no title");
+        reason = ProgramText::tr("a Message step cannot have this title");
         return std::nullopt;
     }
     if (!text || !warning || !error || !waits || (*warning && *error)) {
@@ -112,7 +112,7 @@ std::optional<ProgramStep> payloadStepFor(const ScriptCall& call, project::Paylo
     if (!mass || !centre || *mass < 0 || *mass > project::kHeaviestPayload ||
         std::any_of(centre->begin(), centre->end(),
                     [](double value) { return std::abs(value) > project::kFarthestPayload; })) {
-        reason = ProgramText::tr("the payload is not given by numbers");
+        reason = ProgramText::tr("the payload is not given as numbers in the permitted range");
         return std::nullopt;
     }
     const Eigen::Vector3d point((*centre)[0], (*centre)[1], (*centre)[2]);

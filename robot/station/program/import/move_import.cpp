@@ -209,7 +209,7 @@ std::optional<ProgramStep> MoveImport::moveStep(const ScriptCall& call, const QS
     }
     const auto found = targetOf(values->front(), joint);
     if (!found) {
-        reason = ProgramText::tr("its target cannot be a waypoint or a pose of a step");
+        reason = ProgramText::tr("the target cannot be stored as a waypoint or as the pose of a step");
         return std::nullopt;
     }
     ProgramStep step = makeStep(joint     ? "moveJ"

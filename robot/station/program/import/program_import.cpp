@@ -143,9 +143,9 @@ Result<ImportedProgram> importProgram(const project::Project& project, const Imp
     static const QRegularExpression control(QStringLiteral("^\\s*\\$ 0 \"External Control\"$"),
                                             QRegularExpression::MultilineOption);
     if (script.contains(control)) {
-        return importError(
-            source.file, ProgramText::tr("the External Control node runs a script of another computer, which "
-                                         "cannot be imported. Remove this node from the program."));
+        return importError(source.file,
+                           ProgramText::tr("the External Control node runs a script from another computer, "
+                                           "which cannot be imported. Remove this node from the program."));
     }
     Result<ImportedProgram> imported =
         importStatements(project, name, withoutReservedNames(script).split(QLatin1Char('\n')), read->marks);

@@ -83,7 +83,7 @@ private:
     /// Reads up to the end of the block; `branch_` is then the line that ended it.
     End readBlock(std::vector<ScriptStatement>& into, int depth) {
         if (depth > kMaxBlockDepth) {
-            fail(ProgramText::tr("the blocks are nested too deep"));
+            fail(ProgramText::tr("the blocks are nested too deeply"));
         }
         while (error_.isEmpty()) {
             if (mark_ < marks_.size() && marks_[mark_].line <= line_) {
@@ -116,7 +116,7 @@ private:
                                          line_, mark.text);
         if (isFolder || mark.kind == NodeMark::Kind::DisabledBegin) {
             if (readBlock(read.body, depth + 1) != End::Mark) {
-                fail(ProgramText::tr("a block continues beyond its node"));
+                fail(ProgramText::tr("a block extends beyond its node"));
             }
         }
         read.last = line_ - 1;
@@ -160,7 +160,7 @@ private:
         if (words.opening == words.closing) {
             static const QRegularExpression part(QStringLiteral("^(else|elif|end)\\b"));
             if (part.match(code).hasMatch()) {
-                fail(ProgramText::tr("several statements share a line"));
+                fail(ProgramText::tr("the line contains several statements"));
             }
             ScriptStatement simple = statement(Kind::Simple, first, code);
             simple.last = line_ - 1;
@@ -169,7 +169,7 @@ private:
         }
         const auto match = header.match(code);
         if (words.opening != 1 || words.closing != 0 || !match.hasMatch()) {
-            fail(ProgramText::tr("several statements share a line"));
+            fail(ProgramText::tr("the line contains several statements"));
             return std::nullopt;
         }
         const QString word = match.captured(1);
@@ -186,7 +186,7 @@ private:
                 block.code = code;
             }
             if (readBlock(block.body, depth + 1) != End::End) {
-                fail(ProgramText::tr("the block that begins in line %1 has no end").arg(first + 1));
+                fail(ProgramText::tr("the block that begins on line %1 has no end").arg(first + 1));
             }
             node_ = node;
             nodeName_ = nodeName;
@@ -208,7 +208,7 @@ private:
             }
             const bool wasElse = block.branches.size() > 1 && block.branches.back().condition.isEmpty();
             if (end != End::Else || wasElse) {
-                fail(ProgramText::tr("the block that begins in line %1 has no end").arg(block.first + 1));
+                fail(ProgramText::tr("the block that begins on line %1 has no end").arg(block.first + 1));
                 return;
             }
             const bool isElse = branch_.startsWith(QLatin1String("else"));

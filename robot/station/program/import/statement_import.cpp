@@ -29,7 +29,7 @@ using Row = ImportRow;
 constexpr int kMaxPasses = 50;
 
 QString noStep() {
-    return ProgramText::tr("no step generates this statement");
+    return ProgramText::tr("no step corresponds to this statement");
 }
 
 QString poseText(const Pose& pose) {
@@ -226,8 +226,8 @@ private:
             QStringLiteral("(read|write)_output_integer_register\\(\\s*(46|47)\\b"));
         if (!lines_.filter(used).isEmpty()) {
             out_.notes << ProgramText::tr(
-                "The program uses output integer register 46 or 47, in which Tiller "
-                "writes the number of the running step.");
+                "The program uses output integer register 46 or 47, to which Tiller writes the number of the "
+                "running step. Use different registers.");
         }
         if (const auto* tool = before_.tooling.tools.find(before_.tooling.activeTool)) {
             out_.notes << ProgramText::tr("In this project, programs begin with the TCP of the tool '%1'.")
@@ -279,7 +279,7 @@ private:
         const auto report = [&](const ScriptStatement& inner, bool) {
             if (inner.kind == Kind::Disabled || inner.kind == Kind::Omitted) {
                 addRow(inner, Row::Result::Omitted,
-                       ProgramText::tr("a disabled node in a part that is text"));
+                       ProgramText::tr("a disabled node in a section that is imported as URScript text"));
             }
         };
         forEachStatement(statement.body, false, report);
@@ -373,7 +373,7 @@ private:
     bool addConverted(std::vector<ProgramStep>& steps, const ScriptStatement& statement) {
         reason_ = noStep();
         if (depth_ >= project::kMaxProgramDepth / 2 && statement.kind != Kind::Simple) {
-            reason_ = ProgramText::tr("it is nested too deep");
+            reason_ = ProgramText::tr("it is nested too deeply");
             return false;
         }
         switch (statement.kind) {
@@ -429,7 +429,7 @@ private:
                 return branch.condition.isEmpty() || isExpression(withoutBrackets(branch.condition));
             });
         if (!allConditions) {
-            reason_ = ProgramText::tr("its condition cannot be a condition of a step");
+            reason_ = ProgramText::tr("the condition cannot be used in a step");
             return false;
         }
         addBranches(steps, statement, statement, true);
@@ -471,7 +471,7 @@ private:
         const QString condition = withoutBrackets(statement.code);
         const bool isEndless = flagLiteral(condition) == true;
         if (!isEndless && !isExpression(condition)) {
-            reason_ = ProgramText::tr("its condition cannot be a condition of a step");
+            reason_ = ProgramText::tr("the condition cannot be used in a step");
             return false;
         }
         ProgramStep step =
@@ -580,7 +580,8 @@ private:
         const auto match = def.match(statement.code);
         if (!match.hasMatch() || keptFunctions_.contains(match.captured(1)) ||
             hasWord(statement.body, QStringLiteral("return"))) {
-            reason_ = ProgramText::tr("functions with parameters or results, and threads, have no step");
+            reason_ = ProgramText::tr(
+                "no step corresponds to a thread, or to a function with parameters or a result");
             return false;
         }
         const QString name = match.captured(1);
@@ -663,7 +664,7 @@ private:
         const auto call = parseCall(value);
         const QString type = outline_.types().value(name);
         if (type.isEmpty()) {
-            reason_ = ProgramText::tr("the type or the scope of the variable is not certain");
+            reason_ = ProgramText::tr("the type or the scope of the variable cannot be determined");
             return std::nullopt;
         }
         if (const auto match = call ? request.match(call->function) : QRegularExpressionMatch();

@@ -128,7 +128,7 @@ private:
     QString text(const QString& place, const QJsonValue& value) {
         if (!value.isString() || value.toString().isEmpty()) {
             report(place, value.isUndefined() ? QStringLiteral("is missing")
-                                              : QStringLiteral("must be a non-empty text"));
+                                              : QStringLiteral("must be a non-empty string"));
         }
         return value.toString();
     }
@@ -184,7 +184,7 @@ private:
         range.minimum = numberOr(fieldOf(place, "min"), object.value("min"), range.minimum, 0, kMaxTime);
         range.maximum = numberOr(fieldOf(place, "max"), object.value("max"), range.maximum, 0, kMaxTime);
         if (range.minimum > range.maximum) {
-            report(place, QStringLiteral("min must not be larger than max"));
+            report(place, QStringLiteral("\"min\" must not be larger than \"max\""));
         }
         return range;
     }
@@ -261,10 +261,10 @@ private:
         }
         const int version = whole(QStringLiteral("version"), root.value("version"), 1, kMaxRuns);
         if (version > kTestFileVersion) {
-            report(QStringLiteral("version"),
-                   QStringLiteral("is %1; this Tiller reads up to %2. Install a newer Tiller")
-                       .arg(version)
-                       .arg(kTestFileVersion));
+            report(QStringLiteral("version"), QStringLiteral("is %1; this version of Tiller reads versions "
+                                                             "up to %2. Install a newer version of Tiller")
+                                                  .arg(version)
+                                                  .arg(kTestFileVersion));
             return;
         }
         checkKeys({}, root, {"format", "version", "project", "program", "tests", "note"});
@@ -320,7 +320,7 @@ private:
             const QJsonValue answer = options.answers.at(i);
             if (!answer.isBool() && !answer.isDouble() && !answer.isString()) {
                 report(itemOf(fieldOf(place, "answers"), i),
-                       QStringLiteral("must be true, false, a number or a text"));
+                       QStringLiteral("must be true, false, a number or a string"));
             }
         }
         readEvents(place, "inputs", object, test, &TestFileReader::input);
@@ -336,7 +336,7 @@ private:
         const QJsonObject start = object(place, value);
         checkKeys(place, start, {"waypoint", "joints"});
         if (start.contains("waypoint") == start.contains("joints")) {
-            report(place, QStringLiteral("must have either a waypoint or joints"));
+            report(place, QStringLiteral("must have either \"waypoint\" or \"joints\""));
         } else if (start.contains("joints")) {
             constexpr double kMaxAngle = 4 * std::numbers::pi;  // larger values are probably in degrees
             const auto q = numbers<kJointCount>(fieldOf(place, "joints"), start.value("joints"), kMaxAngle);
@@ -366,13 +366,13 @@ private:
             event.time = numberOr(fieldOf(place, "at"), item.value("at"), 0, 0, kMaxTime);
             for (const char* key : {"run", "after"}) {
                 if (item.contains(QLatin1String(key))) {
-                    report(fieldOf(place, QLatin1String(key)), QStringLiteral("requires the field step"));
+                    report(fieldOf(place, QLatin1String(key)), QStringLiteral("requires the field \"step\""));
                 }
             }
             return;
         }
         if (item.contains("at")) {
-            report(fieldOf(place, "at"), QStringLiteral("cannot be combined with step; use after"));
+            report(fieldOf(place, "at"), QStringLiteral("cannot be combined with \"step\"; use \"after\""));
         }
         event.step = step(fieldOf(place, "step"), item.value("step"));
         event.run = item.contains("run") ? whole(fieldOf(place, "run"), item.value("run"), 1, kMaxRuns) : 1;
@@ -387,7 +387,7 @@ private:
             const auto force = numbers<3>(fieldOf(place, "hand"), item.value("hand"), kMaxForce);
             event.force = {force[0], force[1], force[2]};
             if (item.contains("input")) {
-                report(place, QStringLiteral("must have either an input or hand"));
+                report(place, QStringLiteral("must have either \"input\" or \"hand\""));
             }
             return event;
         }
@@ -452,7 +452,8 @@ private:
         if (expect.contains("step")) {
             expected.endStep = step(at("step"), expect.value("step"));
             if (expected.end == Preview::End::Completed) {
-                report(at("step"), QStringLiteral("requires \"end\" to be failed, stopped or running"));
+                report(at("step"),
+                       QStringLiteral("requires \"end\" to be \"failed\", \"stopped\" or \"running\""));
             }
         }
         if (expect.contains("collisions")) {
@@ -524,7 +525,7 @@ private:
 
     ExpectedRange limitedRange(const QString& place, const QJsonObject& item) {
         if (!hasRange(item)) {
-            report(place, QStringLiteral("must have min, max or both"));
+            report(place, QStringLiteral("must have \"min\", \"max\" or both"));
         }
         return range(place, item);
     }
@@ -537,7 +538,7 @@ private:
         pose.rotation =
             numberOr(fieldOf(place, "rotation"), item.value("rotation"), pose.rotation, 0, std::numbers::pi);
         if (item.contains("waypoint") == item.contains("pose")) {
-            report(place, QStringLiteral("must have either a waypoint or a pose"));
+            report(place, QStringLiteral("must have either \"waypoint\" or \"pose\""));
         } else if (item.contains("pose")) {
             pose.pose = Pose::fromArray(numbers<6>(fieldOf(place, "pose"), item.value("pose"), kMaxLength));
         } else if (const project::Waypoint* point =
@@ -592,7 +593,7 @@ private:
                                 });
             if (!variable.value.isDouble() && !variable.value.isBool() && !variable.value.isString() &&
                 !isList) {
-                report(at, QStringLiteral("must be a number, true, false, a text or a list of these"));
+                report(at, QStringLiteral("must be a number, true, false, a string or a list of these"));
             }
             test.options.variables.push_back(variable.name.toStdString());
             test.expected.variables.push_back(std::move(variable));

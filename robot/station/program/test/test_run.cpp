@@ -186,14 +186,14 @@ private:
         QStringList unused;
         for (const std::size_t index : preview_.unusedEvents) {
             const PreviewEvent& event = test_.options.events[index];
-            unused.append(event.step > 0 ? QStringLiteral("%1 did not take place: %2")
-                                               .arg(test_.eventPlaces[index], notBegun(event))
-                                         : QStringLiteral("%1 did not take place: the run ended first")
-                                               .arg(test_.eventPlaces[index]));
+            unused.append(
+                event.step > 0
+                    ? QStringLiteral("%1 did not occur: %2").arg(test_.eventPlaces[index], notBegun(event))
+                    : QStringLiteral("%1 did not occur: the run ended first").arg(test_.eventPlaces[index]));
         }
         const std::size_t count = test_.options.events.size();
-        add(QStringLiteral("inputs and faults"), QStringLiteral("all %1 take place").arg(count),
-            unused.isEmpty() ? QStringLiteral("all %1 took place").arg(count)
+        add(QStringLiteral("inputs and faults"), QStringLiteral("all %1 occur").arg(count),
+            unused.isEmpty() ? QStringLiteral("all %1 occurred").arg(count)
                              : unused.join(QStringLiteral("; ")),
             unused.isEmpty());
     }
@@ -211,7 +211,7 @@ private:
         }
         QString measured = QStringLiteral("%1 questions").arg(preview_.questions);
         for (const int answer : preview_.unfitAnswers) {
-            measured += QStringLiteral("; answers[%1] has a different type than the question").arg(answer);
+            measured += QStringLiteral("; answers[%1] has a different type from the question").arg(answer);
         }
         add(QStringLiteral("answers"), QStringLiteral("%1 questions").arg(given), measured,
             preview_.questions == given && preview_.unfitAnswers.empty());
@@ -263,7 +263,7 @@ private:
         }
         const QString name = QStringLiteral("cycle time of ") + stepText(cycle.step);
         if (count == 0) {
-            add(name, rangeText(cycle.time), QStringLiteral("the step did not begin twice"), false);
+            add(name, rangeText(cycle.time), QStringLiteral("the step began fewer than two times"), false);
             return;
         }
         add(name, rangeText(cycle.time),

@@ -271,7 +271,7 @@ private Q_SLOTS:
         QVERIFY(bench.state().moving);
         const QString all = messages.join('\n');
         QVERIFY2(!all.contains("Stopped: "), qPrintable(all));
-        QVERIFY2(all.contains("the arm moves"), qPrintable(all));
+        QVERIFY2(all.contains("the arm is still moving"), qPrintable(all));
         QCOMPARE(bench.state().unmeasuredStop.reason, control::UnmeasuredStop::Reason::NotStopped);
     }
 

@@ -370,7 +370,7 @@ private Q_SLOTS:
         QCOMPARE(program.rows[1].name, "force_mode_set_damping(0.1)");
         QCOMPARE(program.rows[2].line, 4);
         QCOMPARE(resultText(program.rows[0]), "MoveJ");
-        QCOMPARE(resultText(program.rows[1]), "URScript (no step generates this statement)");
+        QCOMPARE(resultText(program.rows[1]), "URScript (no step corresponds to this statement)");
         QCOMPARE(program.waypoints, 1);
         QCOMPARE(program.project.waypoints.at(0).name, "sample 1");
         QCOMPARE(program.project.waypoints.at(0).group, "sample");

@@ -164,7 +164,7 @@ private Q_SLOTS:
             "the project has no program \"x\"; it has: cell, endless");
         row("limit", R"({"name": "a", "timeLimit": -1})", "tests[0].timeLimit: must be a number from 0.001");
         row("start", R"({"name": "a", "start": {}})",
-            "tests[0].start: must have either a waypoint or joints");
+            "tests[0].start: must have either \"waypoint\" or \"joints\"");
         row("degrees", R"({"name": "a", "start": {"joints": [0, -90, 0, 0, 0, 0]}})",
             "tests[0].start.joints[1]: must be");
         row("waypoint", R"({"name": "a", "start": {"waypoint": "x"}})",
@@ -176,22 +176,23 @@ private Q_SLOTS:
         row("analog", R"({"name": "a", "inputs": [{"input": "AI0", "value": true}]})",
             "inputs[0].value: must be a number");
         row("both times", R"({"name": "a", "inputs": [{"input": "DI2", "value": true, "at": 1, "step": 2}]})",
-            "inputs[0].at: cannot be combined with step; use after");
+            "inputs[0].at: cannot be combined with \"step\"; use \"after\"");
         row("after", R"({"name": "a", "inputs": [{"input": "DI2", "value": true, "after": 1}]})",
-            "inputs[0].after: requires the field step");
+            "inputs[0].after: requires the field \"step\"");
         row("step", R"({"name": "a", "faults": [{"fault": "linkLoss", "step": 14}]})",
             "faults[0].step: must be a step of the program: a number from 1 to 13, or an id");
         row("fault", R"({"name": "a", "faults": [{"fault": "fire"}]})",
             "faults[0].fault: must be one of protectiveStop,");
         row("list", R"({"name": "a", "inputs": {}})", "tests[0].inputs: must be a list");
         row("answer", R"({"name": "a", "answers": [null]})",
-            "answers[0]: must be true, false, a number or a text");
+            "answers[0]: must be true, false, a number or a string");
         row("end", R"({"name": "a", "expect": {"end": "done"}})",
             "expect.end: must be one of completed, failed");
         row("end step", R"({"name": "a", "expect": {"step": 2}})", "expect.step: requires \"end\"");
-        row("range", R"({"name": "a", "expect": {"duration": {}}})", "duration: must have min, max or both");
+        row("range", R"({"name": "a", "expect": {"duration": {}}})",
+            "duration: must have \"min\", \"max\" or both");
         row("order", R"({"name": "a", "expect": {"duration": {"min": 2, "max": 1}}})",
-            "min must not be larger than max");
+            "\"min\" must not be larger than \"max\"");
         row("cycle", R"({"name": "a", "expect": {"cycleTime": {"min": 2}}})", "cycleTime.step: is missing");
         row("pose", R"({"name": "a", "expect": {"pose": {"pose": [1, 2]}}})",
             "pose.pose: must be a list of 6 numbers");
@@ -221,7 +222,7 @@ private Q_SLOTS:
         QTest::newRow("project") << QByteArray(R"({"format": "tiller-project"})")
                                  << "format: must be \"tiller-test\"";
         QTest::newRow("newer") << QByteArray(R"({"format": "tiller-test", "version": 2})")
-                               << "version: is 2; this Tiller reads up to 1";
+                               << "version: is 2; this version of Tiller reads versions up to 1";
         QTest::newRow("no tests")
             << QByteArray(R"({"format": "tiller-test", "version": 1, "project": "cell.tiller"})")
             << "tests: must be a list of at least one test";
@@ -293,7 +294,7 @@ private Q_SLOTS:
         row("duration", R"({"duration": {"max": 1}})", " s");
         row("cycle time", R"({"cycleTime": {"step": 5, "max": 0.1}})", " in 2 cycles");
         row("cycle time of step 1", R"({"cycleTime": {"step": 1, "max": 100}})",
-            "the step did not begin twice");
+            "the step began fewer than two times");
         row("outputs", R"({"outputs": [{"output": "DO2", "value": true}]})", "DO2 on at ");
         row("output at the end", R"({"finalOutputs": {"DO3": false}})", "DO3 on");
         row("variable parts", R"({"variables": {"parts": 4}})", "3");
@@ -391,9 +392,9 @@ private Q_SLOTS:
         test["expect"] = QJsonObject();
         const TestOutcome outcome = run(test);
         QVERIFY2(!outcome.passed(), describe(outcome));
-        QVERIFY2(verdictOf(outcome, "inputs and faults")
-                     ->measured.contains("inputs[1] did not take place: step 9"),
-                 describe(outcome));
+        QVERIFY2(
+            verdictOf(outcome, "inputs and faults")->measured.contains("inputs[1] did not occur: step 9"),
+            describe(outcome));
     }
 
     void answersMustFitTheQuestions() {
