@@ -33,7 +33,7 @@ bool isInterrupted() {
 void refuseInCallback() {
     if (isInCallback()) {
         raise({ErrorCode::InvalidArgument, QStringLiteral("wait in a callback of packet_loop()"),
-               QStringLiteral("the loop would wait for itself: return from the callback first")});
+               QStringLiteral("the call would never return: return from the callback first")});
     }
 }
 

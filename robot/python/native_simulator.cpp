@@ -41,7 +41,7 @@ public:
     }
     virtual_time::LockStep& bench() {
         if (!bench_) {
-            raise({ErrorCode::InvalidArgument, QStringLiteral("step the time of a simulator"),
+            raise({ErrorCode::InvalidArgument, QStringLiteral("advance the time of a simulator"),
                    QStringLiteral("the simulator runs in real time; use Simulator(virtual=True)")});
         }
         return *bench_;

@@ -38,8 +38,8 @@ def _each(check: Callable[[Any], bool]) -> Callable[[Any], bool]:
 
 _KINDS: dict[str, tuple[str, Callable[[Any], bool]]] = {
     "float": ("a number", _is_number), "int": ("a whole number", _is_whole), "bool": ("True or False", _is_truth),
-    "str": ("a text", _is_text), "Sequence[int]": ("whole numbers", _each(_is_whole)),
-    "Sequence[str]": ("texts", _each(_is_text))}
+    "str": ("a string", _is_text), "Sequence[int]": ("whole numbers", _each(_is_whole)),
+    "Sequence[str]": ("strings", _each(_is_text))}
 
 
 def _explained(function: Callable[..., Any], args: tuple[Any, ...], options: dict[str, Any]) -> str:

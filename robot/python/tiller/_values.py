@@ -26,7 +26,7 @@ def floats(values: Floats, name: str, count: int = 6) -> list[float]:
     except (TypeError, ValueError):
         raise InvalidArgument(name, "the values are not numbers") from None
     if array.shape != (count,):
-        raise InvalidArgument(name, f"{count} numbers are needed, not {array.size}")
+        raise InvalidArgument(name, f"{count} numbers are required, not {array.size}")
     if not np.isfinite(array).all():
         raise InvalidArgument(name, "contains NaN, possibly from a sample without data")
     return [float(value) for value in array]

@@ -75,12 +75,12 @@ class Tool(_Part):
         self._native.set_external_wrench(floats(wrench, "wrench"))
 
     def set_watchdog(self, min_frequency: float, timeout: float | None = TIMEOUT) -> None:
-        """The robot ends the program if kick_watchdog() is called less often than this frequency [Hz]."""
+        """Makes the robot end the program if kick_watchdog() is called less often than this frequency [Hz]."""
         with self._waiting():
             self._native.set_watchdog(min_frequency, timeout)
 
     def kick_watchdog(self) -> None:
-        """See set_watchdog(). Does not wait."""
+        """Resets the watchdog set by set_watchdog(). Does not wait."""
         self._native.kick_watchdog()
 
     def trigger_protective_stop(self, timeout: float | None = TIMEOUT) -> None:
@@ -119,7 +119,7 @@ class Queries(_Part):
 
     def is_within_safety_limits(self, target: Floats, timeout: float | None = TIMEOUT) -> bool:
         """True if a pose of the TCP in the base frame [m, rad], or Joints [rad], is within the safety limits. A plain
-        sequence is a pose."""
+        sequence is interpreted as a pose."""
         with self._waiting():
             if isinstance(target, Joints):
                 return self._native.joints_are_within_safety_limits(joint_positions(target, "target"), timeout)
@@ -191,8 +191,8 @@ class Queries(_Part):
 
 @checked
 class Pulses(_Part):
-    """Digital outputs that are switched for a time measured by the robot: they are switched back even if this process
-    ends. Outputs: 0-7 standard, 8-15 configurable, 16-17 tool; bit 0 of a mask is output 0."""
+    """Digital outputs that are switched for a limited time. The robot measures the time, and switches the outputs back
+    even if this process ends. Outputs: 0-7 standard, 8-15 configurable, 16-17 tool; bit 0 of a mask is output 0."""
 
     def begin(self, mask: int, values: int, duration: float, *, held: bool = True,
               timeout: float | None = TIMEOUT) -> None:

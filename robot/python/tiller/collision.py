@@ -88,7 +88,7 @@ def _contact(parts: tuple[int, int | None, str | None, float, list[float], float
 
 @checked
 class CollisionCheck:
-    """Distances of an arm from itself and its surroundings.
+    """Checks the distances of an arm from itself and its surroundings.
 
     model: e.g. "UR5e". boxes, planes: the surroundings, in the base frame. tcp: the TCP as a pose in the flange frame [m,
     rad]. tool_radius: radius of a cylinder from the flange to the TCP [m]; 0: no tool. safety_distance: kept by along(),

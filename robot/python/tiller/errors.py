@@ -66,7 +66,7 @@ class Cancelled(Error):
 
 
 class LinkLost(Error, ConnectionError):
-    """No more data on a working connection."""
+    """No more data arrive on an established connection."""
 
     code = "LinkLost"
 

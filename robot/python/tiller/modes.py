@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Modes and causes. Every member is equal to its name as a text: `sample.robot_mode == "RUNNING"`."""
+"""Modes and causes. Every member is equal to its name as a string: `sample.robot_mode == "RUNNING"`."""
 from __future__ import annotations
 
 import enum
@@ -7,7 +7,7 @@ from typing import Any
 
 
 class Name(str, enum.Enum):
-    """A name that compares and prints like its text."""
+    """A name that compares and prints like a string."""
 
     def __str__(self) -> str:
         return str(self.value)

@@ -183,7 +183,7 @@ class Stream:
         """Stops the arm and waits for standstill; returns immediately if another motion has replaced the stream.
 
         Raises Timeout if the arm still moves after 5 s, NotInControl if control was lost and standstill is not
-        confirmed: the robot then decelerates by itself.
+        confirmed: the robot then decelerates automatically.
         """
         _at_standstill(self._native, self._waiting)
 
@@ -354,7 +354,7 @@ class PathMove:
         if pose is None:
             pose = isinstance(values, Pose) or (self.kind != "j" and not isinstance(values, Joints))
         if not isinstance(pose, bool):
-            raise InvalidArgument("pose", "True, False or None")
+            raise InvalidArgument("pose", "must be True, False or None")
         return pose, pose_numbers(values, name) if pose else joint_positions(values, name)
 
     def row(self) -> _native.PathRow:

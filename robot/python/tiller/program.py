@@ -24,7 +24,7 @@ Input = tuple[float, int, bool]
 
 @dataclass(frozen=True)
 class Step:
-    """A step of a program, as it was when it was read."""
+    """A step of a program. Later changes of the program do not change this object."""
 
     id: str  #: unique and constant
     number: int  #: position in the program, counted from 1; changes when steps are added or removed
@@ -127,7 +127,7 @@ class Recovery:
     operator_stop: str  #: mark for a stop by an operator
     link_loss: str  #: mark for a lost connection
     power_loss: str  #: mark for a loss of power
-    reasons: tuple[str, ...]  #: reasons for the marks, in the order of the stops; empty texts for "continue"
+    reasons: tuple[str, ...]  #: reasons for the marks, in the order of the stops; empty strings for "continue"
 
 
 @checked
@@ -367,13 +367,13 @@ class Program:
         First simulates up to ten minutes of the program from the current position of the arm. from_step: first step, at
         the top level; the arm must be where the program would be. breakpoints: steps before which the program pauses.
         timeout: for the data of the robot [s].
-        Raises InvalidArgument with the reasons if the program cannot run, the model or the TCP of the robot is another
-        one, or the simulation ends in a collision, a protective stop or a script error; NotInControl.
+        Raises InvalidArgument with the reasons if the program cannot run, the robot has a different model or TCP, or
+        the simulation ends in a collision, a protective stop or a script error; NotInControl.
         """
         return self._started(robot, from_step, breakpoints, timeout)
 
     def run(self, robot: Robot, timeout: float | None = None, *, from_step: Step | None = None) -> None:
-        """Runs the program and waits for its end; see start(). timeout: of the run [s]; the program is stopped then.
+        """Runs the program and waits for its end; see start(). timeout: time limit [s]; then the program is stopped.
 
         Also raises the errors of ProgramRun.wait(). On Ctrl+C the arm stops.
         """
@@ -398,7 +398,7 @@ class Program:
 
 
 def _json(fields: Mapping[str, Any]) -> str:
-    """Fields for the C++ library. numpy numbers are numbers."""
+    """Converts fields for the C++ library, including numpy numbers."""
     return json.dumps(fields, default=lambda value: value.item() if hasattr(value, "item") else str(value))
 
 

@@ -48,7 +48,7 @@ class Sample:
     def __getitem__(self, field: str) -> Any:
         place = self._layout.get(field)
         if place is None:
-            raise KeyError(f"{field} is not received: name it in Robot(..., fields=[...])")
+            raise KeyError(f"{field} is not received: add the field to Robot(..., fields=[...])")
         first, count = place
         if count == 1:
             return float(self.values[first])
@@ -260,8 +260,8 @@ class Condition:
         return met
 
     def wait(self, timeout: float | None = None) -> Sample:
-        """Waits, timeout [s]; None: no limit. Raises Timeout, also if no packet arrives for 2.5 s; NotConnected; errors
-        of the condition."""
+        """Waits until the condition is met, timeout [s]; None: no limit. Raises Timeout, also if no packet arrives for
+        2.5 s; NotConnected; errors of the condition."""
         end = float("inf") if timeout is None else time.monotonic() + timeout
         while True:
             left = end - time.monotonic()
@@ -327,9 +327,9 @@ def read_recording(path: str | os.PathLike[str], *, time_column: str | None = No
     The keyword arguments describe a CSV or HDF5 table that another program wrote. With any of them, and for HDF5
     tables without `timestamp`, the column `seconds` is the time since the first row [s]. Without any of them, a CSV
     file is read by pandas.read_csv(), which does not look for the time. Arguments:
-    time_column      name of the time column; "none": the table has no time
+    time_column      name of the time column; "none": the table has no time column
     time_unit        unit of this column: "s", "ms", "us" or "ns"
-    table_rate       rows per second of a table without time [Hz]
+    table_rate       rows per second of a table without a time column [Hz]
     table_separator  comma, ";", "|", tab, or a space for any number of blanks
     table_decimal    decimal sign: "." or ","
     no_header        the first row is data; columns are named "column 1", "column 2", ...

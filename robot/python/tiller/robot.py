@@ -185,10 +185,9 @@ class Robot:
 
     Data are received immediately; take_control() takes control. A refused connection is not retried.
     address: of the controller. fields: RTDE outputs to receive, also in the packets of packet_loop(); None: a default
-    selection. frequency: packets per second
-    [Hz]; 0: maximum of the controller. speed_cap: maximum speed of TCP and elbow for all commands, including moves [m/s].
-    timeout: for the first packet [s]. upper_registers: use registers 24-47 instead of 0-23. priority: of the threads for
-    receiving and control; 0: normal.
+    selection. frequency: packets per second [Hz]; 0: maximum of the controller. speed_cap: maximum speed of the TCP and
+    the elbow for all commands, including moves [m/s]. timeout: for the first packet [s]. upper_registers: use registers
+    24-47 instead of 0-23. priority: of the threads for receiving and control; 0: normal.
     All methods may be called from any thread and let other Python threads run while they wait; Ctrl+C ends every wait.
     Methods that wait are refused only in a callback of packet_loop(). An uncaught exception stops the arm.
     A Robot is closed when neither a variable nor a handle refers to it. After fork() it is closed in the child process.
@@ -349,7 +348,7 @@ class Robot:
 
     @property
     def link(self) -> LinkCounters:
-        """Numbers of packets, late and lost packets and reconnects, and the rate."""
+        """Numbers of received, late and lost packets and of reconnects, and the packet rate."""
         return LinkCounters(**self._receiver.counters())
 
     # ---- control
@@ -410,8 +409,8 @@ class Robot:
         self._controller.set_speed_cap(metres_per_second)
 
     def set_collision_check(self, check: CollisionCheck | None) -> None:
-        """Jogs slow down and end at the safety distance of this check; None: no check. Moves, paths and streams are not
-        checked: use CollisionCheck.examine() before a move."""
+        """Sets the collision check for jogs, which slow down and end at its safety distance; None: no check. Moves, paths
+        and streams are not checked: use CollisionCheck.examine() before a move."""
         _native.set_collision_check(self._controller, None if check is None else check._native)
 
     def stop(self) -> None:
@@ -478,7 +477,8 @@ class Robot:
         return self._move(self._controller.stop_l(deceleration))
 
     def freedrive(self) -> Move:
-        """The arm can be moved by hand until the handle is cancelled, the robot is stopped or another motion starts."""
+        """Lets a person move the arm by hand until the handle is cancelled, the robot is stopped or another motion
+        starts."""
         return self._move(self._controller.freedrive())
 
     def run_function(self, body: str, name: str = "function", timeout: float | None = 5.0) -> Move:
@@ -491,13 +491,13 @@ class Robot:
             return self._move(self._controller.start_function(name, body, timeout))
 
     def run_script(self, program: str, timeout: float | None = None, *, unattended: bool = False) -> None:
-        """Runs a complete URScript program instead of the control program, waits for its end [s] and takes control
-        again.
+        """Runs a complete URScript program instead of the control program, waits for its end and takes control again.
 
         program: `def ... end`, or a sequence of lines; names starting with tiller_heartbeat are reserved. An inserted
         watchdog thread ends the program and stops the arm if this process ends, is killed or loses the connection for
-        100 ms. unattended: True sends the program unchanged. The arm then continues to move after the end of this
-        process until the program is complete, and only the pendant or another client can stop it.
+        100 ms. timeout: for the whole run [s]. unattended: True sends the program unchanged. The arm then continues to
+        move after the end of this process until the program is complete, and only the pendant or another client can
+        stop it.
         Raises ScriptError with line and text.
         """
         with self._waiting():
@@ -549,8 +549,8 @@ class Robot:
         """Starts a stream of joint torques [Nm], one per cycle, without gravity, which the controller compensates.
 
         viscous_scale, coulomb_scale: friction compensation per joint, 0 ... 1; None: settings of the controller. Until
-        the first torques are sent the arm holds its position. The stream ends with the cause LIMIT_REACHED if TCP or
-        elbow exceed the speed cap, because a torque stream cannot be slowed down. At its end, the arm is first
+        the first torques are sent the arm holds its position. The stream ends with the cause LIMIT_REACHED if the TCP
+        or the elbow exceeds the speed cap, because a torque stream cannot be slowed down. At its end, the arm is first
         decelerated by torques for 0.1 s at most. Raises VersionUnsupported before PolyScope 5.25.1 and 10.12.1; send()
         raises LimitExceeded for torques above the limits of the joints.
         """
@@ -563,7 +563,7 @@ class Robot:
         """Jogs with a tool velocity [m/s, rad/s], or with joint velocities [rad/s] in frame "joints".
 
         frame: "base", "tool", "custom" (axes of custom_frame, a pose in the base frame) or "joints". contact_force:
-        above 0: ends when the force at the TCP has changed by more than this value [N]. Refresh the jog at least every
+        if above 0, the jog ends when the force at the TCP has changed by more than this value [N]. Refresh the jog at least every
         100 ms.
         """
         one_of(frame, "frame", JOG_FRAMES)
@@ -629,7 +629,7 @@ class Robot:
 
     @property
     def pulses(self) -> arm.Pulses:
-        """Outputs that are switched for a time measured by the robot."""
+        """Digital outputs that are switched for a limited time, which the robot measures."""
         return arm.Pulses(self._controller, self._handle_waits)
 
     def inverse_kinematics(self, pose: Floats, near: Floats | None = None, timeout: float | None = 1.0) -> Joints:

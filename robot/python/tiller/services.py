@@ -25,17 +25,17 @@ class Outputs:
         self._waiting = waiting
 
     def set_digital(self, output: int, on: bool, timeout: float | None = TIMEOUT) -> None:
-        """Digital output: 0-7 standard, 8-15 configurable, 16-17 tool."""
+        """Sets a digital output: 0-7 standard, 8-15 configurable, 16-17 tool."""
         with self._waiting():
             self._native.set_digital(output, on, timeout)
 
     def set_voltage(self, output: int, volts: float, timeout: float | None = TIMEOUT) -> None:
-        """Analog output 0 or 1 as a voltage, 0 ... 10 [V]."""
+        """Sets analog output 0 or 1 to a voltage, 0 ... 10 [V]."""
         with self._waiting():
             self._native.set_analog(output, True, volts / 10.0, timeout)
 
     def set_current(self, output: int, amperes: float, timeout: float | None = TIMEOUT) -> None:
-        """Analog output 0 or 1 as a current, 0.004 ... 0.020 [A]."""
+        """Sets analog output 0 or 1 to a current, 0.004 ... 0.020 [A]."""
         with self._waiting():
             self._native.set_analog(output, False, (amperes - 0.004) / 0.016, timeout)
 
@@ -71,7 +71,7 @@ class Registers:
 
 @dataclass(frozen=True)
 class Service:
-    """Values that RTDE does not report."""
+    """State of the robot that RTDE does not report."""
 
     kind: Literal["Dashboard", "RobotApi"]
     remote_control: bool | None  #: None if the software does not report it
@@ -116,7 +116,7 @@ class Dashboard:
         self._perform("ClosePopups", timeout)
 
     def play(self, timeout: float | None = TIMEOUT) -> None:
-        """Starts or resumes the program that is loaded."""
+        """Starts or resumes the loaded program."""
         self._perform("Play", timeout)
 
     def pause(self, timeout: float | None = TIMEOUT) -> None:
@@ -128,7 +128,7 @@ class Dashboard:
         self._perform("StopProgram", timeout)
 
     def load_program(self, name: str, timeout: float | None = TIMEOUT) -> None:
-        """Loads a program, by its name in the controller's programs folder."""
+        """Loads the program with this name from the controller's programs folder."""
         with self._waiting():
             self._open(timeout).load_program(name, timeout)
 
@@ -139,7 +139,7 @@ class Dashboard:
             self._open(timeout).unlock_protective_stop(timeout)
 
     def look(self, timeout: float | None = TIMEOUT) -> Service:
-        """Whether the robot is in remote control, its operational mode, and the program that is loaded."""
+        """Returns the operational mode, the loaded program, and whether the robot is in remote control."""
         with self._waiting():
             return Service(**self._open(timeout).look(timeout))
 
@@ -150,15 +150,15 @@ class Consent:
     alone cannot unlock a robot."""
 
     cause_inspected: bool = False  #: the cause was inspected: required to unlock a protective stop
-    restart_safety: bool = False  #: after a violation or fault: the arm loses power
-    power_on: bool = False  #: the arm is powered
-    release_brakes: bool = False  #: the arm may move slightly
+    restart_safety: bool = False  #: the safety system may be restarted after a violation or fault; the arm loses power
+    power_on: bool = False  #: the arm may be powered on
+    release_brakes: bool = False  #: the brakes may be released; the arm may move slightly
 
 
 def registers(host: str, port: int, ints: Sequence[int], doubles: Sequence[int], bits: Sequence[int],
               timeout: float | None, waiting: Waiting) -> Registers:
     """Opens a connection that uses these input registers."""
     if not (ints or doubles or bits):
-        raise InvalidArgument("registers", "name the registers to write")
+        raise InvalidArgument("registers", "at least one register must be named")
     with waiting():
         return Registers(_native.InputRegisters(host, port, list(ints), list(doubles), list(bits), timeout), waiting)

@@ -93,7 +93,7 @@ class Simulator:
 
     @property
     def running(self) -> bool:
-        """True if it is running."""
+        """True if the simulator is running."""
         return self._native.is_running()
 
     def robot(self, **options: Any) -> Robot:
@@ -110,7 +110,7 @@ class Simulator:
 
     @contextlib.contextmanager
     def flowing(self) -> Iterator[None]:
-        """Virtual time advances in the background while the block runs."""
+        """Lets virtual time advance in the background while the block runs."""
         if not self.virtual:
             yield
             return
