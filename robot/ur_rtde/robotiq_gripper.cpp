@@ -279,7 +279,7 @@ RobotiqGripper::eObjectStatus RobotiqGripper::waitForMotionComplete() {
 
 void RobotiqGripper::setUnit(eMoveParameter Param, eUnit Unit) {
     if (Unit == UNIT_MM && Param != POSITION) {
-        throw std::invalid_argument("Unit: only positions are in millimetres");
+        throw std::invalid_argument("Unit: UNIT_MM is valid only for positions");
     }
     d_->units[Param] = Unit;
 }

@@ -544,7 +544,7 @@ bool RTDEControlInterface::jogStart(const List& speeds, int feature, double acc,
     if (!custom_frame.empty()) {
         check::pose("custom_frame", custom_frame);
     } else if (feature == FEATURE_CUSTOM) {
-        throw std::invalid_argument("custom_frame is needed with FEATURE_CUSTOM");
+        throw std::invalid_argument("custom_frame is required with FEATURE_CUSTOM");
     }
     return d_->done(CommandId::JogStart, 14,
                     joined(joined(speeds, {static_cast<double>(feature), acc}),

@@ -108,8 +108,8 @@ double RTDEReceiveInterface::Private::registerValue(const std::string& field) co
     if (values.empty()) {
         throw std::range_error(
             field +
-            " is not received: only registers 12-19 (36-43 with use_upper_range_registers) and those "
-            "named in `variables` are");
+            " is not received: only registers 12-19 (36-43 with use_upper_range_registers) and the registers "
+            "named in `variables` are received");
     }
     return values.front();
 }

@@ -151,7 +151,8 @@ std::string ScriptClient::getScript() {
         throw std::runtime_error("cannot read the script " + d_->file);
     }
     if (!removeUnsupportedFunctions(text) || !scanAndInjectAdditionalScriptCode(text)) {
-        throw std::runtime_error("the script has an invalid version mark, or a place to inject is missing");
+        throw std::runtime_error(
+            "the script contains an invalid version marker, or an injection marker is missing");
     }
     return text;
 }

@@ -186,7 +186,7 @@ void CustomControl::startProgram(RegisterLink& link) {
     }
     if (server_ == nullptr && !scriptFile_.empty()) {
         if (isPlaying(link.state()) && !endProgram(link)) {
-            throw std::runtime_error("The program that runs on the robot cannot be stopped");
+            throw std::runtime_error("The program that is running on the robot cannot be stopped");
         }
         if (!upload(link, {}) || !awaitProgram(link, kProgramStart)) {
             throw std::logic_error(
@@ -218,7 +218,7 @@ std::string CustomControl::program(RegisterLink& link, const std::string& pathCo
         }
     }
     if (!tool.removeUnsupportedFunctions(text) || !tool.scanAndInjectAdditionalScriptCode(text)) {
-        throw std::runtime_error("The script " + scriptFile_ + " contains an invalid version mark");
+        throw std::runtime_error("The script " + scriptFile_ + " contains an invalid version marker");
     }
     if (!link.beginHeartbeat()) {
         throw std::runtime_error("Another client owns input_int_register_" +
@@ -511,7 +511,7 @@ bool CustomControl::stop(const RecipeCommand& command, bool wait) {
         };
         const bool ready = !isSilent(robot.state()) && isReady(robot, isSilent);
         if (hopeless(robot.state())) {
-            say("no program is running that could be stopped");
+            say("no program is running");
             clearUnlessStopping(robot);
             return false;
         }

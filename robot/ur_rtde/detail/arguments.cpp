@@ -39,7 +39,7 @@ void inRange(const std::string& name, double value, double lowest, double highes
     finite(name, value);
     if (value < lowest || value > highest) {
         std::ostringstream text;
-        text << name << " = " << value << " is outside " << lowest << " to " << highest;
+        text << name << " = " << value << " is outside the range " << lowest << " to " << highest;
         if (!unit.empty()) {
             text << " " << unit;
         }
@@ -60,7 +60,7 @@ void integer(const char* name, int value, int lowest, int highest) {
 
 void list(const std::string& name, const List& values, std::size_t size) {
     if (values.size() != size) {
-        throw std::invalid_argument(name + " has " + std::to_string(values.size()) + " values; it needs " +
+        throw std::invalid_argument(name + " has " + std::to_string(values.size()) + " values instead of " +
                                     std::to_string(size));
     }
     for (std::size_t i = 0; i < size; ++i) {
@@ -130,7 +130,7 @@ void toolMove(double speed, double acceleration) {
 void flags(const char* name, const std::vector<int>& values, std::size_t size) {
     if (values.size() != size) {
         throw std::invalid_argument(std::string(name) + " has " + std::to_string(values.size()) +
-                                    " values; it needs " + std::to_string(size));
+                                    " values instead of " + std::to_string(size));
     }
     for (std::size_t i = 0; i < size; ++i) {
         inRange(at(name, i), values[i], 0, 1, "", "");

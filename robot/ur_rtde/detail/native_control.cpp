@@ -356,8 +356,9 @@ bool NativeControl::mayBegin(const control::Motion& before) {
             break;
     }
     Error error = before.wait(Deadline::after(milliseconds(0))).error();
-    error.context = QStringLiteral("send a set point");
-    error.controllerMessage += QStringLiteral("; call servoStop, speedStop or jogStop before the next one");
+    error.context = QStringLiteral("send a setpoint");
+    error.controllerMessage +=
+        QStringLiteral("; call servoStop, speedStop or jogStop before the next motion");
     failed(error);
     return false;
 }

@@ -24,7 +24,7 @@ ProgramServer::ProgramServer(int port) {
     listener_ = native_socket::listen(port, kBacklog);
     if (listener_ < 0) {
         throw std::runtime_error("ur_cap_port " + std::to_string(port) +
-                                 " cannot be opened: check that it is not in use");
+                                 " cannot be opened: check that no other program uses the port");
     }
     thread_ = std::thread([this] { run(); });
 }
