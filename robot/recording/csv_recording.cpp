@@ -223,12 +223,11 @@ public:
         layout_.decimal = format_.decimal.value_or(layout_.separator == ',' ? '.' : '\0');
         findHeader();
         if (!layout_.hasHeader && layout_.headingInComment.empty() && isCommaUnclear()) {
-            return Error{
-                ErrorCode::InvalidArgument, path_,
-                QStringLiteral("the comma in \"%1\" may separate two columns or be a decimal sign. Decided "
-                               "by: --table-separator, or --table-decimal")
-                    .arg(QString::fromUtf8(lines_.front().data(),
-                                           static_cast<qsizetype>(lines_.front().size())))};
+            return Error{ErrorCode::InvalidArgument, path_,
+                         QStringLiteral("the comma in \"%1\" may separate two columns or be a decimal sign. "
+                                        "Specify --table-separator or --table-decimal")
+                             .arg(QString::fromUtf8(lines_.front().data(),
+                                                    static_cast<qsizetype>(lines_.front().size())))};
         }
         return layout_;
     }

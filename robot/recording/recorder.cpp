@@ -50,8 +50,8 @@ QStringList notFollowed(const std::vector<std::string>& fields, const receive::S
     QStringList sentences = receive::unknownOutputs(fields);
     for (const std::string& field : fields) {
         if (layout.find(field) == nullptr && receive::unknownOutputs({field}).isEmpty()) {
-            sentences
-                << QStringLiteral("the receiver does not receive \"%1\"").arg(QString::fromStdString(field));
+            sentences << QStringLiteral("the receiver was started without the field \"%1\"")
+                             .arg(QString::fromStdString(field));
         }
     }
     return sentences;
@@ -425,7 +425,7 @@ Result<void> Recorder::start(const RecorderOptions& options, receive::Subscripti
     next->path = options.path;
     if (options.every < 1) {
         return Error{ErrorCode::InvalidArgument,
-                     QStringLiteral("one row every %1 packages; the minimum is 1").arg(options.every),
+                     QStringLiteral("one row every %1 packets: the minimum is 1").arg(options.every),
                      {}};
     }
     next->every = static_cast<std::uint64_t>(options.every);

@@ -40,7 +40,7 @@ Result<RecordingTrigger> RecordingTrigger::parse(const Text& text) {
     trigger.bit = match.captured(2).isEmpty() ? -1 : match.captured(2).toInt();
     constexpr int kBits = 64;
     if (!ok || trigger.bit >= kBits) {
-        return Error{ErrorCode::InvalidArgument, QStringLiteral("understand the trigger \"%1\"").arg(text),
+        return Error{ErrorCode::InvalidArgument, QStringLiteral("read the trigger \"%1\"").arg(text),
                      QStringLiteral("expected COLUMN > NUMBER (or <, =, !=), COLUMN:BIT = 1, COLUMN changes, "
                                     "or \"program starts\"")};
     }
@@ -52,7 +52,7 @@ Result<TriggerWatch> TriggerWatch::make(const RecordingTrigger& trigger,
     const auto index = layout.indexOfComponent(trigger.column);
     if (!index) {
         return Error{
-            ErrorCode::FieldUnknown, QStringLiteral("watch the trigger"),
+            ErrorCode::FieldUnknown, QStringLiteral("monitor the trigger"),
             QStringLiteral(
                 "no received column is named \"%1\"; vectors have one column per number, such as actual_q_0")
                 .arg(Text(trigger.column))};

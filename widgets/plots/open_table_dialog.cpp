@@ -92,7 +92,7 @@ OpenTableDialog::OpenTableDialog(const QString& path, const recording::TableForm
                        .arg(QFileInfo(path).fileName()));
     words->setWordWrap(true);
     words->setMinimumWidth(kTextWidth);
-    auto* why = new QLabel(tr("Reason: %1").arg(reason.section(QStringLiteral(" Decided by:"), 0, 0)));
+    auto* why = new QLabel(tr("Reason: %1").arg(reason.section(QStringLiteral(" Specify --"), 0, 0)));
     why->setObjectName(QStringLiteral("plots.table.reason"));
     why->setWordWrap(true);
     why->setMinimumWidth(kTextWidth);

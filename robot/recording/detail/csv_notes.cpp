@@ -80,7 +80,7 @@ Result<void> removeCsvNotes(const QString& recording) {
     }
     if (!openForReading(file, path) || !hasHeader(file)) {
         return Error{ErrorCode::FileNotWritable, path,
-                     QStringLiteral("the file does not contain notes of a recording; rename it")};
+                     QStringLiteral("the file does not contain notes of a recording; rename the file")};
     }
     file.close();
     return QFile::remove(path) ? Result<void>()

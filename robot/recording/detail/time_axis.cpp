@@ -241,8 +241,8 @@ public:
         }
         if (format_.rate > 0) {
             return undecided(
-                QStringLiteral("the rate is only for tables without a time column, and \"%1\" is one. "
-                               "Decided by: --time-column none, or no --table-rate")
+                QStringLiteral("the rate applies only to tables without a time column, and \"%1\" is a time "
+                               "column. Specify --time-column none, or omit --table-rate")
                     .arg(QString::fromStdString(source_.columns[**column].name)));
         }
         axis_.column = *column;
@@ -260,15 +260,15 @@ private:
         if (format_.timeColumn && format_.timeColumn->empty()) {
             return format_.rate > 0
                        ? Result<Found>(Found())
-                       : undecided(QStringLiteral("a table without a time column needs the rows per "
-                                                  "second. Decided by: --table-rate HZ"));
+                       : undecided(QStringLiteral("a table without a time column requires the number of rows "
+                                                  "per second. Specify --table-rate HZ"));
         }
         if (format_.timeColumn) {
             const auto named = std::find_if(columns.begin(), columns.end(), [&](const RecordedColumn& each) {
                 return each.name == *format_.timeColumn;
             });
             if (named == columns.end()) {
-                return undecided(QStringLiteral("there is no column \"%1\" among %2")
+                return undecided(QStringLiteral("there is no column \"%1\"; the columns are %2")
                                      .arg(QString::fromStdString(*format_.timeColumn), listed(columns)));
             }
             return Found(named - columns.begin());
@@ -307,15 +307,14 @@ private:
             candidates = dates;
         }
         if (candidates.size() > 1) {
-            return undecided(
-                QStringLiteral("several columns may be the time: %1. Decided by: --time-column NAME")
-                    .arg(listed(columns, candidates)));
+            return undecided(QStringLiteral("several columns may be the time: %1. Specify --time-column NAME")
+                                 .arg(listed(columns, candidates)));
         }
         if (candidates.empty() && format_.rate > 0) {
             return Found();
         }
         if (candidates.empty()) {
-            return undecided(QStringLiteral("none of the columns is recognized as time: %1. Decided by: "
+            return undecided(QStringLiteral("none of the columns is recognized as time: %1. Specify "
                                             "--time-column NAME, or --time-column none and --table-rate HZ")
                                  .arg(listed(columns)));
         }
@@ -332,8 +331,8 @@ private:
         const StampExtent extent = extentOf(*values);
         if (extent.count == 0 && !values->empty()) {
             return undecided(
-                QStringLiteral("the time column \"%1\" contains no numbers or ISO 8601 dates. Decided "
-                               "by: --time-column NAME, or --time-column none and --table-rate HZ")
+                QStringLiteral("the time column \"%1\" contains no numbers or ISO 8601 dates. Specify "
+                               "--time-column NAME, or --time-column none and --table-rate HZ")
                     .arg(QString::fromStdString(described.name)));
         }
         const Heading heading = headingOf(described);
@@ -349,11 +348,10 @@ private:
         } else if (heading.factor) {
             factor = heading.factor;
         } else if (!heading.unknownUnit.empty()) {
-            return undecided(
-                QStringLiteral("the unit \"%1\" of the time column \"%2\" is not known. Decided by: "
-                               "--time-unit s, ms, us or ns")
-                    .arg(QString::fromStdString(heading.unknownUnit),
-                         QString::fromStdString(described.name)));
+            return undecided(QStringLiteral("the unit \"%1\" of the time column \"%2\" is not known. Specify "
+                                            "--time-unit s, ms, us or ns")
+                                 .arg(QString::fromStdString(heading.unknownUnit),
+                                      QString::fromStdString(described.name)));
         } else {
             for (const double each : {1.0, 1e-3, 1e-6, 1e-9}) {
                 if (isEpoch(extent, each) && step * each <= kMaxEpochStep) {
@@ -371,8 +369,8 @@ private:
                 first << QString::number((*values)[i], 'g', 15);
             }
             return undecided(
-                QStringLiteral("the unit of the time column \"%1\" with the values %2 is not known. "
-                               "Decided by: --time-unit s, ms, us or ns")
+                QStringLiteral("the unit of the time column \"%1\" with the values %2 is not known. Specify "
+                               "--time-unit s, ms, us or ns")
                     .arg(QString::fromStdString(described.name), first.join(QLatin1String(", "))));
         }
         axis_.factor = *factor;

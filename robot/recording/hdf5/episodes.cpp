@@ -186,7 +186,7 @@ Result<std::vector<Episode>> findEpisodes(const Recording& recording, EpisodeCho
     const auto column = recording.indexOf("runtime_state");
     if (!column) {
         return Error{
-            ErrorCode::FieldUnknown, QStringLiteral("cut %1").arg(recording.path()),
+            ErrorCode::FieldUnknown, QStringLiteral("find episodes in %1").arg(recording.path()),
             QStringLiteral("runtime_state, which shows when a program is running, was not recorded")};
     }
     const std::vector<std::size_t> wanted{*column};

@@ -271,7 +271,8 @@ private:
         const std::uint64_t count = table.size() / kNumbers;
         const Handle set = makeSet(file_.get(), "gaps", H5T_IEEE_F64LE, count, kNumbers);
         return set &&
-               putText(set.get(), "meaning", "packages missing before a row: row, how many, seconds") &&
+               putText(set.get(), "meaning",
+                       "packets missing before a row: row, number of packets, duration [s]") &&
                (count == 0 || putRows(set, 0, count, kNumbers, table));
     }
 

@@ -137,7 +137,8 @@ public:
         }
         chooseSets(std::move(sets));
         if (columns_.empty()) {
-            return Error{ErrorCode::FileCorrupt, path_, QStringLiteral("it contains no tables of numbers")};
+            return Error{ErrorCode::FileCorrupt, path_,
+                         QStringLiteral("the file contains no tables of numbers")};
         }
         readAttributes();
         if (const Result<void> read = readAxis(); !read) {
@@ -318,7 +319,7 @@ private:
             return {};
         }
         if (rows_ > kMaxPerRequest) {
-            return Error{ErrorCode::FileCorrupt, path_, QStringLiteral("it has too many rows")};
+            return Error{ErrorCode::FileCorrupt, path_, QStringLiteral("the file has too many rows")};
         }
         // The data set `time` is not one of the columns, but it can be the time axis.
         std::vector<RecordedColumn> candidates = columns_;

@@ -349,7 +349,7 @@ void TestRecorder::unavailableFieldsAreRefused() {
             .error();
     QCOMPARE(error.code, ErrorCode::FieldUnknown);
     QVERIFY(error.toString().contains("\"actual_qq\": did you mean \"actual_q\"?"));
-    QVERIFY(error.toString().contains("does not receive \"input_int_register_3\""));
+    QVERIFY(error.toString().contains("without the field \"input_int_register_3\""));
     QVERIFY(!error.toString().contains("tool_mode"));
     QCOMPARE(QFileInfo(bench.path()).size(), qint64(8));
     QCOMPARE(recorder.progress().state, RecorderState::Idle);
