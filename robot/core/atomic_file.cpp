@@ -88,7 +88,7 @@ Result<void> AtomicFile::open() {
     error_ = {};
     const QFileInfo old(path_);
     if (old.exists() && !old.isFile()) {
-        return fail(EISDIR, QStringLiteral("is not a regular file"));
+        return fail(EISDIR, QStringLiteral("not a regular file"));
     }
     if (old.exists() && !old.isWritable()) {
         return fail(EACCES, qt_error_string(EACCES));
@@ -203,7 +203,7 @@ Result<void> writeFileAtomically(const QString& path, const QByteArray& content,
 Result<void> replaceFile(const QString& part, const QString& path, const QString& what) {
     const QString context = contextOf(what, path);
     if (const QFileInfo old(resolved(path)); old.exists() && !old.isFile()) {
-        return writeFailure(context, EISDIR, QStringLiteral("is not a regular file"));
+        return writeFailure(context, EISDIR, QStringLiteral("not a regular file"));
     }
     const auto failure = [&context](int systemError) {
         return writeFailure(context, systemError, qt_error_string(systemError));

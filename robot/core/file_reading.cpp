@@ -23,7 +23,7 @@ Error readFailure(const QString& path, const QString& reason) {
 }
 
 QString notRegular() {
-    return QStringLiteral("is not a regular file; pipes, sockets, devices and folders are not read");
+    return QStringLiteral("not a regular file; pipes, sockets, devices and folders cannot be read");
 }
 
 }  // namespace

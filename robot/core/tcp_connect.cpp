@@ -21,8 +21,7 @@ Result<Descriptor> connectTo(const native_socket::Address& address, const Deadli
                              const QString& context) {
     const native_socket::Attempt attempt = native_socket::connect(address);
     if (attempt.socket < 0) {
-        return Error{ErrorCode::Internal, context,
-                     QStringLiteral("no file descriptors are left for a socket")};
+        return Error{ErrorCode::Internal, context, QStringLiteral("too many files and sockets are open")};
     }
     const auto fail = [&](const Error& error) {
         native_socket::close(attempt.socket);
@@ -56,7 +55,7 @@ Result<Descriptor> connectTcp(const QString& host, int port, const Deadline& dea
     if (name.isEmpty() || port <= 0 || port > kMaxPort) {
         return Error{ErrorCode::AddressInvalid, context,
                      name.isEmpty() ? QStringLiteral("the address is empty")
-                                    : QStringLiteral("port %1; ports are 1 to 65535").arg(port)};
+                                    : QStringLiteral("port %1 is outside the range 1 to 65535").arg(port)};
     }
     if (!native_socket::startUp()) {
         return Error{ErrorCode::Internal, context,

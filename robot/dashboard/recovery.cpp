@@ -129,7 +129,7 @@ Result<void> recoverWith(Client& client, const RecoveryConsent& consent, const D
                 case RecoveryStep::Unlock:
                     if (!consent.causeInspected) {
                         return missing(
-                            "protective stop: it is unlocked only after its cause has been inspected");
+                            "the protective stop is unlocked only after its cause has been inspected");
                     }
                     report(RecoveryStep::CloseSafetyPopup);
                     closePopup(client, deadline);
@@ -145,14 +145,14 @@ Result<void> recoverWith(Client& client, const RecoveryConsent& consent, const D
                     break;
                 case RecoveryStep::PowerOn:
                     if (!consent.powerOn) {
-                        return missing("the arm is off; powering it on requires your consent");
+                        return missing("the arm is powered off; powering it on requires your consent");
                     }
                     report(next);
                     done = client.powerOn(deadline);
                     break;
                 default:
                     if (!consent.releaseBrakes) {
-                        return missing("the brakes are on; releasing them requires your consent");
+                        return missing("the brakes are engaged; releasing the brakes requires your consent");
                     }
                     report(next);
                     done = client.brakeRelease(deadline);

@@ -500,8 +500,8 @@ Result<RobotModelId> modelOf(const recording::Recording& recording, const Choice
     }
     return refuse(recording, ErrorCode::InvalidArgument,
                   said.isEmpty()
-                      ? QStringLiteral("the recording does not state the robot model: select it")
-                      : QStringLiteral("unknown robot model \"%1\": select a similar one").arg(said));
+                      ? QStringLiteral("the recording contains no robot model: select a model")
+                      : QStringLiteral("unknown robot model \"%1\": select a similar model").arg(said));
 }
 
 }  // namespace
@@ -545,7 +545,7 @@ Result<Report> compare(const recording::Recording& recording, const Choice& choi
     }
     if (!missing.isEmpty()) {
         return refuse(recording, ErrorCode::FieldUnknown,
-                      QStringLiteral("it has no %1; a recording of all fields (MCAP) has them")
+                      QStringLiteral("the recording has no %1: record all fields to an MCAP file")
                           .arg(missing.join(QStringLiteral(", "))));
     }
     const auto model = modelOf(recording, choice);
@@ -553,11 +553,10 @@ Result<Report> compare(const recording::Recording& recording, const Choice& choi
         return model.error();
     }
     if (recording.period() > kMaxRowStep) {
-        return refuse(
-            recording, ErrorCode::InvalidArgument,
-            QStringLiteral(
-                "its rows are %1 s apart, so the motion between them is not known: record every packet")
-                .arg(recording.period()));
+        return refuse(recording, ErrorCode::InvalidArgument,
+                      QStringLiteral("the rows of the recording are %1 s apart, so the motion between them "
+                                     "is unknown: record every packet")
+                          .arg(recording.period()));
     }
     recording::ExportChoice part;
     part.from = choice.from;

@@ -37,8 +37,9 @@ Patient patientAt(const Text& host, int portOffset = 0);
 /// Checks all conditions in order. Conditions that depend on a failed one are Skipped.
 /// each      called in the calling thread with every finding; may be empty
 /// Returns   one finding per condition, even after cancellation (conditions not yet checked are Skipped)
-/// Threads   any; use a worker, because no events are processed. Blocks: about two seconds for a healthy
-///           robot; at most twelve seconds, and never longer than the deadline
+/// Threads   any; use a worker, because no events are processed. Blocks: for the resolution of a host name, which
+///           the deadline does not limit, and then about 2 s for a healthy robot, at most 17 s and no longer
+///           than the deadline
 Report examine(const Patient& patient, const Deadline& deadline,
                const std::function<void(const Finding&)>& each = {});
 

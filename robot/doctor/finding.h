@@ -50,7 +50,7 @@ struct Finding {
     Verdict verdict = Verdict::Skipped;
     QString
         cause;  ///< stable name for programs and tests, e.g. "port.rtde.refused"; empty if Good or Skipped
-    QString detail;  ///< observed value, e.g. "192.168.0.10", "500 of 500 packages per second"
+    QString detail;  ///< observed value, e.g. "192.168.0.10", "500 of 500 packets per second"
     QString fix;     ///< suggested action in full sentences; empty if none
 };
 

@@ -174,7 +174,7 @@ Result<void> InputRegisters::setInt(int number, std::int32_t value, const Deadli
 Result<void> InputRegisters::setDouble(int number, double value, const Deadline& deadline) {
     if (!std::isfinite(value)) {
         return Error{ErrorCode::InvalidArgument, QStringLiteral("set a register"),
-                     QStringLiteral("value: not a number")};
+                     QStringLiteral("value: the value is not a number")};
     }
     return d_->set(rtde::doubleRegisterName(rtde::Direction::Input, number), value, deadline);
 }

@@ -171,7 +171,7 @@ struct Outputs::Link {
 
     Result<void> available(Group group) const {
         if (!connection) {
-            return Error{ErrorCode::NotConnected, QStringLiteral("no connection for outputs"), {}};
+            return Error{ErrorCode::NotConnected, QStringLiteral("no connection to set outputs"), {}};
         }
         const rtde::Recipe& recipe = connection->inputs()[group];
         if (recipe.isValid() && recipe.fields().size() == fieldsOf(kFacts[group]).size()) {
@@ -185,9 +185,10 @@ struct Outputs::Link {
                              .arg(name, QString::fromStdString(rtde::joinNames(owned))),
                          {}};
         }
-        return Error{ErrorCode::FieldUnknown,
-                     QStringLiteral("%1: cannot be set over RTDE on this robot").arg(name),
-                     {}};
+        return Error{
+            ErrorCode::FieldUnknown,
+            QStringLiteral("%1: this robot does not support setting this output over RTDE").arg(name),
+            {}};
     }
 
     Result<void> send(Group group, std::span<const double> values) {
@@ -213,10 +214,10 @@ struct Outputs::Link {
         for (const char* field : fields) {
             if (field != nullptr &&
                 std::find(feedback.absent.begin(), feedback.absent.end(), field) != feedback.absent.end()) {
-                return Error{
-                    ErrorCode::FieldUnknown, what,
-                    QStringLiteral("the receiver does not receive %1, which is needed to confirm the command")
-                        .arg(QLatin1String(field))};
+                return Error{ErrorCode::FieldUnknown, what,
+                             QStringLiteral("the receiver was started without the field %1, which is "
+                                            "required to confirm the command")
+                                 .arg(QLatin1String(field))};
             }
         }
         return {};
@@ -284,7 +285,7 @@ bool Outputs::isConnected() const {
 
 Result<void> Outputs::setDigitalOutputs(std::uint32_t mask, std::uint32_t values, const Deadline& deadline) {
     if (mask == 0 || (mask & ~kAllOutputs) != 0) {
-        return invalid(QStringLiteral("digital outputs are 0 to %1").arg(kDigitalOutputs - 1));
+        return invalid(QStringLiteral("use only digital outputs 0 to %1").arg(kDigitalOutputs - 1));
     }
     if (auto can = d_->confirmable(QStringLiteral("set digital outputs"), kDigitalReport); !can) {
         return can;
@@ -340,7 +341,7 @@ Result<void> Outputs::setSpeedSlider(double fraction, const Deadline& deadline) 
     if (!std::isfinite(fraction) || fraction > 1.0 || fraction < kLowestSpeedFraction) {
         return invalid(
             QStringLiteral(
-                "speed slider %1; the range is %2 to 1. To hold the arm, stop or pause the program")
+                "speed slider: %1 is outside the range %2 to 1. To stop the arm, stop or pause the program")
                 .arg(fraction)
                 .arg(kLowestSpeedFraction));
     }
@@ -371,7 +372,7 @@ Result<void> Outputs::setAnalogOutput(int output, AnalogDomain domain, double le
         return invalid(QStringLiteral("analog output %1 does not exist; use 0 or 1").arg(output));
     }
     if (!std::isfinite(level) || level < 0 || level > 1) {
-        return invalid(QStringLiteral("analog level %1; the range is 0 to 1").arg(level));
+        return invalid(QStringLiteral("analog level: %1 is outside the range 0 to 1").arg(level));
     }
     const auto which = static_cast<std::size_t>(output);
     const unsigned bit = 1U << which;

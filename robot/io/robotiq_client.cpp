@@ -265,7 +265,7 @@ Result<void> RobotiqClient::move(int position, int speed, int force, const Deadl
     for (const auto& [name, value] : values) {
         if (!isByte(value)) {
             return Error{ErrorCode::InvalidArgument,
-                         QStringLiteral("gripper: %1 %2; the range is 0 to 255")
+                         QStringLiteral("gripper: %1 %2 is outside the range 0 to 255")
                              .arg(QString::fromStdString(name))
                              .arg(value),
                          {}};

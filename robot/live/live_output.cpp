@@ -37,8 +37,9 @@ Result<void> LiveOutput::start(const LiveOptions& options, const receive::Receiv
     const auto layout = receiver.layout();
     for (const std::string& field : options.fields) {
         if (layout->find(field) == nullptr) {
-            return Error{ErrorCode::FieldUnknown, QStringLiteral("forward the data of the robot"),
-                         QStringLiteral("the receiver does not receive \"%1\"").arg(Text(field))};
+            return Error{
+                ErrorCode::FieldUnknown, QStringLiteral("forward the data of the robot"),
+                QStringLiteral("the receiver was started without the field \"%1\"").arg(Text(field))};
         }
     }
     if (options.fields.empty()) {

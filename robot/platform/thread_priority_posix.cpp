@@ -36,12 +36,11 @@ PriorityReport requestThreadPriority(int priority) {
         return report;
     }
     if (failure == EPERM) {
-        report.advice =
-            QStringLiteral(
-                "Real-time priority %1 was refused. Add the lines \"@realtime - rtprio 99\" and "
-                "\"@realtime - memlock unlimited\" to /etc/security/limits.d/realtime.conf, put the user "
-                "into the group realtime and log in again.")
-                .arg(report.requested);
+        report.advice = QStringLiteral(
+                            "Real-time priority %1 was refused. Add the lines \"@realtime - rtprio 99\" and "
+                            "\"@realtime - memlock unlimited\" to /etc/security/limits.d/realtime.conf, add "
+                            "the user to the group realtime, and log in again.")
+                            .arg(report.requested);
     } else {
         report.advice = QStringLiteral("Real-time priority %1 was refused: %2")
                             .arg(report.requested)

@@ -228,7 +228,8 @@ Result<Demonstration> demonstrationFrom(const std::vector<double>& times,
         shown.append(times[row], q);
     }
     if (shown.size() < 2) {
-        return Error{ErrorCode::FileCorrupt, QStringLiteral("fewer than two rows of numbers"), {}};
+        return Error{
+            ErrorCode::FileCorrupt, QStringLiteral("the file contains fewer than two rows of numbers"), {}};
     }
     return shown;
 }

@@ -89,7 +89,7 @@ struct Publication::Entry {
             opening->set_value(Error{ErrorCode::Internal, QStringLiteral("publish samples"), text});
             opening.reset();
         } else {
-            qWarning("A destination of robot data failed: %s", qPrintable(text));
+            qWarning("An output for robot data failed: %s", qPrintable(text));
         }
     }
 };

@@ -63,12 +63,12 @@ QString CpuLatency::advice() {
     }
     if (errno == ENOENT) {
         return QStringLiteral(
-                   "This system has no %1 (a container, or a kernel without it): wake-up times depend on the "
-                   "sleep states of its CPUs.")
+                   "This system has no %1 (for example, in a container): wake-up times depend on the sleep "
+                   "states of its CPUs.")
             .arg(QLatin1String(kDevice));
     }
     return QStringLiteral(
-        "To permit it, create the file /etc/udev/rules.d/99-tiller.rules with the line "
+        "To permit fast wake-ups, create the file /etc/udev/rules.d/99-tiller.rules with the line "
         "KERNEL==\"cpu_dma_latency\", GROUP=\"realtime\", MODE=\"0660\", add this user to the group "
         "\"realtime\", and restart.");
 }

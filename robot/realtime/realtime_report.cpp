@@ -93,7 +93,7 @@ QString lockMemory() {
     if (errno == EPERM || errno == ENOMEM || errno == EAGAIN) {
         return QStringLiteral(
             "Memory could not be locked. Add the line \"@realtime - memlock unlimited\" to "
-            "/etc/security/limits.d/realtime.conf, put the user into the group realtime and log in again.");
+            "/etc/security/limits.d/realtime.conf, add the user to the group realtime, and log in again.");
     }
     return QStringLiteral("Memory could not be locked: %1").arg(qt_error_string(errno));
 }

@@ -17,7 +17,7 @@ using Status = native_socket::Status;
 using std::chrono::nanoseconds;
 
 constexpr Descriptor kNoSocket = -1;
-constexpr QLatin1String kMisfit("a data package does not match the output recipe");
+constexpr QLatin1String kMisfit("a data packet does not match the output recipe");
 
 }  // namespace
 

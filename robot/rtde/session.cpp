@@ -201,7 +201,7 @@ void Session::onOutputs(ByteView payload, Bytes& out) {
         return;
     }
     if (reply->fields.size() != asked_.size()) {
-        fail(ErrorCode::ProtocolError, QStringLiteral("%1: %2 types for %3 fields")
+        fail(ErrorCode::ProtocolError, QStringLiteral("%1: the reply lists %2 types for %3 fields")
                                            .arg(typeText(PackageType::SetupOutputs))
                                            .arg(reply->fields.size())
                                            .arg(asked_.size()));
@@ -253,7 +253,7 @@ void Session::onInputs(ByteView payload, Bytes& out) {
         return;
     }
     if (reply->fields.size() != asked_.size()) {
-        fail(ErrorCode::ProtocolError, QStringLiteral("%1: %2 types for %3 fields")
+        fail(ErrorCode::ProtocolError, QStringLiteral("%1: the reply lists %2 types for %3 fields")
                                            .arg(typeText(PackageType::SetupInputs))
                                            .arg(reply->fields.size())
                                            .arg(asked_.size()));

@@ -67,13 +67,13 @@ Error PackageSplitter::error() const {
             break;
         case Fault::TooSmall:
             return {ErrorCode::ProtocolError,
-                    QStringLiteral("RTDE package with a size field of %1, below the header's %2 bytes")
+                    QStringLiteral("RTDE packet with a size field of %1, below the header's %2 bytes")
                         .arg(faultSize_)
                         .arg(kHeaderSize),
                     {}};
         case Fault::TooLarge:
             return {ErrorCode::ProtocolError,
-                    QStringLiteral("RTDE package with a size field of %1, above the limit of %2 bytes")
+                    QStringLiteral("RTDE packet with a size field of %1, above the limit of %2 bytes")
                         .arg(faultSize_)
                         .arg(limit_),
                     {}};

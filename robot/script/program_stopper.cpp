@@ -99,8 +99,8 @@ void ProgramStopper::Private::look() {
     constexpr int kRefusals = 2;
     if (refusals >= kRefusals) {
         settle({ErrorCode::RemoteControlRequired, context(),
-                QStringLiteral(
-                    "in Local control, the robot accepts neither programs nor stops from this computer")});
+                QStringLiteral("in Local control, the robot accepts neither programs nor stop commands from "
+                               "this computer")});
     } else if (now() - askedNs > kAskForNs) {
         settle(connectionError.code != ErrorCode::None
                    ? connectionError

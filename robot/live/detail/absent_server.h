@@ -28,8 +28,8 @@ public:
     Result<void> listen(const QString& address, std::uint16_t port) {
         return Error{
             ErrorCode::Rejected, QStringLiteral("listen on %1 port %2").arg(address).arg(port),
-            QStringLiteral("this program was built without Qt WebSockets, which the server needs; "
-                           "use only UDP (--no-server --udp ADDRESS), or install a program with it")};
+            QStringLiteral("this program was built without Qt WebSockets, which the server needs; use only "
+                           "UDP (--no-server --udp ADDRESS), or install a version with Qt WebSockets")};
     }
     std::uint16_t port() const { return 0; }
     int viewers() const { return 0; }

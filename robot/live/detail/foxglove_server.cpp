@@ -253,7 +253,7 @@ void FoxgloveServer::receive(QWebSocket* socket, const QString& text) {
             if (id && channel) {
                 subscribe(socket, client, *id, *channel);
             } else {
-                report(socket, kError, QStringLiteral("a subscription needs an id and a channelId"));
+                report(socket, kError, QStringLiteral("a subscription requires an id and a channelId"));
             }
             if (client.isClosing) {
                 return;
@@ -277,7 +277,7 @@ void FoxgloveServer::subscribe(QWebSocket* socket, Client& client, std::uint32_t
                                     [&](const LiveChannel& known) { return known.id == channel; });
     const QList<std::uint32_t> channels = client.subscriptions.values();
     if (!exists) {
-        report(socket, kError, QStringLiteral("there is no channel %1").arg(channel));
+        report(socket, kError, QStringLiteral("channel %1 does not exist").arg(channel));
     } else if (client.subscriptions.contains(id)) {
         report(socket, kError, QStringLiteral("subscription %1 is in use").arg(id));
     } else if (channels.contains(channel)) {

@@ -118,7 +118,7 @@ double FieldReader::number(const QString& where, const QJsonValue& value, double
             const QString text = QString::number(number);
             return *unit == '\0' ? text : QStringLiteral("%1 %2").arg(text, QString::fromUtf8(unit));
         };
-        addProblem(where, QStringLiteral("is %1, outside %2 ... %3")
+        addProblem(where, QStringLiteral("is %1, outside the range %2 to %3")
                               .arg(formatted(read), QString::number(least), formatted(most)));
         return least > 0 ? least : 0;
     }

@@ -96,9 +96,9 @@ Pattern PartReader::pattern(const QString& where, const QJsonObject& object) {
     for (int i = 0; i < corners.size(); ++i) {
         const QUuid corner(corners[i].toString());
         if (i >= 3 || (corner.isNull() && !corners[i].isNull())) {
-            fields_.addProblem(
-                fieldAt(fieldAt(where, "corners"), i),
-                i >= 3 ? QStringLiteral("is an extra corner") : QStringLiteral("is not an id"));
+            fields_.addProblem(fieldAt(fieldAt(where, "corners"), i),
+                               i >= 3 ? QStringLiteral("is a fourth corner; a pattern has three")
+                                      : QStringLiteral("is not an id"));
             break;
         }
         pattern.corners[static_cast<std::size_t>(i)] = corner;

@@ -44,7 +44,7 @@ Status PrimaryReader::read(native_socket::Descriptor descriptor, std::chrono::mi
 }
 
 Error PrimaryReader::notUnderstood(const QString& context) {
-    return {ErrorCode::ProtocolError, context, QStringLiteral("an invalid package length")};
+    return {ErrorCode::ProtocolError, context, QStringLiteral("an invalid packet length")};
 }
 
 }  // namespace tiller::script

@@ -307,7 +307,7 @@ void TestDivergence::theRobotModelMustBeKnown() {
     robot.run(100);
     robot.model = "";
     QCOMPARE(compare(robot.recording()).error().code, ErrorCode::InvalidArgument);
-    QVERIFY(compare(robot.recording()).error().toString().contains("does not state the robot model"));
+    QVERIFY(compare(robot.recording()).error().toString().contains("contains no robot model"));
     robot.model = "KR6";
     QVERIFY(compare(robot.recording()).error().toString().contains("KR6"));
     Choice choice;

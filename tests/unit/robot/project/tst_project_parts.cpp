@@ -175,11 +175,12 @@ private Q_SLOTS:
         row("waypoints[0].note", QJsonArray(), "waypoints[0].note: is a list, not a text");
         row("waypoints[0].actions", "x", "waypoints[0].actions: is a text, not a list");
         row("waypoints[0].actions[0].do", "dance", "waypoints[0].actions[0].do: \"dance\" is not one of");
-        row("waypoints[0].actions[0].pin", 8, "actions[0].pin: is 8, outside 0 ... 7");
+        row("waypoints[0].actions[0].pin", 8, "actions[0].pin: is 8, outside the range 0 to 7");
         row("waypoints[0].actions[0].pin", 1.5, "actions[0].pin: is 1.5, not a whole number");
         row("waypoints[0].actions[0].value", 1, "actions[0].value: is a number, not true or false");
-        row("waypoints[0].actions[1].pin", 2, "actions[1].pin: is 2, outside 0 ... 1");
-        row("waypoints[0].actions[3].seconds", -1, "actions[3].seconds: is -1 s, outside 0 ... 3600 s");
+        row("waypoints[0].actions[1].pin", 2, "actions[1].pin: is 2, outside the range 0 to 1");
+        row("waypoints[0].actions[3].seconds", -1,
+            "actions[3].seconds: is -1 s, outside the range 0 to 3600 s");
         row("waypoints[0].actions[3]", 5, "actions[3]: is a number, not an object");
         row("waypoints[1].place", 5, "waypoints[1].place: is a number, not an object");
         row("waypoints[1].place.pattern", nobody, "waypoints[1].place: no pattern of this project");
@@ -189,11 +190,11 @@ private Q_SLOTS:
         row("tools", 1, "tools: is a number, not a list");
         row("tools[0].name", "", "tools[0].name: is empty");
         row("tools[0].tcpOffset[2]", 150, "tools[0].tcpOffset[2]: is 150 m");
-        row("tools[0].radius", 40, "tools[0].radius: is 40 m, outside 0 ... 1 m");
+        row("tools[0].radius", 40, "tools[0].radius: is 40 m, outside the range 0 to 1 m");
         row("activeTool", nobody, "activeTool: no item of this project has that id");
-        row("payloads[0].mass", -2, "payloads[0].mass: is -2 kg, outside 0 ... 50 kg");
+        row("payloads[0].mass", -2, "payloads[0].mass: is -2 kg, outside the range 0 to 50 kg");
         row("payloads[0].centre", QJsonArray{1, 2}, "payloads[0].centre: has 2 numbers, not 3");
-        row("payloads[0].centre[0]", 50, "payloads[0].centre[0]: is 50 m, outside -5 ... 5 m");
+        row("payloads[0].centre[0]", 50, "payloads[0].centre[0]: is 50 m, outside the range -5 to 5 m");
         row("payloads[1].inertia[0]", -1, "payloads[1].inertia[0]: is -1 kg m2");
         row("activePayload", 7, "activePayload: is a number, not a text");
         row("positions[0].joints[1]", 90, "positions[0].joints[1]: is 90 rad");
@@ -201,8 +202,8 @@ private Q_SLOTS:
         row("home", nobody, "home: no item of this project has that id");
         row("safeHeight", 0.3, "safeHeight: is a number, not an object");
         row("safeHeight.frame", nobody, "safeHeight.frame: no frame of this project");
-        row("patterns[0].columns", 0, "patterns[0].columns: is 0, outside 1 ... 200");
-        row("patterns[0].columns", 1e300, "patterns[0].columns: is 1e+300, outside 1 ... 200");
+        row("patterns[0].columns", 0, "patterns[0].columns: is 0, outside the range 1 to 200");
+        row("patterns[0].columns", 1e300, "patterns[0].columns: is 1e+300, outside the range 1 to 200");
         row("patterns[0].order", "spiral",
             "patterns[0].order: \"spiral\" is neither \"rows\" nor \"meander\"");
         row("patterns[0].first.pose", QJsonValue::Undefined, "patterns[0].first.pose: is missing");
@@ -282,7 +283,7 @@ private Q_SLOTS:
 
     void pathTimesMustIncrease() {
         const Result<Project> read = parseProject(fullWith("paths[0].points[0].t", 3));
-        QVERIFY2(read.error().context.contains("paths[0].points[1].t: is 0.5 s, outside 3 ..."),
+        QVERIFY2(read.error().context.contains("paths[0].points[1].t: is 0.5 s, outside the range 3 to"),
                  qPrintable(read.error().context));
     }
 
