@@ -130,7 +130,7 @@ QString mainHelp() {
             row(QStringLiteral("%1 %2").arg(command->name, command->operands).trimmed(), command->summary);
     }
     return text + QStringLiteral("\nOptions:\n") +
-           row(QStringLiteral("--help"), QStringLiteral("shows this text")) +
+           row(QStringLiteral("--help"), QStringLiteral("shows this help")) +
            row(QStringLiteral("--version"), QStringLiteral("shows the version of Tiller"));
 }
 
@@ -149,7 +149,7 @@ QString helpOf(const Command& command) {
         const QString name = QStringLiteral("--%1 %2").arg(option.name, option.value).trimmed();
         text += row(name, QString(option.text).replace(QLatin1String("%1"), option.initial));
     }
-    text += row(QStringLiteral("--help"), QStringLiteral("shows this text"));
+    text += row(QStringLiteral("--help"), QStringLiteral("shows this help"));
     if (!command.notes.isEmpty()) {
         text += QLatin1Char('\n');
         for (const QString& line : command.notes.split(QLatin1Char('\n'))) {

@@ -105,7 +105,8 @@ int runCommand(const QStringList& arguments);
 const Command& simulateCommand();
 /// Triggers a named fault in a running simulated controller.
 const Command& faultCommand();
-/// Prints the conditions for moving a robot from this PC, one line each, or as JSON. Blocks: up to 30 s
+/// Prints the conditions for moving a robot from this PC, one line each, or as JSON.
+/// Blocks: as long as doctor::examine(), up to 17 s
 const Command& doctorCommand();
 /// Records the packets of a robot to a file, for a given time or until the process is terminated.
 const Command& recordCommand();

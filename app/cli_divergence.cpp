@@ -101,7 +101,7 @@ QJsonObject toJson(const divergence::Report& report) {
 
 void print(const divergence::Report& report) {
     out() << QStringLiteral(
-                 "%1 rows compared with the model of a %2, %3 skipped (no power, guided by hand, or after a "
+                 "%1 rows compared with the %2 model, %3 rows skipped (no power, guided by hand, or after a "
                  "gap)\n")
                  .arg(report.rows - report.leftOut)
                  .arg(QLatin1String(robotModel(report.model).name))
@@ -121,12 +121,12 @@ void print(const divergence::Report& report) {
             out() << "  " << limit << ": no values\n";
         } else {
             out() << "  " << limit
-                  << QStringLiteral(": at most %1, %2 at %3 s\n")
+                  << QStringLiteral(": maximum %1, %2 at %3 s\n")
                          .arg(amountOf(*outcome.greatest), placeOf(*outcome.greatest))
                          .arg(outcome.greatest->seconds, 0, 'f', 3);
         }
         if (outcome.parted) {
-            out() << QStringLiteral("    above the limit from %1 s (row %2): %3, up to %4\n")
+            out() << QStringLiteral("    above the limit from %1 s on (row %2): %3, up to %4\n")
                          .arg(outcome.parted->seconds, 0, 'f', 3)
                          .arg(outcome.parted->row)
                          .arg(placeOf(*outcome.parted), amountOf(*outcome.parted));
@@ -146,7 +146,7 @@ void print(const divergence::Report& report) {
                       : "arm and model agree\n");
         return;
     }
-    out() << QStringLiteral("arm and model differ from %1 s: %2, %3 of %4\n")
+    out() << QStringLiteral("arm and model differ from %1 s on: %2, %3 of %4\n")
                  .arg(first->seconds, 0, 'f', 3)
                  .arg(placeOf(*first), amountOf(*first), QLatin1String(spellingOf(first->quantity).name));
     if (report.partedFromStart()) {

@@ -117,10 +117,9 @@ const Command& exportCommand() {
              {"force", "", "replaces an existing file"},
              {"quiet", "", "shows no progress on the terminal"}}),
         .notes =
-            "Numbers are written with the fewest digits that read back exactly; values "
-            "that the robot did not send are empty cells. Exit code: 0 everything was "
-            "written, 1 not everything was written, or part of the recording could not be "
-            "read, 2 invalid arguments.",
+            "Numbers are written with the fewest digits that preserve the exact value; values that the robot "
+            "did not send are empty cells. Exit code: 0 everything was written, 1 not everything was "
+            "written, or part of the recording could not be read, 2 invalid arguments.",
         .run = exportFile};
     return kCommand;
 }

@@ -32,7 +32,7 @@ int fault(const CommandArguments& arguments) {
     QTcpSocket socket;
     socket.connectToHost(address[0], port);
     if (!socket.waitForConnected(kWaitTimeoutMs)) {
-        return complain(QStringLiteral("no simulated controller responds at %1 port %2 (%3)")
+        return complain(QStringLiteral("no simulated controller responds at %1, port %2 (%3)")
                             .arg(address[0])
                             .arg(port)
                             .arg(socket.errorString()),
@@ -44,7 +44,10 @@ int fault(const CommandArguments& arguments) {
     // Only the reply to `help` has several lines.
     QByteArray answer = socket.readAll();
     if (answer.isEmpty()) {
-        return complain(QStringLiteral("%1 port %2 does not respond").arg(address[0]).arg(port), kFailed);
+        return complain(QStringLiteral("the simulated controller at %1, port %2, does not respond")
+                            .arg(address[0])
+                            .arg(port),
+                        kFailed);
     }
     if (answer.startsWith("error: ")) {
         return complain(QString::fromUtf8(answer.mid(7)).trimmed(), kFailed);

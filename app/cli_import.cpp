@@ -61,8 +61,8 @@ void printReport(const QString& program, const QString& path, const program::Imp
         out() << "note: " << note << '\n';
     }
     out() << QStringLiteral(
-                 "%1: program '%2' with %3 as steps, %4 as URScript text, %5 not imported; %6 new "
-                 "waypoints\n")
+                 "%1: program '%2': %3 entries imported as steps, %4 as URScript text, %5 not imported; %6 "
+                 "new waypoints\n")
                  .arg(path, program, QString::number(steps), QString::number(texts), QString::number(omitted),
                       QString::number(imported.waypoints));
     out().flush();
@@ -96,7 +96,7 @@ int import(const CommandArguments& arguments) {
     }
     if (saved->changedByOther) {
         return complain(
-            QStringLiteral("%1 was changed by another program and is not saved; try again").arg(path),
+            QStringLiteral("another program changed %1, so the import was not saved; try again").arg(path),
             kFailed);
     }
     const QString name = imported->project.programs.find(imported->program)->name;

@@ -291,8 +291,8 @@ const Command& recordCommand() {
         .notes =
             "A lost connection is restored automatically, and the file contains the gap and its length. A "
             "restart of the controller is stored as an event with both times; 'tiller-cli info' shows the "
-            "event. Data are saved twice a second; a crash loses at most half a second of data. Exit code: 0 "
-            "the file is complete, 1 the file is incomplete or no data were received, 2 invalid arguments.",
+            "event. Data are saved every 0.5 s; a crash loses at most 0.5 s of data. Exit code: 0 the file "
+            "is complete, 1 the file is incomplete or no data were received, 2 invalid arguments.",
         .run = record};
     return kCommand;
 }

@@ -159,7 +159,7 @@ QJsonObject recoveryJson(const LoadedProgram& loaded, const program::RecoveryMap
 
 void print(const LoadedProgram& loaded, const program::RecoveryMap& map) {
     const program::RecoveryCount count = program::countRecoverable(map);
-    out() << QStringLiteral("simulated: %1 of %2 steps can continue after a stop\n")
+    out() << QStringLiteral("simulated: the program can continue after a stop in %1 of %2 steps\n")
                  .arg(count.recoverable)
                  .arg(count.steps);
     for (std::size_t i = 0; i < map.steps.size(); ++i) {
@@ -230,8 +230,8 @@ int runOnRobot(LoadedProgram loaded, const QString& address, int portOffset, pro
     const bool isStill = waitUntil(Deadline::after(5s), [&] { return !controller.status().moving; });
     const auto sample = receiver.subscribe().next(Deadline::after(5s));
     if (!isStill || !sample) {
-        return complain(isStill ? sample.error().toString() : QStringLiteral("the arm does not stop"),
-                        kFailed);
+        return complain(
+            isStill ? sample.error().toString() : QStringLiteral("the arm did not stop within 5 s"), kFailed);
     }
     const std::uint64_t stops = controller.stops();
     bool isInterrupted = false;
