@@ -309,6 +309,7 @@ Place DesktopCell::place(const QString& name) {
     place.visible = told["visible"].toBool();
     place.enabled = told["enabled"].toBool();
     place.active = told["active"].toBool();
+    place.shaped = told["shaped"].toBool();
     place.focus = told["focus"].toBool();
     place.text = told["text"].toString();
     place.toolTip = told["toolTip"].toString();

@@ -52,6 +52,7 @@ struct Place {
     bool visible = false;
     bool enabled = false;
     bool active = false;  ///< true if the window of the widget has the keyboard focus
+    bool shaped = false;  ///< parts of the window are left out
     bool focus = false;
     QString text;
     QString toolTip;

@@ -79,6 +79,22 @@ private Q_SLOTS:
         useUp();
     }
 
+    // The STOP button of another Tiller is a window without a frame, and leaves out what it must not cover.
+    void windowsWithoutAFrameDoNotCoverIt() {
+        openCommands();
+        const QPoint stop = cell().place("stopButton").middle();
+        QVERIFY(cell().until([&] { return hand().isUnmanaged(stop); }));
+        const XHand::WindowId other = hand().openUnmanaged(stop);
+        QTest::qWait(1500);  // longer than the interval at which the order of windows is checked
+        QVERIFY(!cell().place("stopAboveDialog").shaped);
+        hand().closeWindow(other);
+        const XHand::WindowId framed = openOther(stop);
+        QVERIFY(cell().until([&] { return cell().place("stopAboveDialog").shaped; }));
+        hand().closeWindow(framed);
+        QVERIFY(cell().until([&] { return !cell().place("stopAboveDialog").shaped; }));
+        useUp();
+    }
+
     void itIsHiddenWithTheWindow() {
         openCommands();
         const QPoint stop = cell().place("stopButton").middle();

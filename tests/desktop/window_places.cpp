@@ -29,6 +29,7 @@ QJsonObject describe(const QWidget& widget) {
             {"visible", widget.isVisible()},
             {"enabled", widget.isEnabled()},
             {"active", widget.isActiveWindow()},
+            {"shaped", !widget.mask().isEmpty()},
             {"focus", widget.hasFocus()},
             {"text",
              widget.property(qobject_cast<const QComboBox*>(&widget) ? "currentText" : "text").toString()},

@@ -234,6 +234,24 @@ XHand::WindowId XHand::openWindow(const QPoint& place) {
     return window;
 }
 
+XHand::WindowId XHand::openUnmanaged(const QPoint& place) {
+    if (!d_->usable()) {
+        return 0;
+    }
+    const Window window =
+        XCreateSimpleWindow(d_->display, d_->root(), place.x(), place.y(), 40, 20, 0, 0, 0x808080);
+    XSetWindowAttributes attributes{};
+    attributes.override_redirect = True;
+    XChangeWindowAttributes(d_->display, window, CWOverrideRedirect, &attributes);
+    const Atom state = XInternAtom(d_->display, "WM_STATE", False);
+    const long values[] = {WithdrawnState, None};
+    XChangeProperty(d_->display, window, state, state, 32, PropModeReplace,
+                    reinterpret_cast<const unsigned char*>(values), 2);
+    XMapRaised(d_->display, window);
+    d_->sync();
+    return window;
+}
+
 void XHand::closeWindow(WindowId window) {
     if (d_->usable()) {
         XDestroyWindow(d_->display, window);

@@ -51,7 +51,11 @@ xcb_atom_t stateAtom(xcb_connection_t* link) {
 bool isManaged(xcb_connection_t* link, xcb_window_t window, xcb_atom_t state, int depth = 2) {
     const Owned<xcb_get_property_reply_t> property(xcb_get_property_reply(
         link, xcb_get_property(link, 0, window, state, XCB_GET_PROPERTY_TYPE_ANY, 0, 1), nullptr));
-    if (property != nullptr && property->type != XCB_ATOM_NONE) {
+    // A window that was hidden may have the state 0 (Withdrawn), even if it is on the screen again without the window
+    // manager, like the STOP button of another Tiller.
+    constexpr std::uint32_t kNormal = 1;
+    if (property != nullptr && property->format == 32 && xcb_get_property_value_length(property.get()) >= 4 &&
+        *static_cast<const std::uint32_t*>(xcb_get_property_value(property.get())) == kNormal) {
         return true;
     }
     const Tree tree = depth > 0 ? treeOf(link, window) : nullptr;

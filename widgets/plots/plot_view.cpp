@@ -1272,11 +1272,15 @@ void PlotView::click(const QPointF& point) {
     }
     const double time = timeAt(point.x());
     // The first click places cursor A, and the second click places cursor B. Further clicks move the nearest
-    // cursor.
+    // cursor. A cursor that was placed in the data of another page counts as not placed.
+    const auto isPlaced = [this](Cursor cursor) {
+        const std::optional<double>& at = cursors_[index(cursor)];
+        return at && *at >= window_.oldest() && *at <= window_.newest();
+    };
     Cursor which = Cursor::A;
-    if (cursors_[0] && !cursors_[1]) {
+    if (isPlaced(Cursor::A) && !isPlaced(Cursor::B)) {
         which = Cursor::B;
-    } else if (cursors_[0] && cursors_[1]) {
+    } else if (isPlaced(Cursor::A)) {
         which = std::abs(*cursors_[1] - time) < std::abs(*cursors_[0] - time) ? Cursor::B : Cursor::A;
     }
     setCursor(which, time);

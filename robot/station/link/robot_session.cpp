@@ -183,6 +183,7 @@ void RobotSession::connectTo(const RobotAddress& address) {
     d_->abandoned.reset();
     d_->startedProgram.clear();
     d_->programNode.clear();
+    d_->safetySeen = SafetyMode::Normal;  // a stop of the previous robot has not ended
     d_->followExtraFields();
     journal_.setRobot(address.name, {});
     Q_EMIT linkBegan();
@@ -821,6 +822,11 @@ void RobotSession::reportUnmeasuredStop() {
         d_->unmeasuredSeen = stop.count;
         d_->unmeasuredNs = d_->clock->nowNs();
     }
+    using Reason = control::UnmeasuredStop::Reason;
+    if (stop.reason == Reason::NotStopped && state.isFresh() && !state.moving &&
+        !state.foreignProgramRuns()) {
+        stop.reason = Reason::DataGap;  // stopped in the meantime
+    }
     if (!d_->unmeasuredNs) {
         return;
     }
@@ -833,7 +839,6 @@ void RobotSession::reportUnmeasuredStop() {
         return;
     }
     d_->unmeasuredNs.reset();
-    using Reason = control::UnmeasuredStop::Reason;
     const bool canHaveFailed = stop.reason == Reason::DataGap && state.isFresh() && !state.motionActive;
     const QString cause = causeWords(stop.cause, state.safety());
     if (canHaveFailed && (state.moving || programRuns)) {

@@ -1651,6 +1651,21 @@ private Q_SLOTS:
     }
 
     // ---- values, notes, alarms
+    void aClickInARecordingPlacesCursorA() {
+        Bench b;
+        QTemporaryDir folder;
+        b.view().pause();
+        b.view().setCursor(PlotView::Cursor::A, 40.0);
+        b.dock.openRecording(writeDay(folder, QStringLiteral("day.csv")));
+        QTRY_COMPARE_WITH_TIMEOUT(b.dock.pages().count(), 2, 60'000);
+        const double begin = b.dock.store().timesOf(QStringLiteral("day.csv"))->firstTime();
+        b.view().setCursor(PlotView::Cursor::A, begin - 1000);
+        const QPoint place(b.view().viewport()->width() / 2, 60);
+        QTest::mouseClick(b.view().viewport(), Qt::LeftButton, {}, place);
+        QVERIFY(b.view().cursor(PlotView::Cursor::A) > begin);
+        QVERIFY(!b.view().cursor(PlotView::Cursor::B));
+    }
+
     void tableShowsStatisticsBetweenTheCursors() {
         Bench b;
         b.view().pause();

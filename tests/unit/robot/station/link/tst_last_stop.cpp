@@ -247,6 +247,12 @@ private Q_SLOTS:
         QVERIFY2(!all.contains("Stopped: "), qPrintable(all));
         QVERIFY2(all.contains("still running"), qPrintable(all));
         QCOMPARE(bench.state().unmeasuredStop.reason, control::UnmeasuredStop::Reason::NotStopped);
+        // The header must not show "not stopped" after the next stop.
+        bench.session.stop(StopCause::StopButton);
+        QVERIFY(bench.within([&] { return !bench.state().foreignProgramRuns(); }));
+        QVERIFY(bench.within([&] {
+            return bench.state().unmeasuredStop.reason != control::UnmeasuredStop::Reason::NotStopped;
+        }));
     }
 
     void aStopThatDidNotArriveIsNotReportedAsAStop() {
