@@ -138,7 +138,7 @@ private Q_SLOTS:
         QVERIFY(!key("gripper.activate").isEnabled());
         QVERIFY(wasSaid("Gripper: activate"));
         QVERIFY(wasSaid("The gripper is active"));
-        QVERIFY(key("gripper.close").toolTip().contains("continues to hold"));
+        QVERIFY(key("gripper.close").toolTip().contains("keeps its grip"));
     }
 
     void gripperOpensClosesAndReportsHeldObjects() {

@@ -126,17 +126,27 @@ Stacking keepAbove(const QList<QWindow*>& references, const QWindow& unmanaged, 
         xcb_configure_window(link, window, XCB_CONFIG_WINDOW_SIBLING | XCB_CONFIG_WINDOW_STACK_MODE, values);
         xcb_flush(link);
     }
+    // A window of another program may be between two windows of this program, e.g. below a dialog.
     const xcb_atom_t state = stateAtom(link);
     const QRect area = areaOf(link, window);
-    const double scale = unmanaged.devicePixelRatio();
-    for (auto above = topmost; above != order.end(); ++above) {
-        const QRect part = *above == window ? QRect() : areaOf(link, *above).intersected(area);
-        if (!part.isEmpty() && isOnScreen(link, *above) && isManaged(link, *above, state)) {
-            const QRect local = part.translated(-area.topLeft());
-            covered +=
-                QRectF(local.x() / scale, local.y() / scale, local.width() / scale, local.height() / scale)
-                    .toAlignedRect();
+    QRegion others;
+    for (auto each =
+             std::find_if(order.begin(), topmost, [&](xcb_window_t one) { return frames.contains(one); });
+         each != order.end(); ++each) {
+        const QRect part = *each == window ? QRect() : areaOf(link, *each).intersected(area);
+        if (part.isEmpty()) {
+            continue;
         }
+        if (frames.contains(*each)) {
+            others -= part;
+        } else if (isOnScreen(link, *each) && isManaged(link, *each, state)) {
+            others += part;
+        }
+    }
+    const double scale = unmanaged.devicePixelRatio();
+    for (const QRect& part : others.translated(-area.topLeft())) {
+        covered += QRectF(part.x() / scale, part.y() / scale, part.width() / scale, part.height() / scale)
+                       .toAlignedRect();
     }
     return Stacking::Done;
 }

@@ -106,15 +106,15 @@ void StepTree::fitColumns() {
     const auto contents = [this](int column) {
         return std::max(sizeHintForColumn(column), header()->sectionSizeHint(column));
     };
-    // The titles remain readable, so a very narrow tree is scrolled.
+    // The titles remain readable, so a very narrow tree is scrolled. The names of the steps come first.
     const auto title = [this](int column) { return header()->sectionSizeHint(column); };
     const int room = viewport()->width();
-    const int least = title(ProgramModel::Step) + title(ProgramModel::Values);
-    const int result = std::max(std::min({contents(ProgramModel::Result), room * 2 / 5, room - least}),
-                                title(ProgramModel::Result));
+    const int others = title(ProgramModel::Values) + title(ProgramModel::Result);
     const int step =
-        std::max(std::min(contents(ProgramModel::Step), room - result - title(ProgramModel::Values)),
-                 title(ProgramModel::Step));
+        std::max(std::min(contents(ProgramModel::Step), room - others), title(ProgramModel::Step));
+    const int result =
+        std::max(std::min(contents(ProgramModel::Result), room - step - title(ProgramModel::Values)),
+                 title(ProgramModel::Result));
     const int values =
         std::max(std::min(contents(ProgramModel::Values), room - result - step), title(ProgramModel::Values));
     header()->resizeSection(ProgramModel::Step, step);
