@@ -2436,18 +2436,18 @@ private Q_SLOTS:
         b.dock.openRecording(path);
         QTRY_COMPARE_WITH_TIMEOUT(b.dock.pages().count(), 2, 60'000);
         b.runTo(61);
-        const auto told = [&] {
+        const auto reportCount = [&] {
             return std::count_if(messages.begin(), messages.end(), [](const auto& message) {
                 return message.severity == Severity::Warning && message.text.contains("damaged.mcap") &&
                        message.text.contains("checksum") && message.text.contains("row");
             });
         };
-        QVERIFY2(told() == 1, qPrintable(messages.last().text));
+        QVERIFY2(reportCount() == 1, qPrintable(messages.last().text));
         const int empty = emptyColumnsWithin(b.curve(b.id("damaged.mcap/actual_TCP_force_2")));
         QVERIFY2(empty > 20, qPrintable(QString::number(empty)));
         b.view().fit();
         b.runTo(62);
-        QCOMPARE(told(), 1);
+        QCOMPARE(reportCount(), 1);
     }
 
     void anIncompleteRecordingIsReportedWithTheReason() {
