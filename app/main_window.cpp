@@ -1277,7 +1277,8 @@ void MainWindow::askForProgram() {
         const int cursor = before->cursorPosition();
         const int begin = before->selectionStart();
         const int length = static_cast<int>(before->selectedText().size());
-        const bool isFocused = before->hasFocus();
+        // The dialog may not be active yet, so its own focus counts, not the application's.
+        const bool isFocused = dialog->focusWidget() == before;
         dialog->setComboBoxItems(names);
         dialog->setComboBoxEditable(true);
         dialog->setTextValue(typed.isEmpty() ? session_->state().loadedProgram : typed);

@@ -235,7 +235,8 @@ private Q_SLOTS:
             "def mirror():\n  while True:\n    write_output_integer_register(40, "
             "read_input_integer_register(36))\n    sync()\n  end\nend\n");
         client.flush();
-        QVERIFY(until([this] { return cell().truth().runtimeState == RuntimeState::Playing; }));
+        QVERIFY(until([this] { return bench_->window.session().state().foreignProgramRuns(); }));
+        bench_->window.session().confirmChanges();
         find<QComboBox>("io.register.kind").setCurrentIndex(0);
         find<QDoubleSpinBox>("io.register.number").setValue(36);
         find<QDoubleSpinBox>("io.register.value").setValue(4711);
