@@ -10440,6 +10440,10 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <source>No joint positions to replay</source>
         <translation>Keine Gelenkpositionen zum Wiedergeben</translation>
     </message>
+    <message>
+        <source>Robot model unknown</source>
+        <translation>Robotermodell unbekannt</translation>
+    </message>
 </context>
 <context>
     <name>tiller::SceneKeys</name>

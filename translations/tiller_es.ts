@@ -10440,6 +10440,10 @@ Suelte el botón para detener el brazo.</translation>
         <source>No joint positions to replay</source>
         <translation>Sin posiciones articulares que reproducir</translation>
     </message>
+    <message>
+        <source>Robot model unknown</source>
+        <translation>Modelo de robot desconocido</translation>
+    </message>
 </context>
 <context>
     <name>tiller::SceneKeys</name>

@@ -10440,6 +10440,10 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <source>No joint positions to replay</source>
         <translation>Aucune position d’axe à rejouer</translation>
     </message>
+    <message>
+        <source>Robot model unknown</source>
+        <translation>Modèle de robot inconnu</translation>
+    </message>
 </context>
 <context>
     <name>tiller::SceneKeys</name>

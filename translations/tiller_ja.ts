@@ -10414,6 +10414,10 @@ Release the button to stop the arm.</source>
         <source>No joint positions to replay</source>
         <translation>再生する関節位置がありません</translation>
     </message>
+    <message>
+        <source>Robot model unknown</source>
+        <translation>ロボットの機種が不明</translation>
+    </message>
 </context>
 <context>
     <name>tiller::SceneKeys</name>

@@ -10414,6 +10414,10 @@ Release the button to stop the arm.</source>
         <source>No joint positions to replay</source>
         <translation>没有可回放的关节位置</translation>
     </message>
+    <message>
+        <source>Robot model unknown</source>
+        <translation>机器人型号未知</translation>
+    </message>
 </context>
 <context>
     <name>tiller::SceneKeys</name>

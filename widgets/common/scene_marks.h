@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "robot/core/joints.h"
+#include "robot/core/robot_model.h"
 #include "robot/core/spatial.h"
 
 namespace tiller {
@@ -26,7 +27,8 @@ struct Ghost {
 /// The arm at the replayed time. Never represents the current position of the robot.
 struct ReplayMark {
     JointPositions q;
-    QString words;  ///< text about the replayed time
+    QString words;                           ///< text about the replayed time
+    std::optional<RobotModelId> model = {};  ///< empty: drawn as the model of the connected arm
     friend bool operator==(const ReplayMark&, const ReplayMark&) = default;
 };
 

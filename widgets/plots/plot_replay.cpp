@@ -100,7 +100,15 @@ Replay PlotReplay::momentNow() const {
     moment.sample = same ? moment_->sample : store_.sampleAt(source, *time);
     if (source.isEmpty()) {
         moment.wallTime = wallTimeOf(*time);
+        if (const HistoryRobot* robot = store_.robotAt(*time); robot != nullptr) {
+            moment.model = robot->model;
+            moment.robot = store_.isNewest(*robot) ? QString() : robot->name;
+        }
         return moment;
+    }
+    const auto& facts = store_.recorded(source)->facts();
+    if (const auto model = facts.find("model"); model != facts.end()) {
+        moment.model = robotModelByName(QString::fromStdString(model->second));
     }
     moment.seconds = *time - store_.timesOf(source)->firstTime();
     moment.events = same || (moment_ && moment_->source == source) ? moment_->events : eventsOf(source);
@@ -112,7 +120,8 @@ void PlotReplay::follow() {
     Replay now = momentNow();
     const bool same = now.has_value() == moment_.has_value() &&
                       (!now || (now->source == moment_->source && now->time == moment_->time &&
-                                now->sample.isEmpty() == moment_->sample.isEmpty()));
+                                now->sample.isEmpty() == moment_->sample.isEmpty() &&
+                                now->robot == moment_->robot && now->model == moment_->model));
     if (!same) {
         moment_ = std::move(now);
         Q_EMIT changed(moment_);

@@ -94,9 +94,13 @@ void SceneBodies::setSecondGhost(const std::optional<JointPositions>& q) {
     second_ = q;
 }
 
-void SceneBodies::setReplay(const std::optional<JointPositions>& q) {
-    changed_ = changed_ || q != replay_;
+void SceneBodies::setReplay(const std::optional<JointPositions>& q, const RobotModel& model) {
+    const RobotModel* other = q && model.id != model_->id ? &model : nullptr;
+    changed_ = changed_ || q != replay_ || other != replayModel_;
     replay_ = q;
+    if (other != std::exchange(replayModel_, other) && other != nullptr) {
+        replayArm_ = armMesh(*other);
+    }
 }
 
 void SceneBodies::setTool(const collision::ToolBody& tool) {
@@ -140,6 +144,17 @@ void SceneBodies::addArm(const JointPositions& q, const BodyColors& colors) {
     raster_->add(tool_, frames.back(), colors);
 }
 
+void SceneBodies::addReplay(const BodyColors& colors) {
+    if (replayModel_ == nullptr) {
+        addArm(*replay_, colors);
+        return;
+    }
+    const auto frames = kinematics::linkFrames(replayModel_->dh, *replay_);
+    for (std::size_t i = 0; i < replayArm_.size(); ++i) {
+        raster_->add(replayArm_[i], frames[i], colors);
+    }
+}
+
 QRect SceneBodies::update(const Camera& camera, const QSize& size, double scale, const Theme& theme) {
     const Camera::Eye eye = camera.eye();
     const bool anew = size != size_ || scale != scale_ || !(eye == eye_) || scheme_ != theme.scheme;
@@ -167,7 +182,7 @@ QRect SceneBodies::update(const Camera& camera, const QSize& size, double scale,
         addArm(*second_, ArmColors::secondGhost(theme));
     }
     if (replay_) {
-        addArm(*replay_, ArmColors::replay(theme));
+        addReplay(ArmColors::replay(theme));
     }
     const QRect before = std::exchange(covered_, raster_->covered());
     picture_ = &raster_->render(before | covered_);

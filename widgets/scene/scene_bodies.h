@@ -43,7 +43,9 @@ public:
     void setGhost(const std::optional<JointPositions>& q);
     /// Sets a second ghost, in a different colour.
     void setSecondGhost(const std::optional<JointPositions>& q);
-    void setReplay(const std::optional<JointPositions>& q);
+    /// model  the model of the replayed arm, which must outlive the object; drawn without a tool if it differs from
+    ///        the model of the arm
+    void setReplay(const std::optional<JointPositions>& q, const RobotModel& model);
     /// If the tool has no radius, a thin rod connects flange and TCP.
     void setTool(const collision::ToolBody& tool);
     /// Sets the boxes and planes. The floor, which has no name, is not drawn.
@@ -60,6 +62,7 @@ public:
 
 private:
     void addArm(const JointPositions& q, const BodyColors& colors);
+    void addReplay(const BodyColors& colors);
 
     const RobotModel* model_ = nullptr;
     ArmMesh arm_;
@@ -70,6 +73,8 @@ private:
     std::optional<JointPositions> ghost_;
     std::optional<JointPositions> second_;
     std::optional<JointPositions> replay_;
+    const RobotModel* replayModel_ = nullptr;  ///< set if it differs from model_
+    ArmMesh replayArm_;                        ///< mesh of replayModel_
     bool stale_ = false;
     bool changed_ = true;
     std::unique_ptr<Rasterizer> raster_;

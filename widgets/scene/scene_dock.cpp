@@ -37,9 +37,12 @@ void SceneDock::setReplay(const Replay& moment) {
         if (!moment->sample.isEmpty()) {
             mark->q = receive::RobotState(moment->sample).q();
         }
+        mark->model = moment->model;
         if (!mark->q.allFinite()) {
             // Insert this text at the start, because the end of the text may be elided.
             mark->words = tr("No joint positions to replay") + QStringLiteral(" · ") + mark->words;
+        } else if (!mark->model) {
+            mark->words = tr("Robot model unknown") + QStringLiteral(" · ") + mark->words;
         }
     }
     band_->tell(mark ? mark->words : QString());

@@ -193,6 +193,11 @@ void SceneView::setReplay(const std::optional<ReplayMark>& replay) {
     }
 }
 
+const RobotModel& SceneView::replayModel() const {
+    const bool isOther = replay_ && replay_->model && *replay_->model != model_.id;
+    return isOther ? robotModel(*replay_->model) : model_;
+}
+
 QString SceneView::replayHeadline() const {
     if (!replay_) {
         return {};
@@ -336,13 +341,14 @@ QString SceneView::ghostText() const {
 
 std::vector<Camera::Ball> SceneView::inSight() const {
     std::vector<Camera::Ball> balls;
-    const auto add = [&](const JointPositions& q) {
+    const auto addArm = [&](const RobotModel& model, const JointPositions& q) {
         for (const collision::LinkCapsule& part :
-             collision::placedCapsules(collision::armCapsules(model_), model_.dh, q)) {
+             collision::placedCapsules(collision::armCapsules(model), model.dh, q)) {
             balls.push_back({part.shape.from, part.shape.radius});
             balls.push_back({part.shape.to, part.shape.radius});
         }
     };
+    const auto add = [&](const JointPositions& q) { addArm(model_, q); };
     const double reach = model_.reach;
     if (haveJoints_) {
         add(q_);
@@ -361,7 +367,7 @@ std::vector<Camera::Ball> SceneView::inSight() const {
         add(secondGhost_->q);
     }
     if (replay_ && replay_->q.allFinite()) {
-        add(replay_->q);
+        addArm(replayModel(), replay_->q);
     }
     // Ignore positions far away, e.g. taught for another robot. They would make the arm tiny in the view.
     const auto addPlace = [&](const Eigen::Vector3d& place, double radius) {
@@ -590,7 +596,7 @@ void SceneView::paintScene(QPainter& painter, const QSizeF& size) {
                                 ? std::optional(secondGhost_->q)
                                 : std::nullopt);
     const bool showsReplay = replay_ && replay_->q.allFinite();
-    bodies_->setReplay(showsReplay ? std::optional(replay_->q) : std::nullopt);
+    bodies_->setReplay(showsReplay ? std::optional(replay_->q) : std::nullopt, replayModel());
     bodies_->update(camera_, size.toSize(), painter.device()->devicePixelRatioF(), theme);
     bodies_->paint(painter);
     drawPaths(scene);

@@ -61,6 +61,8 @@ public:
     const std::optional<ReplayMark>& replay() const { return replay_; }
     /// The large text during replay; empty if there is none. The live arm alone is not labelled as a replay.
     QString replayHeadline() const;
+    /// The model that the replayed arm is drawn with.
+    const RobotModel& replayModel() const;
     void setWaypoints(const std::vector<WaypointMark>& waypoints);
     void setFrames(const std::vector<FrameMark>& frames);
     const std::vector<FrameMark>& frames() const { return frames_; }

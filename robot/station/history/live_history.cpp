@@ -13,10 +13,10 @@ LiveHistory::LiveHistory(RobotSession& session, QObject* parent) : QObject(paren
     connect(&session, &RobotSession::linkBegan, this, [this, &session] {
         feed_.beginLink();
         const RobotAddress& address = session.address();
-        store_.setRobot(QStringLiteral("%1 %2").arg(address.host).arg(address.portOffset));
         robot_ = address.name.isEmpty() || address.name == address.host
                      ? address.host
                      : QStringLiteral("%1 (%2)").arg(address.name, address.host);
+        store_.setRobot(QStringLiteral("%1 %2").arg(address.host).arg(address.portOffset), robot_);
     });
     connect(&session, &RobotSession::samplesReceived, this, &LiveHistory::take);
     connect(&session, &RobotSession::extraSamplesReceived, this,
@@ -26,11 +26,8 @@ LiveHistory::LiveHistory(RobotSession& session, QObject* parent) : QObject(paren
 }
 
 void LiveHistory::take(const SampleBatch& batch) {
-    const std::int64_t before = store_.live().end();
     feed_.take(batch);
-    if (const auto change = store_.newestRobotChange(); change && *change >= before) {
-        Q_EMIT robotChanged(store_.live().time(*change), robot_);
-    }
+    markRobotChange();
     const LaneEntry none = noDataEntry();
     for (const HistoryFeed::Silence& silence : feed_.takeDataGaps()) {
         lane_.add(silence.from, none.kind, none.label);
@@ -39,7 +36,19 @@ void LiveHistory::take(const SampleBatch& batch) {
     }
 }
 
+void LiveHistory::markRobotChange() {
+    const auto change = store_.newestRobotChange();
+    if (change && change != markedChange_) {
+        markedChange_ = change;
+        Q_EMIT robotChanged(store_.live().time(*change), robot_);
+    }
+}
+
 void LiveHistory::follow(const SessionState& state) {
+    if (state.modelKnown && state.link == LinkState::Live) {
+        store_.setRobotModel(state.model);
+        markRobotChange();
+    }
     const double shown = feed_.plotTime(state.robotTime);
     if (state.hasData() && state.link != LinkState::Connecting) {
         const LaneEntry entry = laneEntry(state, jogLabel_, stepLabel_);

@@ -49,11 +49,13 @@ Q_SIGNALS:
 private:
     void take(const SampleBatch& batch);
     void follow(const SessionState& state);
+    void markRobotChange();
 
     SignalStore store_;
     HistoryFeed feed_{store_};
     StateLane lane_;
-    QString robot_;  ///< name and address
+    QString robot_;                             ///< name and address
+    std::optional<std::int64_t> markedChange_;  ///< sample of the last robotChanged()
     QString jogLabel_;
     QString stepLabel_;
     std::optional<double> backAt_;  ///< time at which data arrived again, not yet added to the lane [s]

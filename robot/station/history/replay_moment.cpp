@@ -19,6 +19,9 @@ struct ReplayText {
 QString ReplayMoment::words() const {
     // The file name is last, so that it is elided first.
     QStringList parts{ReplayText::tr("REPLAY")};
+    if (!robot.isEmpty()) {
+        parts << robot;
+    }
     if (wallTime.isValid()) {
         parts << wallTime.toString(QStringLiteral("HH:mm:ss.zzz"));
     }

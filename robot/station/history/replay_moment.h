@@ -11,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+#include "robot/core/robot_model.h"
 #include "robot/receive/sample.h"
 #include "robot/recording/recording.h"
 
@@ -21,7 +22,10 @@ struct ReplayMoment {
     double time = 0;         ///< on the plots' time axis [s]
     QDateTime wallTime;      ///< invalid if unknown
     receive::Sample sample;  ///< empty: no data at that time
-    double seconds = 0;      ///< since the first row of the recording; 0 for the history
+    /// Name of the robot, if the history contains a later one; otherwise empty.
+    QString robot;
+    std::optional<RobotModelId> model;  ///< empty: unknown
+    double seconds = 0;                 ///< since the first row of the recording; 0 for the history
     /// The log of the recording; null for the history, which uses the log of the window.
     std::shared_ptr<const std::vector<recording::RecordedEvent>> events;
 

@@ -50,13 +50,37 @@ Result<void> readTimes(const recording::Recording& file, SeriesBuffer& history, 
 
 }  // namespace
 
-void SignalStore::setRobot(const QString& robot) {
-    if (!robots_.empty() && robots_.back().first == live().end()) {
+void SignalStore::setRobot(const QString& address, const QString& name) {
+    linkFirst_ = live().end();
+    if (!robots_.empty() && robots_.back().first == linkFirst_) {
         robots_.pop_back();  // it sent nothing
     }
-    if (robots_.empty() || robots_.back().second != robot) {
-        robots_.emplace_back(live().end(), robot);
+    if (robots_.empty() || robots_.back().address != address) {
+        robots_.push_back({linkFirst_, address, name, {}});
     }
+}
+
+void SignalStore::setRobotModel(RobotModelId model) {
+    if (robots_.empty()) {
+        return;
+    }
+    HistoryRobot& newest = robots_.back();
+    if (newest.model && *newest.model != model && newest.first < linkFirst_) {
+        robots_.push_back({linkFirst_, newest.address, newest.name, model});
+    } else {
+        newest.model = model;
+    }
+}
+
+const HistoryRobot* SignalStore::robotAt(double time) const {
+    const auto sample = heldAt(live(), time);
+    if (!sample) {
+        return nullptr;
+    }
+    const auto after =
+        std::upper_bound(robots_.begin(), robots_.end(), *sample,
+                         [](std::int64_t at, const HistoryRobot& robot) { return at < robot.first; });
+    return after == robots_.begin() ? nullptr : &*std::prev(after);
 }
 
 std::optional<std::int64_t> SignalStore::newestRobotChange() const {
@@ -67,7 +91,7 @@ std::optional<std::int64_t> SignalStore::newestRobotChange() const {
 bool SignalStore::hasSeveralRobots(double from, double to) const {
     const double earliest = std::min(from, to);
     const double latest = std::max(from, to);
-    return std::any_of(robots_.begin(), robots_.end(), [&](const auto& robot) {
+    return std::any_of(robots_.begin(), robots_.end(), [&](const HistoryRobot& robot) {
         const std::int64_t change = robot.first;
         return &robot != &robots_.front() && live().first() < change && change < live().end() &&
                earliest <= live().time(change - 1) && latest >= live().time(change);

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "robot/core/result.h"
+#include "robot/core/robot_model.h"
 #include "robot/receive/sample.h"
 #include "robot/recording/recording.h"
 #include "robot/station/executor/serial_executor.h"
@@ -28,6 +29,14 @@
 namespace tiller {
 
 class SelectedSignals;
+
+/// A robot in the history of the live samples.
+struct HistoryRobot {
+    std::int64_t first = 0;  ///< its first live sample, which may not have arrived yet
+    QString address;
+    QString name;                       ///< for people: name and address
+    std::optional<RobotModelId> model;  ///< empty until the robot reports it
+};
 
 /// Threads  GUI
 class SignalStore : public QObject {
@@ -118,8 +127,14 @@ public:
     /// History of the standard fields. For the additionally requested fields, see further().
     const SeriesBuffer& live() const { return *tables_[kLive].buffer; }
     /// Sets the robot of all samples added from now on.
-    /// robot  its address
-    void setRobot(const QString& robot);
+    void setRobot(const QString& address, const QString& name = {});
+    /// Sets the model that the robot of the newest samples reports. If samples of another model from the same
+    /// address precede them, these belong to another robot.
+    void setRobotModel(RobotModelId model);
+    /// The robot whose samples are shown at this time; null without data.
+    const HistoryRobot* robotAt(double time) const;
+    /// True if this robot is the one whose samples arrive now.
+    bool isNewest(const HistoryRobot& robot) const { return &robot == &robots_.back(); }
     /// The first live sample of the newest robot, if other robots' samples precede it and it has arrived.
     std::optional<std::int64_t> newestRobotChange() const;
     /// True if the robot's samples between these times, in either order, are of different robots.
@@ -233,8 +248,8 @@ private:
     std::vector<Signal> signals_;
     QHash<QString, int> byKey_;
     std::vector<std::pair<double, double>> clocks_;  ///< see beginClock(), in the order of their times
-    /// Each robot from its first live sample on, which may not have arrived yet, in this order.
-    std::vector<std::pair<std::int64_t, QString>> robots_;
+    std::vector<HistoryRobot> robots_;               ///< in the order of their samples
+    std::int64_t linkFirst_ = 0;                     ///< first live sample since the last setRobot()
     QHash<const void*, QSet<int>> wanted_;
     QStringList furtherFields_;
     QString problem_;

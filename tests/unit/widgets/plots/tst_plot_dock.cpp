@@ -745,6 +745,14 @@ private Q_SLOTS:
         QCOMPARE(mark.text, QStringLiteral("Robot: Right (127.0.0.2)"));
         QVERIFY(near(mark.time, 61.2, 0.02));
         QVERIFY(b.dock.history().gapBefore(b.dock.history().lowerBound(mark.time)));
+        // A replay names the robot if it is not the connected one.
+        b.dock.setPaused(true);
+        b.view().setCursor(PlotView::Cursor::A, 60.9);
+        QVERIFY(b.dock.replay().has_value());
+        QCOMPARE(b.dock.replay()->robot, QStringLiteral("Left (127.0.0.1)"));
+        QVERIFY(b.dock.replay()->words().contains("Left (127.0.0.1)"));
+        b.view().setCursor(PlotView::Cursor::A, 65);
+        QVERIFY2(b.dock.replay()->robot.isEmpty(), qPrintable(b.dock.replay()->words()));
         // Differences and x-y plots do not mix the robots.
         b.view().setCursor(PlotView::Cursor::A, 60);
         b.view().setCursor(PlotView::Cursor::B, 65);

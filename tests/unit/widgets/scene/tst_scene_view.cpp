@@ -178,6 +178,42 @@ private Q_SLOTS:
         QVERIFY2(view.replayHeadline().isEmpty(), "the headline is shown without an arm");
     }
 
+    void aReplayOfAnotherModelIsDrawnAsThatModel() {
+        SceneView view;
+        view.setModel(robotModel(RobotModelId::UR5e));
+        view.setState(live(kStance));
+        ReplayMark mark{kStance, QStringLiteral("REPLAY"), RobotModelId::UR5e};
+        view.setReplay(mark);
+        QCOMPARE(view.replayModel().id, RobotModelId::UR5e);
+        const QImage same = view.grab().toImage();
+        mark.model = RobotModelId::UR10e;
+        view.setReplay(mark);
+        QCOMPARE(view.replayModel().id, RobotModelId::UR10e);
+        QVERIFY2(view.grab().toImage() != same, "drawn with the geometry of the connected arm");
+        mark.model.reset();
+        view.setReplay(mark);
+        QCOMPARE(view.replayModel().id, RobotModelId::UR5e);
+    }
+
+    void theReplayBandReportsAnUnknownModel() {
+        RobotSession session;
+        session.shutDown();
+        SceneDock dock(session);
+        ReplayMoment moment;
+        moment.source = QStringLiteral("lab.csv");
+        const auto layout =
+            std::make_shared<const receive::SampleLayout>(std::vector<std::string>{"timestamp", "actual_q"});
+        moment.sample = receive::Sample(layout);
+        moment.sample.sequence = 1;
+        std::fill(moment.sample.values.begin(), moment.sample.values.end(), 0.0);
+        const auto* band = dock.findChild<ReplayBand*>();
+        dock.setReplay(moment);
+        QVERIFY2(band->words().contains("model unknown"), qPrintable(band->words()));
+        moment.model = RobotModelId::UR10e;
+        dock.setReplay(moment);
+        QVERIFY2(!band->words().contains("model unknown"), qPrintable(band->words()));
+    }
+
     void theReplayBandReportsMissingJointPositions() {
         RobotSession session;
         session.shutDown();
