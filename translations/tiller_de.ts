@@ -1299,10 +1299,6 @@
         <translation>Nicht gesteuert</translation>
     </message>
     <message>
-        <source>monitoring</source>
-        <translation>beobachtet</translation>
-    </message>
-    <message>
         <source>Packets are late or lost: jogging may stop and plots have gaps. Use a cable instead of a wireless link, and close other programs.</source>
         <translation>Pakete kommen spät oder gehen verloren: Das Verfahren kann stoppen, und Diagramme haben Lücken. Verwenden Sie ein Kabel statt einer Funkverbindung und schließen Sie andere Programme.</translation>
     </message>
@@ -1391,10 +1387,6 @@
         <translation>Steuerung übernehmen</translation>
     </message>
     <message>
-        <source>Select the simulator or enter the address of a robot</source>
-        <translation>Wählen Sie den Simulator oder geben Sie die Adresse eines Roboters ein</translation>
-    </message>
-    <message>
         <source>Powers on the arm. The brakes stay engaged.</source>
         <translation>Schaltet den Arm ein. Die Bremsen bleiben angezogen.</translation>
     </message>
@@ -1413,6 +1405,14 @@
     <message>
         <source>Starts the control program on the robot. Asks for confirmation before stopping another program.</source>
         <translation>Startet das Steuerprogramm auf dem Roboter. Fragt nach, bevor ein anderes Programm gestoppt wird.</translation>
+    </message>
+    <message>
+        <source>Monitoring</source>
+        <translation>Beobachtet</translation>
+    </message>
+    <message>
+        <source>Select the simulator or enter the address of a robot.</source>
+        <translation>Wählen Sie den Simulator oder geben Sie die Adresse eines Roboters ein.</translation>
     </message>
 </context>
 <context>
@@ -6485,14 +6485,6 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>LETZTER STOPP · keine Tastenprüfung</translation>
     </message>
     <message>
-        <source>not measured</source>
-        <translation>nicht gemessen</translation>
-    </message>
-    <message>
-        <source>The robot data ended while the arm was moving, so the stop could not be measured.</source>
-        <translation>Die Daten endeten während der Bewegung des Arms: Der Stopp konnte nicht gemessen werden.</translation>
-    </message>
-    <message>
         <source>%1 ms · %2</source>
         <translation>%1 ms · %2</translation>
     </message>
@@ -6521,12 +6513,20 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Ursache: %1 (%2)</translation>
     </message>
     <message>
-        <source>not stopped</source>
-        <translation>nicht gestoppt</translation>
-    </message>
-    <message>
         <source>The program was stopped on the robot, so the stop could not be measured.</source>
         <translation>Das Programm wurde am Roboter gestoppt, daher konnte der Stopp nicht gemessen werden.</translation>
+    </message>
+    <message>
+        <source>Not measured</source>
+        <translation>Nicht gemessen</translation>
+    </message>
+    <message>
+        <source>The robot stopped sending data while the arm was moving, so the stop could not be measured.</source>
+        <translation>Der Roboter hat während der Bewegung des Arms keine Daten mehr gesendet: Der Stopp konnte nicht gemessen werden.</translation>
+    </message>
+    <message>
+        <source>Not stopped</source>
+        <translation>Nicht gestoppt</translation>
     </message>
 </context>
 <context>

@@ -1283,7 +1283,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>monitoring</source>
+        <source>Monitoring</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1359,7 +1359,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Select the simulator or enter the address of a robot</source>
+        <source>Select the simulator or enter the address of a robot.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6497,11 +6497,11 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>not measured</source>
+        <source>Not measured</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot data ended while the arm was moving, so the stop could not be measured.</source>
+        <source>The robot stopped sending data while the arm was moving, so the stop could not be measured.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6517,7 +6517,7 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>not stopped</source>
+        <source>Not stopped</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

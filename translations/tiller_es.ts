@@ -1299,10 +1299,6 @@
         <translation>Sin control</translation>
     </message>
     <message>
-        <source>monitoring</source>
-        <translation>observando</translation>
-    </message>
-    <message>
         <source>Packets are late or lost: jogging may stop and plots have gaps. Use a cable instead of a wireless link, and close other programs.</source>
         <translation>Los paquetes llegan tarde o se pierden: el movimiento puede detenerse y los gráficos tienen huecos. Use un cable en vez de un enlace inalámbrico y cierre otros programas.</translation>
     </message>
@@ -1391,10 +1387,6 @@
         <translation>Tomar el control</translation>
     </message>
     <message>
-        <source>Select the simulator or enter the address of a robot</source>
-        <translation>Seleccione el simulador o introduzca la dirección de un robot</translation>
-    </message>
-    <message>
         <source>Powers on the arm. The brakes stay engaged.</source>
         <translation>Enciende el brazo. Los frenos siguen puestos.</translation>
     </message>
@@ -1413,6 +1405,14 @@
     <message>
         <source>Starts the control program on the robot. Asks for confirmation before stopping another program.</source>
         <translation>Inicia el programa de control en el robot. Pregunta antes de detener otro programa.</translation>
+    </message>
+    <message>
+        <source>Monitoring</source>
+        <translation>Observando</translation>
+    </message>
+    <message>
+        <source>Select the simulator or enter the address of a robot.</source>
+        <translation>Seleccione el simulador o introduzca la dirección de un robot.</translation>
     </message>
 </context>
 <context>
@@ -6485,14 +6485,6 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>ÚLTIMA PARADA · sin comprobación</translation>
     </message>
     <message>
-        <source>not measured</source>
-        <translation>no medida</translation>
-    </message>
-    <message>
-        <source>The robot data ended while the arm was moving, so the stop could not be measured.</source>
-        <translation>Los datos se interrumpieron mientras el brazo se movía: no se pudo medir la parada.</translation>
-    </message>
-    <message>
         <source>%1 ms · %2</source>
         <translation>%1 ms · %2</translation>
     </message>
@@ -6521,12 +6513,20 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>Causa: %1 (%2)</translation>
     </message>
     <message>
-        <source>not stopped</source>
-        <translation>no detenido</translation>
-    </message>
-    <message>
         <source>The program was stopped on the robot, so the stop could not be measured.</source>
         <translation>El programa se paró en el robot, por lo que no se pudo medir la parada.</translation>
+    </message>
+    <message>
+        <source>Not measured</source>
+        <translation>No medida</translation>
+    </message>
+    <message>
+        <source>The robot stopped sending data while the arm was moving, so the stop could not be measured.</source>
+        <translation>El robot dejó de enviar datos mientras el brazo se movía: no se pudo medir la parada.</translation>
+    </message>
+    <message>
+        <source>Not stopped</source>
+        <translation>No detenido</translation>
     </message>
 </context>
 <context>

@@ -1299,10 +1299,6 @@
         <translation>Non contrôlé</translation>
     </message>
     <message>
-        <source>monitoring</source>
-        <translation>observation</translation>
-    </message>
-    <message>
         <source>Packets are late or lost: jogging may stop and plots have gaps. Use a cable instead of a wireless link, and close other programs.</source>
         <translation>Des paquets sont en retard ou perdus : le déplacement peut s’arrêter et les tracés ont des lacunes. Utilisez un câble au lieu d’une liaison sans fil et fermez d’autres programmes.</translation>
     </message>
@@ -1391,10 +1387,6 @@
         <translation>Prendre le contrôle</translation>
     </message>
     <message>
-        <source>Select the simulator or enter the address of a robot</source>
-        <translation>Sélectionnez le simulateur ou saisissez l’adresse d’un robot</translation>
-    </message>
-    <message>
         <source>Powers on the arm. The brakes stay engaged.</source>
         <translation>Met le bras sous tension. Les freins restent serrés.</translation>
     </message>
@@ -1413,6 +1405,14 @@
     <message>
         <source>Starts the control program on the robot. Asks for confirmation before stopping another program.</source>
         <translation>Démarre le programme de commande sur le robot. Demande confirmation avant d’arrêter un autre programme.</translation>
+    </message>
+    <message>
+        <source>Monitoring</source>
+        <translation>Observation</translation>
+    </message>
+    <message>
+        <source>Select the simulator or enter the address of a robot.</source>
+        <translation>Sélectionnez le simulateur ou saisissez l’adresse d’un robot.</translation>
     </message>
 </context>
 <context>
@@ -6485,14 +6485,6 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>DERNIER ARRÊT · sans contrôle</translation>
     </message>
     <message>
-        <source>not measured</source>
-        <translation>non mesuré</translation>
-    </message>
-    <message>
-        <source>The robot data ended while the arm was moving, so the stop could not be measured.</source>
-        <translation>Les données ont cessé pendant le mouvement du bras : l’arrêt n’a pas pu être mesuré.</translation>
-    </message>
-    <message>
         <source>%1 ms · %2</source>
         <translation>%1 ms · %2</translation>
     </message>
@@ -6521,12 +6513,20 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>Cause : %1 (%2)</translation>
     </message>
     <message>
-        <source>not stopped</source>
-        <translation>non arrêté</translation>
-    </message>
-    <message>
         <source>The program was stopped on the robot, so the stop could not be measured.</source>
         <translation>Le programme a été arrêté sur le robot, l’arrêt n’a donc pas pu être mesuré.</translation>
+    </message>
+    <message>
+        <source>Not measured</source>
+        <translation>Non mesuré</translation>
+    </message>
+    <message>
+        <source>The robot stopped sending data while the arm was moving, so the stop could not be measured.</source>
+        <translation>Le robot a cessé d’envoyer des données pendant le mouvement du bras : l’arrêt n’a pas pu être mesuré.</translation>
+    </message>
+    <message>
+        <source>Not stopped</source>
+        <translation>Non arrêté</translation>
     </message>
 </context>
 <context>

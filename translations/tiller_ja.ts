@@ -1299,10 +1299,6 @@
         <translation>制御なし</translation>
     </message>
     <message>
-        <source>monitoring</source>
-        <translation>監視中</translation>
-    </message>
-    <message>
         <source>Packets are late or lost: jogging may stop and plots have gaps. Use a cable instead of a wireless link, and close other programs.</source>
         <translation>パケットが遅れるか届きません：ジョグが止まったり、グラフに隙間ができます。無線ではなくケーブルを使い、他のプログラムを閉じてください。</translation>
     </message>
@@ -1391,10 +1387,6 @@
         <translation>制御を取得</translation>
     </message>
     <message>
-        <source>Select the simulator or enter the address of a robot</source>
-        <translation>シミュレーターかロボットのアドレスを選んでください</translation>
-    </message>
-    <message>
         <source>Powers on the arm. The brakes stay engaged.</source>
         <translation>アームの電源を入れます。ブレーキはかかったままです。</translation>
     </message>
@@ -1413,6 +1405,14 @@
     <message>
         <source>Starts the control program on the robot. Asks for confirmation before stopping another program.</source>
         <translation>ロボットで制御プログラムを開始します。別のプログラムを停止する前に確認します。</translation>
+    </message>
+    <message>
+        <source>Monitoring</source>
+        <translation>監視中</translation>
+    </message>
+    <message>
+        <source>Select the simulator or enter the address of a robot.</source>
+        <translation>シミュレーターを選ぶか、ロボットのアドレスを入力してください。</translation>
     </message>
 </context>
 <context>
@@ -6476,14 +6476,6 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>最後の停止 · キー確認なし</translation>
     </message>
     <message>
-        <source>not measured</source>
-        <translation>未測定</translation>
-    </message>
-    <message>
-        <source>The robot data ended while the arm was moving, so the stop could not be measured.</source>
-        <translation>アームの動作中にデータが途切れました：停止を測定できませんでした。</translation>
-    </message>
-    <message>
         <source>%1 ms · %2</source>
         <translation>%1 ms · %2</translation>
     </message>
@@ -6512,12 +6504,20 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>原因: %1 (%2)</translation>
     </message>
     <message>
-        <source>not stopped</source>
-        <translation>停止していません</translation>
-    </message>
-    <message>
         <source>The program was stopped on the robot, so the stop could not be measured.</source>
         <translation>プログラムはロボット側で停止されたため、停止を測定できませんでした。</translation>
+    </message>
+    <message>
+        <source>Not measured</source>
+        <translation>未測定</translation>
+    </message>
+    <message>
+        <source>The robot stopped sending data while the arm was moving, so the stop could not be measured.</source>
+        <translation>アームの動作中にロボットからのデータが途切れたため、停止を測定できませんでした。</translation>
+    </message>
+    <message>
+        <source>Not stopped</source>
+        <translation>停止していません</translation>
     </message>
 </context>
 <context>

@@ -1299,10 +1299,6 @@
         <translation>未控制</translation>
     </message>
     <message>
-        <source>monitoring</source>
-        <translation>监视中</translation>
-    </message>
-    <message>
         <source>Packets are late or lost: jogging may stop and plots have gaps. Use a cable instead of a wireless link, and close other programs.</source>
         <translation>数据包延迟或丢失：点动可能停止，曲线图会有空缺。请使用网线代替无线连接，并关闭其他程序。</translation>
     </message>
@@ -1391,10 +1387,6 @@
         <translation>获取控制</translation>
     </message>
     <message>
-        <source>Select the simulator or enter the address of a robot</source>
-        <translation>选择模拟器或输入机器人的地址</translation>
-    </message>
-    <message>
         <source>Powers on the arm. The brakes stay engaged.</source>
         <translation>给机械臂上电。制动器保持抱紧。</translation>
     </message>
@@ -1413,6 +1405,14 @@
     <message>
         <source>Starts the control program on the robot. Asks for confirmation before stopping another program.</source>
         <translation>在机器人上启动控制程序。停止其他程序前会先询问。</translation>
+    </message>
+    <message>
+        <source>Monitoring</source>
+        <translation>监视中</translation>
+    </message>
+    <message>
+        <source>Select the simulator or enter the address of a robot.</source>
+        <translation>选择模拟器或输入机器人的地址。</translation>
     </message>
 </context>
 <context>
@@ -6476,14 +6476,6 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>上次停止 · 无按键检查</translation>
     </message>
     <message>
-        <source>not measured</source>
-        <translation>未测量</translation>
-    </message>
-    <message>
-        <source>The robot data ended while the arm was moving, so the stop could not be measured.</source>
-        <translation>机械臂移动时数据中断：无法测量停止过程。</translation>
-    </message>
-    <message>
         <source>%1 ms · %2</source>
         <translation>%1 ms · %2</translation>
     </message>
@@ -6512,12 +6504,20 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>原因：%1（%2）</translation>
     </message>
     <message>
-        <source>not stopped</source>
-        <translation>未停止</translation>
-    </message>
-    <message>
         <source>The program was stopped on the robot, so the stop could not be measured.</source>
         <translation>程序在机器人上被停止，因此无法测量此次停止。</translation>
+    </message>
+    <message>
+        <source>Not measured</source>
+        <translation>未测量</translation>
+    </message>
+    <message>
+        <source>The robot stopped sending data while the arm was moving, so the stop could not be measured.</source>
+        <translation>机械臂移动时机器人停止发送数据，无法测量停止过程。</translation>
+    </message>
+    <message>
+        <source>Not stopped</source>
+        <translation>未停止</translation>
     </message>
 </context>
 <context>

@@ -56,7 +56,7 @@ private Q_SLOTS:
         for (const char* chip : {"robotModeChip", "safetyChip", "controlChip", "linkChip"}) {
             QCOMPARE(bench.find<StateChip>(chip).text(), QString("NO DATA"));
         }
-        QCOMPARE(bench.find<StateChip>("lastStopChip").text(), QString("not measured"));
+        QCOMPARE(bench.find<StateChip>("lastStopChip").text(), QString("Not measured"));
         auto& line = bench.find<LimiterLine>("limiterLine");
         QVERIFY2(line.quietText().contains("not measured"), qPrintable(line.quietText()));
         auto& view = bench.find<PlotView>("plots.view");
@@ -85,7 +85,7 @@ private Q_SLOTS:
             }
         }
         QVERIFY(toldOfTheOutage);
-        QCOMPARE(bench.find<StateChip>("lastStopChip").text(), QString("not measured"));
+        QCOMPARE(bench.find<StateChip>("lastStopChip").text(), QString("Not measured"));
     }
 };
 

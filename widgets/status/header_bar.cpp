@@ -274,14 +274,15 @@ void HeaderBar::showLastStop() {
     if (const control::UnmeasuredStop& lost = state_.unmeasuredStop; !state_.lastStopSeen) {
         const bool failed = lost.reason == control::UnmeasuredStop::Reason::NotStopped;
         lastStop_->setState(
-            failed ? tr("not stopped") : tr("not measured"), StateChip::Shape::None,
+            failed ? tr("Not stopped") : tr("Not measured"), StateChip::Shape::None,
             failed ? StateChip::Emphasis::Warning : StateChip::Emphasis::Muted,
             advice(
                 lost.cause == control::StopCause::None &&
                         lost.reason == control::UnmeasuredStop::Reason::OtherProgram
                     ? tr("The program was stopped on the robot, so the stop could not be measured.")
                 : lost.cause == control::StopCause::None
-                    ? tr("The robot data ended while the arm was moving, so the stop could not be measured.")
+                    ? tr("The robot stopped sending data while the arm was moving, so the stop could not be "
+                         "measured.")
                     : tr("Cause: %1 (%2)")
                           .arg(texts::stopCauseText(lost.cause), texts::unmeasuredText(lost.reason))));
     } else if (last.count > 0) {

@@ -177,7 +177,7 @@ ModeLook controlLook(const SessionState& state) {
                 program.mark};
     }
     return {state.remoteControl ? ModeLookText::tr("Not in control")
-                                : (told << ModeLookText::tr("monitoring")).join(dot),
+                                : (told << ModeLookText::tr("Monitoring")).join(dot),
             Shape::None, Emphasis::Muted, state.controlReason};
 }
 
@@ -381,7 +381,7 @@ QString nextStepAdvice(NextStep step) {
         case NextStep::None:
             break;
         case NextStep::Connect:
-            return ModeLookText::tr("Select the simulator or enter the address of a robot");
+            return ModeLookText::tr("Select the simulator or enter the address of a robot.");
         case NextStep::PowerOn:
             return ModeLookText::tr("Powers on the arm. The brakes stay engaged.");
         case NextStep::ReleaseBrakes:

@@ -120,15 +120,15 @@ private Q_SLOTS:
         SessionState state = movingState();
         state.lastStopSeen = false;
         header.applyState(state);
-        QCOMPARE(header.findChild<StateChip*>("lastStopChip")->text(), QStringLiteral("not measured"));
+        QCOMPARE(header.findChild<StateChip*>("lastStopChip")->text(), QStringLiteral("Not measured"));
         // A program was stopped on the robot.
         state.unmeasuredStop = {control::StopCause::None, control::UnmeasuredStop::Reason::OtherProgram, 1};
         header.applyState(state);
-        QCOMPARE(header.findChild<StateChip*>("lastStopChip")->text(), QStringLiteral("not measured"));
+        QCOMPARE(header.findChild<StateChip*>("lastStopChip")->text(), QStringLiteral("Not measured"));
         QVERIFY(header.findChild<StateChip*>("lastStopChip")->toolTip().contains("stopped on the robot"));
         state.unmeasuredStop.reason = control::UnmeasuredStop::Reason::NotStopped;
         header.applyState(state);
-        QCOMPARE(header.findChild<StateChip*>("lastStopChip")->text(), QStringLiteral("not stopped"));
+        QCOMPARE(header.findChild<StateChip*>("lastStopChip")->text(), QStringLiteral("Not stopped"));
         state.lastStopSeen = true;
         header.applyState(state);
         QCOMPARE(header.findChild<StateChip*>("lastStopChip")->text(), QStringLiteral("62 ms · 3.1 mm"));

@@ -229,7 +229,7 @@ private Q_SLOTS:
         state.remoteControl = false;
         QVERIFY(controlLook(state).text.contains(QStringLiteral("Local")));
         state.controlPlaceKnown = false;
-        QCOMPARE(controlLook(state).text, QStringLiteral("monitoring"));
+        QCOMPARE(controlLook(state).text, QStringLiteral("Monitoring"));
         state.control = ControlState::Refused;
         state.controlReason = QStringLiteral("Registers in use");
         QCOMPARE(controlLook(state).emphasis, Emphasis::OperatorNeeded);
