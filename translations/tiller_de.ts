@@ -10612,7 +10612,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>%1: Dieser Roboter sendet es nicht.</translation>
     </message>
     <message>
-        <source>Enter a name, an optional unit in brackets, and an expression of signals. Drag signals here to insert their names. Functions: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), median(a, 0.1), integral(a, 0.5), lowpass(a, 10), highpass(a, 1), + − * / ^ and standard functions. Press Return to create the signal.</source>
+        <source>Enter a name, an optional unit in brackets, and an expression that uses signals. Drag signals here to insert their names. Functions: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), median(a, 0.1), integral(a, 0.5), lowpass(a, 10), highpass(a, 1), + − * / ^ and standard functions. Press Return to create the signal.</source>
         <translation>Geben Sie einen Namen, optional eine Einheit in Klammern und einen Ausdruck mit Signalen ein. Ziehen Sie Signale hierher, um ihre Namen einzufügen. Funktionen: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), median(a, 0.1), integral(a, 0.5), lowpass(a, 10), highpass(a, 1), + − * / ^ und Standardfunktionen. Enter erstellt das Signal.</translation>
     </message>
 </context>

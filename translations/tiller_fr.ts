@@ -10612,7 +10612,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>%1 : ce robot ne l’envoie pas.</translation>
     </message>
     <message>
-        <source>Enter a name, an optional unit in brackets, and an expression of signals. Drag signals here to insert their names. Functions: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), median(a, 0.1), integral(a, 0.5), lowpass(a, 10), highpass(a, 1), + − * / ^ and standard functions. Press Return to create the signal.</source>
+        <source>Enter a name, an optional unit in brackets, and an expression that uses signals. Drag signals here to insert their names. Functions: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), median(a, 0.1), integral(a, 0.5), lowpass(a, 10), highpass(a, 1), + − * / ^ and standard functions. Press Return to create the signal.</source>
         <translation>Saisissez un nom, une unité facultative entre crochets et une expression de signaux. Faites glisser des signaux ici pour insérer leurs noms. Fonctions : norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), median(a, 0.1), integral(a, 0.5), lowpass(a, 10), highpass(a, 1), + − * / ^ et fonctions standard. Entrée crée le signal.</translation>
     </message>
 </context>

@@ -119,11 +119,11 @@ SignalTree::SignalTree(const SignalStore& store, QWidget* parent)
     derivation_->setObjectName(QStringLiteral("signals.derivation"));
     derivation_->setPlaceholderText(tr("New: |F| [N] = norm(…)"));
     derivation_->setAccessibleName(tr("Derived signal"));
-    derivation_->setToolTip(
-        tr("Enter a name, an optional unit in brackets, and an expression of signals. Drag signals here to "
-           "insert their names. Functions: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), median(a, 0.1), "
-           "integral(a, 0.5), lowpass(a, 10), highpass(a, 1), + − * / ^ and standard functions. Press Return "
-           "to create the signal."));
+    derivation_->setToolTip(tr(
+        "Enter a name, an optional unit in brackets, and an expression that uses signals. Drag signals "
+        "here to insert their names. Functions: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), median(a, 0.1), "
+        "integral(a, 0.5), lowpass(a, 10), highpass(a, 1), + − * / ^ and standard functions. Press Return "
+        "to create the signal."));
     problem_->setObjectName(QStringLiteral("signals.derivation.problem"));
     problem_->setFont(textFont(12));
     problem_->setProperty("role", "warning");
