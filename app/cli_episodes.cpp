@@ -67,8 +67,8 @@ const Command& episodesCommand() {
     static const Command kCommand{
         .name = "episodes",
         .operands = "FILE...",
-        .summary = "cuts recordings into demonstrations for imitation learning",
-        .title = "cuts recordings into demonstrations for imitation learning",
+        .summary = "splits recordings into demonstrations for imitation learning",
+        .title = "splits recordings into demonstrations for imitation learning",
         .usage = {"FILE... --out FILE.h5 [options]"},
         .operandRows = {recordingOperand("FILE...")},
         .options = withTableOptions(
@@ -80,7 +80,7 @@ const Command& episodesCommand() {
               "recording",
               "program"},
              {"rate", "HZ", "rows per second (default %1); 0: all rows", "20", {0, 10'000}},
-             {"shortest", "SECONDS", "shorter episodes are omitted (default %1)", "0.5", {0, 1e6}},
+             {"shortest", "SECONDS", "omits episodes shorter than this time (default %1)", "0.5", {0, 1e6}},
              {"observations", "A,B",
               "observed fields (default actual_q,actual_qd,actual_TCP_pose,actual_TCP_force)"},
              {"action", "FIELD", "field with the commanded values (default %1)", "target_q"},

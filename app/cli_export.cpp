@@ -112,8 +112,8 @@ const Command& exportCommand() {
              {"decimal", "CHAR", "decimal sign of a .csv file: . or , (default %1)", "."},
              {"units", "", "adds a line of units below the header of a .csv file"},
              {"head", "",
-              "begins a .csv file with its start time, metadata and units, in lines with # (pandas: "
-              "comment='#')"},
+              "writes the start time, metadata and units at the top of a .csv file, in lines that begin "
+              "with # (pandas: comment='#')"},
              {"force", "", "replaces an existing file"},
              {"quiet", "", "shows no progress on the terminal"}}),
         .notes =

@@ -110,8 +110,8 @@ const Command& importCommand() {
     static const Command kCommand{
         .name = "import",
         .operands = "FILE",
-        .summary = "adds a program of the teach pendant or a URScript file to a project",
-        .title = "adds a program of the teach pendant or a URScript file to a project",
+        .summary = "adds a teach pendant program or a URScript file to a project",
+        .title = "adds a teach pendant program or a URScript file to a project",
         .usage = {"FILE --project FILE.tiller [options]"},
         .operandRows = {{"FILE",
                          "program (.urp, .urpx) or URScript (.script). The installation, subprograms and "
@@ -120,8 +120,8 @@ const Command& importCommand() {
                     {"program", "NAME", "name of the new program; default: the name of the file"},
                     {"json", "", "prints the report as one JSON object"}},
         .notes =
-            "Prints for each node or statement the step that it became. Everything without an equivalent "
-            "step becomes URScript text. An existing program is never replaced, and after an error the "
+            "For each node or statement, prints the resulting step. Everything without an equivalent step "
+            "becomes URScript text. An existing program is never replaced, and after an error the "
             "project is unchanged. Exit code: 0 imported, 1 the program cannot be imported or a file cannot "
             "be read or written, 2 invalid arguments.",
         .run = import};

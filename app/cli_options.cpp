@@ -33,7 +33,7 @@ std::vector<CommandOption> withTableOptions(std::vector<CommandOption> options) 
         {"time-column", "NAME",
          "time column of a table that Tiller did not write; none: the table has no time column, see "
          "--table-rate"},
-        {"time-unit", "UNIT", "unit of this column: s, ms, us or ns"},
+        {"time-unit", "UNIT", "unit of the time column: s, ms, us or ns"},
         {"table-rate", "HZ", "rows per second of a table without a time column", "", {1e-6, 1e9}},
         {"table-separator", "CHAR", "column separator of the table: , ; | tab or space"},
         {"table-decimal", "CHAR", "decimal sign of the table: . or ,"},

@@ -302,7 +302,7 @@ const Command& projectCommand() {
         .operandRows = {{"info", "prints the content of the project"},
                         {"check",
                          "checks every waypoint and every path: reach, singularities, and collisions "
-                         "with the arm, the tool and the cell. Uses the nominal kinematics of the robot "
+                         "between the arm, the tool and the cell. Uses the nominal kinematics of the robot "
                          "model"},
                         {"convert",
                          "converts the waypoints of a .tiller file to a .csv file, a .csv file to a .tiller "
@@ -315,7 +315,7 @@ const Command& projectCommand() {
                     {"force", "", "convert: replaces an existing file"}},
         .notes =
             "Exit code: 0 success, and check found no error; 1 the file cannot be read or written, or check "
-            "found an error; 2 invalid arguments. A finding that only slows down the arm is a warning.",
+            "found an error; 2 invalid arguments. A problem that only slows down the arm is a warning.",
         .run = runProjectAction};
     return kCommand;
 }

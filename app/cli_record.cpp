@@ -275,13 +275,13 @@ const Command& recordCommand() {
               "stores metadata in the file, such as operator=Ann or sample=7. The option can be repeated. "
               "'tiller-cli info' shows the metadata, and exports contain them"},
              {"head", "",
-              "begins a .csv file with the start time, the robot, the metadata and the units, in lines with "
-              "# "
-              "(pandas: comment='#'). --meta implies --head"},
+              "writes the start time, robot, metadata and units at the top of a .csv file, in lines that "
+              "begin with # (pandas: comment='#'). --meta implies --head"},
              {"no-ros", "", "omits joint state, wrench and transform for ROS tools from the .mcap file"},
              {"keep-free",
               "MB",
-              "stops and completes the file when the free disk space falls below this value (default %1)",
+              "stops the recording and completes the file when the free disk space falls below this value "
+              "(default %1)",
               "200",
               {0, 1e9}},
              {"wait", "SECONDS", "time to wait for the first packet (default %1)", "10", {0, 1e6}},
@@ -289,8 +289,8 @@ const Command& recordCommand() {
              {"quiet", "", "shows no progress on the terminal"},
              {"port-offset", "N", "added to every port number (default %1)", "0", kPortOffsets}},
         .notes =
-            "A lost connection is restored automatically, and the file contains the gap and its length. A "
-            "restart of the controller is stored as an event with both times; 'tiller-cli info' shows the "
+            "A lost connection is restored automatically, and the gap and its length are stored in the file. "
+            "A restart of the controller is stored as an event with both times; 'tiller-cli info' shows the "
             "event. Data are saved every 0.5 s; a crash loses at most 0.5 s of data. Exit code: 0 the file "
             "is complete, 1 the file is incomplete or no data were received, 2 invalid arguments.",
         .run = record};

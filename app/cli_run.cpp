@@ -276,10 +276,10 @@ int runOnRobot(LoadedProgram loaded, const QString& address, int portOffset, pro
         return complain(problemText(loaded, now.failedStep, QStringLiteral("the step failed")), kFailed);
     }
     const Error error = execution.wait(Deadline::never()).error();
-    return complain(
-        problemText(loaded, now.lastStep,
-                    isLate ? QStringLiteral("the time limit of --time-limit expired") : error.toString()),
-        kFailed);
+    return complain(problemText(loaded, now.lastStep,
+                                isLate ? QStringLiteral("the time limit set with --time-limit expired")
+                                       : error.toString()),
+                    kFailed);
 }
 
 int runProgram(const CommandArguments& arguments) {
@@ -370,12 +370,12 @@ const Command& runProgramCommand() {
               "--simulate and cannot be combined with --from"},
              {"json", "", "prints one JSON object instead of text"}},
         .notes =
-            "A run on a robot moves the arm without asking, at the programmed speeds. Keep clear of the arm. "
-            "Ctrl+C, the end of this command and a lost connection stop the run. The command takes control, "
-            "which stops any other program, and then checks the program from the position of the arm. The "
-            "run is refused if a simulated run of the first ten minutes finds a collision or a stop, or if "
-            "the robot and the project have different robot models.\nExit code: 0 the program ended without "
-            "findings, 1 the program failed or had findings, 2 invalid arguments.",
+            "A run on a robot moves the arm at the programmed speeds without asking for confirmation. Keep "
+            "clear of the arm. Ctrl+C, the end of this command and a lost connection stop the run. The "
+            "command takes control, which stops any other program, and then checks the program from the "
+            "position of the arm. The run is refused if a simulated run of the first ten minutes finds a "
+            "collision or a stop, or if the robot and the project have different robot models.\nExit code: 0 "
+            "the program ended without findings, 1 the program failed or had findings, 2 invalid arguments.",
         .run = runProgram};
     return kCommand;
 }

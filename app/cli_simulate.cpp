@@ -177,7 +177,7 @@ const Command& simulateCommand() {
              {"local", "", "starts in local control and refuses the same commands as a real robot"},
              {"programs", "FOLDER",
               "folder with programs: .urp files as saved by the pendant, .urpx files, or URScript text; also "
-              "contains the installation files that the programs name"},
+              "contains the installation files that the programs use"},
              {"urcaps", "FOLDER",
               "URScript that replaces nodes of URCaps: one .script file for each node class, "
               "with a line '# class: NAME'"},
@@ -186,7 +186,7 @@ const Command& simulateCommand() {
               "text, as defined by the table in FILE; can be repeated. The README of robot/simulator "
               "describes the table; the fault 'device' disconnects the device"},
              {"fault", "WORDS",
-              "fault that is present from the start; can be repeated. '--fault help' lists the words. "
+              "fault that is present from the start; can be repeated. '--fault help' lists all faults. "
               "'tiller-cli fault' triggers the same faults while the simulator is running"},
              {"assume", "NAME=VALUE",
               "sets a behaviour that is not confirmed for real controllers; can be repeated. "

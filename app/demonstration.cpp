@@ -99,7 +99,7 @@ void Demonstration::addSteps() {
                       },
                       [this, state] { return distanceMm(state().tcpPose, jogStart_) >= kJogMm; }, 10'000,
                       pressAgain(jogKey)});
-    steps_.push_back({tr("release"), [this, jogKey] { release(jogKey); },
+    steps_.push_back({tr("release the jog button"), [this, jogKey] { release(jogKey); },
                       [this, state] {
                           if (jogStop_.count == 0 || state().moving) {
                               return false;
@@ -122,8 +122,8 @@ void Demonstration::addSteps() {
          },
          [this, state] { return distanceMm(state().tcpPose, jogStart_) < 0.5 && !state().moving; }, 20'000,
          pressAgain(goKey)});
-    steps_.push_back(
-        {tr("release Go to"), [this, goKey] { release(goKey); }, [=] { return !state().moving; }});
+    steps_.push_back({tr("release the “Go to” button"), [this, goKey] { release(goKey); },
+                      [=] { return !state().moving; }});
     steps_.push_back({tr("digital output 0 on"),
                       [this] {
                           window_.showTab(QStringLiteral("io"));

@@ -207,7 +207,7 @@ void DockStage::paintEvent(QPaintEvent* event) {
         painter.setPen(Theme::current().secondary);
         painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap,
                          tr("No panels are shown. Select a perspective at the lower right, or show a panel "
-                            "with the View menu."));
+                            "from the View menu."));
     }
 }
 

@@ -103,13 +103,14 @@ QWidget* HelpPage::buildRules(int longestHold, const QString& commands) {
            "ms, the motion ends. If the check is not available, the header and Settings show a "
            "note;</li><li>the maximum hold time is "
            "reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 "
-           "s for a move to a position. The last 3 s are counted down.</li></ul><p>A stopped motion needs a "
-           "new press. While Tiller is in control, <b>Space</b> and <b>Esc</b> stop the arm from every "
-           "window, dialog and text field. When Tiller is not in control, they act on the focused element; "
-           "click <b>STOP</b> to stop a program of another client. This is a software stop, not an emergency "
-           "stop: keep the emergency stop within reach.</p><p>Hold <b>Ctrl</b> for one-tenth of the speed, "
-           "or <b>Shift</b> for three times the speed, up to the speed cap. On a keyboard without "
-           "Latin letters, the letters below refer to key positions on a US keyboard.</p><h2>Commands</h2>")
+           "s for a move to a position. The last 3 s are counted down.</li></ul><p>After a stop, press the "
+           "button or key again to move the arm. While Tiller is in control, <b>Space</b> and <b>Esc</b> "
+           "stop the arm from every window, dialog and text field. When Tiller is not in control, they act "
+           "on the focused element; click <b>STOP</b> to stop a program of another client. This is a "
+           "software stop, not an emergency stop: keep the emergency stop within reach.</p><p>Hold "
+           "<b>Ctrl</b> for one-tenth of the speed, or <b>Shift</b> for three times the speed, up to the "
+           "speed cap. On a keyboard without Latin letters, the letters below refer to key positions on a US "
+           "keyboard.</p><h2>Commands</h2>")
             .arg(longestHold) +
         commands);
     return text;

@@ -186,8 +186,9 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     connect(keyboard_, &KeyboardJog::armedChanged, this, [this](bool armed) {
         session_->journal().add(
             Severity::Info,
-            armed ? tr("Keyboard jogging armed: arrow keys move X and Y, PgUp and PgDn move Z; with Alt, "
-                       "they rotate. 1 to 6 with + and − move a joint. Space and Esc stop.")
+            armed ? tr("Keyboard jogging armed: arrow keys move along X and Y, PgUp and PgDn along Z; with "
+                       "Alt, they rotate the tool. Hold 1 to 6 and press + or − to move a joint. Space and "
+                       "Esc stop the arm.")
                   : tr("Keyboard jogging disarmed"));
     });
     connect(keyboard_, &KeyboardJog::refused, this,
@@ -853,8 +854,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     stopMotion(program_->runsFreely() ? control::StopCause::DialogOpened : control::StopCause::WindowClosed);
     const bool closesAnyway = std::exchange(closesAnyway_, false);
     if (!runningWork().isEmpty() && !closesAnyway && desktopEnds_.hasExpired()) {
-        askToEndWork(tr("Close window"), tr("This stops when you close the window."), tr("Stop and close"),
-                     [this] {
+        askToEndWork(tr("Close window"), tr("This activity stops when you close the window."),
+                     tr("Stop and close"), [this] {
                          closesAnyway_ = true;
                          close();
                      });
@@ -1003,7 +1004,7 @@ void MainWindow::changeRobot(const std::function<void()>& change) {
         change();
         return;
     }
-    askToEndWork(tr("Change connection"), tr("This stops when you change the connection."),
+    askToEndWork(tr("Change connection"), tr("This activity stops when you change the connection."),
                  tr("Stop and continue"), change);
 }
 
@@ -1115,7 +1116,7 @@ void MainWindow::addProjectActions() {
     actions_->add(
         {"project.save", tr("Save project"),
          tr("Saves the project now. Tiller also saves all changes automatically. If another window or "
-            "program has changed the file, asks whether to reload it or to keep both."),
+            "program has changed the file, Tiller asks whether to reload the file or keep both versions."),
          QKeySequence(Qt::CTRL | Qt::Key_S), [this] {
              stopMotion(control::StopCause::DialogOpened);
              files_->save(this);
@@ -1180,7 +1181,7 @@ void MainWindow::addViewActions() {
                        (new CommandPalette(*actions_, this))->open();
                    }});
     actions_->add({"app.settings", tr("Settings…"),
-                   tr("Theme, sizes, units, speed cap, devices and keyboard shortcuts."),
+                   tr("Changes the theme, sizes, units, speed cap, devices and keyboard shortcuts."),
                    QKeySequence(Qt::CTRL | Qt::Key_Comma), [this] { showSettings(); }});
     lessons_->addTo(*actions_);
     actions_->add({"app.exportSettings",

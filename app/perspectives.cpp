@@ -146,7 +146,7 @@ QString Perspectives::obstacle(const QString& name, const QString& except) const
         return tr("Enter a name.");
     }
     if (wanted.size() > kMaxPerspectiveName) {
-        return tr("The name is too long.");
+        return tr("The name is too long. Enter a shorter name.");
     }
     if (except.isEmpty() && saved_.size() >= kMaxPerspectives) {
         return tr("The maximum number of perspectives has been reached. Delete a perspective first.");

@@ -59,7 +59,7 @@ void RobotActions::addConnection(ActionTable& table, RobotSession& session, cons
                hooks.connectSimulator});
     table.add({"robot.check",
                tr("Check the connection…"),
-               tr("Checks everything between this PC and the robot and suggests fixes."),
+               tr("Checks the connection between this PC and the robot and suggests fixes."),
                {},
                [&session, check = hooks.check] {
                    const SessionState& state = session.state();

@@ -17,7 +17,7 @@ void SceneActions::addTo(ActionTable& table, SceneView& view) {
     // Use function keys, because letters and digits are used for teaching and by the armed keyboard.
     const Side sides[] = {
         {"view.look.home", tr("Default view (perspective)"),
-         tr("Look from between the front and the side, slightly from above, and fit everything in the view."),
+         tr("Shows the arm diagonally from the front, slightly from above, and fits everything in the view."),
          Qt::Key_F5, StandardView::Home},
         {"view.look.front", tr("Look from the front"), tr("Base X to the right, Z up."), Qt::Key_F6,
          StandardView::Front},

@@ -324,7 +324,7 @@ void SettingsPage::showCap() {
         raised ? tr("▲ Above %1. Manual mode and the enabling device of the pendant do not limit jogging "
                     "from a PC. The header shows a warning. The cap resets when Tiller is closed.")
                      .arg(format::speed(Preferences::kOrdinaryCap))
-               : tr("Maximum speed of TCP and elbow for all motion commanded by Tiller. A change takes "
+               : tr("Maximum speed of the TCP and elbow for all motion commanded by Tiller. A change takes "
                     "effect immediately and stops any motion."));
 }
 

@@ -1952,19 +1952,19 @@
         <translation>Verschiebt diesen Bereich auf diese Seite des Hauptfensters.</translation>
     </message>
     <message>
-        <source>%1 to the left</source>
+        <source>Move %1 to the left</source>
         <translation>%1 nach links</translation>
     </message>
     <message>
-        <source>%1 to the right</source>
+        <source>Move %1 to the right</source>
         <translation>%1 nach rechts</translation>
     </message>
     <message>
-        <source>%1 to the top</source>
+        <source>Move %1 to the top</source>
         <translation>%1 nach oben</translation>
     </message>
     <message>
-        <source>%1 to the bottom</source>
+        <source>Move %1 to the bottom</source>
         <translation>%1 nach unten</translation>
     </message>
 </context>
@@ -3627,10 +3627,6 @@
         <translation>Verbindung prüfen…</translation>
     </message>
     <message>
-        <source>Checks everything between this PC and the robot and suggests fixes.</source>
-        <translation>Prüft alles zwischen diesem PC und dem Roboter und schlägt Abhilfe vor.</translation>
-    </message>
-    <message>
         <source>Select a robot first.</source>
         <translation>Wählen Sie zuerst einen Roboter.</translation>
     </message>
@@ -3741,6 +3737,10 @@
     <message>
         <source>Starts the control program on the robot. Asks for confirmation before stopping another program.</source>
         <translation>Startet das Steuerprogramm auf dem Roboter. Fragt nach, bevor ein anderes Programm gestoppt wird.</translation>
+    </message>
+    <message>
+        <source>Checks the connection between this PC and the robot and suggests fixes.</source>
+        <translation>Prüft die Verbindung zwischen diesem PC und dem Roboter und schlägt Abhilfe vor.</translation>
     </message>
 </context>
 <context>
@@ -3934,10 +3934,6 @@
         <translation>Standardansicht (perspektivisch)</translation>
     </message>
     <message>
-        <source>Look from between the front and the side, slightly from above, and fit everything in the view.</source>
-        <translation>Blick zwischen vorn und Seite, leicht von oben; passt alles in die Ansicht ein.</translation>
-    </message>
-    <message>
         <source>Look from the front</source>
         <translation>Blick von vorn</translation>
     </message>
@@ -3968,6 +3964,10 @@
     <message>
         <source>Fit the arm, target and waypoints in the view without changing the viewing direction.</source>
         <translation>Passt Arm, Ziel und Wegpunkte in die Ansicht ein, ohne die Blickrichtung zu ändern.</translation>
+    </message>
+    <message>
+        <source>Shows the arm diagonally from the front, slightly from above, and fits everything in the view.</source>
+        <translation>Zeigt den Arm schräg von vorn und leicht von oben und passt alles in die Ansicht ein.</translation>
     </message>
 </context>
 <context>
@@ -12209,20 +12209,12 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>X+ in Basis 50 mm fahren</translation>
     </message>
     <message>
-        <source>release</source>
-        <translation>loslassen</translation>
-    </message>
-    <message>
         <source>teach the second waypoint</source>
         <translation>den zweiten Wegpunkt teachen</translation>
     </message>
     <message>
         <source>move to the first waypoint (button held)</source>
         <translation>den ersten Wegpunkt anfahren (gehalten)</translation>
-    </message>
-    <message>
-        <source>release Go to</source>
-        <translation>Anfahren loslassen</translation>
     </message>
     <message>
         <source>digital output 0 on</source>
@@ -12297,6 +12289,14 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     <message>
         <source>the window has no button “%1”</source>
         <translation>das Fenster enthält keine Taste „%1“</translation>
+    </message>
+    <message>
+        <source>release the jog button</source>
+        <translation>die Verfahrtaste loslassen</translation>
+    </message>
+    <message>
+        <source>release the “Go to” button</source>
+        <translation>die Taste „Anfahren“ loslassen</translation>
     </message>
 </context>
 <context>
@@ -12377,7 +12377,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
 <context>
     <name>tiller::app::DockStage</name>
     <message>
-        <source>No panels are shown. Select a perspective at the lower right, or show a panel with the View menu.</source>
+        <source>No panels are shown. Select a perspective at the lower right, or show a panel from the View menu.</source>
         <translation>Es werden keine Bereiche angezeigt. Wählen Sie unten rechts eine Arbeitsansicht oder zeigen Sie einen Bereich über das Menü Ansicht an.</translation>
     </message>
 </context>
@@ -12412,7 +12412,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>&lt;h2&gt;Das Handbuch ist auf diesem Rechner nicht installiert&lt;/h2&gt;&lt;p&gt;Das Debian-Paket von Tiller enthält es. Für einen eigenen Build installieren Sie das Paket python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Bauen Sie danach noch einmal. Sie können die Seiten auch als Text im Ordner packaging/manual des Quelltexts lesen. Die Regeln des Verfahrens und alle Tasten sind auf der anderen Seite dieses Fensters.&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, another mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, Tiller hangs, or the robot mode, the safety mode or Remote control changes;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If the button or key is not pressed, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show a note;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;Hold &lt;b&gt;Ctrl&lt;/b&gt; for one-tenth of the speed, or &lt;b&gt;Shift&lt;/b&gt; for three times the speed, up to the speed cap. On a keyboard without Latin letters, the letters below refer to key positions on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, another mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, Tiller hangs, or the robot mode, the safety mode or Remote control changes;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If the button or key is not pressed, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show a note;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;After a stop, press the button or key again to move the arm. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;Hold &lt;b&gt;Ctrl&lt;/b&gt; for one-tenth of the speed, or &lt;b&gt;Shift&lt;/b&gt; for three times the speed, up to the speed cap. On a keyboard without Latin letters, the letters below refer to key positions on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
         <translation>&lt;h2&gt;Den Arm bewegen&lt;/h2&gt;&lt;p&gt;Der Arm bewegt sich, solange Sie eine Verfahrtaste halten, und stoppt, wenn Sie sie loslassen. Er stoppt auch, wenn&lt;/p&gt;&lt;ul&gt;&lt;li&gt;der Zeiger die Taste verlässt, eine andere Maustaste gedrückt oder ein zweites Eingabegerät benutzt wird;&lt;/li&gt;&lt;li&gt;eine Umschalttaste oder eine entgegengesetzte Taste gedrückt wird, während eine Taste der Tastatur gehalten wird;&lt;/li&gt;&lt;li&gt;das Fenster den Fokus verliert, ein Dialog oder Menü sich öffnet oder sich Koordinatensystem, Geschwindigkeit, Schrittweite oder Register ändern;&lt;/li&gt;&lt;li&gt;die Daten vom Roboter verspätet sind, dieses Programm nicht reagiert oder der Roboter „Läuft“, seinen Sicherheitsmodus oder die Fernsteuerung verlässt;&lt;/li&gt;&lt;li&gt;der Bildschirm gesperrt wird, der PC in den Ruhezustand wechselt oder das Eingabegerät getrennt wird oder keine Daten mehr sendet;&lt;/li&gt;&lt;li&gt;die Tastenprüfung fehlschlägt: Unter X11 prüft Tiller alle 10 ms beim Display-Server, ob die Taste noch gedrückt ist. Ist sie es nicht oder antwortet der Server 100 ms lang nicht, endet die Bewegung. Ist die Prüfung nicht verfügbar, zeigen es die Kopfzeile und die Einstellungen;&lt;/li&gt;&lt;li&gt;die maximale Haltezeit erreicht ist: %1 s beim Verfahren (Einstellungen), fünf Minuten bei Freedrive, die Dauer der Bewegung plus 5 s bei einer Bewegung zu einer Position. Die letzten 3 s werden heruntergezählt.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;Nach einem Stopp muss die Taste erneut gedrückt werden. Solange Tiller die Steuerung hat, stoppen &lt;b&gt;Leertaste&lt;/b&gt; und &lt;b&gt;Esc&lt;/b&gt; den Arm aus jedem Fenster, Dialog und Textfeld. Hat Tiller die Steuerung nicht, wirken sie auf das fokussierte Bedienelement; klicken Sie auf &lt;b&gt;STOP&lt;/b&gt;, um ein Programm eines anderen Clients zu stoppen. Das ist ein Software-Stopp, kein Not-Halt: Halten Sie den Not-Halt in Reichweite.&lt;/p&gt;&lt;p&gt;Mit &lt;b&gt;Strg&lt;/b&gt; bewegt ein Druck zehnmal feiner, mit &lt;b&gt;Umschalt&lt;/b&gt; dreimal schneller, aber nie über der Grenze. Auf einer Tastatur ohne lateinische Buchstaben bezeichnet ein Buchstabe unten seine Position auf einer US-Tastatur.&lt;/p&gt;&lt;h2&gt;Befehle&lt;/h2&gt;</translation>
     </message>
 </context>
@@ -12504,10 +12504,6 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     <message>
         <source>Tiller</source>
         <translation>Tiller</translation>
-    </message>
-    <message>
-        <source>Keyboard jogging armed: arrow keys move X and Y, PgUp and PgDn move Z; with Alt, they rotate. 1 to 6 with + and − move a joint. Space and Esc stop.</source>
-        <translation>Tastatur-Verfahren scharf: Pfeiltasten bewegen X und Y, Bild auf und Bild ab bewegen Z; mit Alt drehen sie. 1 bis 6 mit + und − bewegen ein Gelenk. Leertaste und Esc stoppen.</translation>
     </message>
     <message>
         <source>Keyboard jogging disarmed</source>
@@ -12648,10 +12644,6 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     <message>
         <source>Settings…</source>
         <translation>Einstellungen…</translation>
-    </message>
-    <message>
-        <source>Theme, sizes, units, speed cap, devices and keyboard shortcuts.</source>
-        <translation>Farbschema, Größen, Einheiten, Geschwindigkeitsgrenze, Geräte und Tastenkürzel.</translation>
     </message>
     <message>
         <source>Export settings…</source>
@@ -12877,20 +12869,12 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Programm starten</translation>
     </message>
     <message>
-        <source>This stops when you close the window.</source>
-        <translation>Das endet, wenn Sie das Fenster schließen.</translation>
-    </message>
-    <message>
         <source>Stop and close</source>
         <translation>Stoppen und schließen</translation>
     </message>
     <message>
         <source>Keep running</source>
         <translation>Weiterlaufen lassen</translation>
-    </message>
-    <message>
-        <source>This stops when you change the connection.</source>
-        <translation>Das endet, wenn Sie die Verbindung wechseln.</translation>
     </message>
     <message>
         <source>Stop and continue</source>
@@ -12909,10 +12893,6 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Projekt speichern</translation>
     </message>
     <message>
-        <source>Saves the project now. Tiller also saves all changes automatically. If another window or program has changed the file, asks whether to reload it or to keep both.</source>
-        <translation>Speichert das Projekt sofort. Tiller speichert alle Änderungen auch automatisch. Wenn ein anderes Fenster oder Programm die Datei geändert hat, wird gefragt, ob sie neu geladen wird oder beide Fassungen behalten werden.</translation>
-    </message>
-    <message>
         <source>Keyboard jogging was disarmed, because an input field has the focus: the keys now edit the field. Arm the keyboard again to jog.</source>
         <translation>Die Tastatur wurde abgeschaltet, weil ein Eingabefeld den Fokus hat: Die Tasten bearbeiten jetzt das Feld. Schalten Sie die Tastatur zum Joggen wieder scharf.</translation>
     </message>
@@ -12924,6 +12904,26 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     <message>
         <source>%1 — Tiller</source>
         <translation>%1 — Tiller</translation>
+    </message>
+    <message>
+        <source>Keyboard jogging armed: arrow keys move along X and Y, PgUp and PgDn along Z; with Alt, they rotate the tool. Hold 1 to 6 and press + or − to move a joint. Space and Esc stop the arm.</source>
+        <translation>Tastatur-Verfahren scharf: Pfeiltasten verfahren in X und Y, Bild auf und Bild ab in Z; mit Alt drehen sie das Werkzeug. 1 bis 6 halten und + oder − drücken verfährt ein Gelenk. Leertaste und Esc stoppen den Arm.</translation>
+    </message>
+    <message>
+        <source>Changes the theme, sizes, units, speed cap, devices and keyboard shortcuts.</source>
+        <translation>Farbschema, Größen, Einheiten, Geschwindigkeitsgrenze, Geräte und Tastenkürzel.</translation>
+    </message>
+    <message>
+        <source>This activity stops when you close the window.</source>
+        <translation>Das endet, wenn Sie das Fenster schließen.</translation>
+    </message>
+    <message>
+        <source>This activity stops when you change the connection.</source>
+        <translation>Das endet, wenn Sie die Verbindung wechseln.</translation>
+    </message>
+    <message>
+        <source>Saves the project now. Tiller also saves all changes automatically. If another window or program has changed the file, Tiller asks whether to reload the file or keep both versions.</source>
+        <translation>Speichert das Projekt sofort. Tiller speichert alle Änderungen auch automatisch. Wenn ein anderes Fenster oder Programm die Datei geändert hat, wird gefragt, ob sie neu geladen wird oder beide Fassungen behalten werden.</translation>
     </message>
 </context>
 <context>
@@ -13087,10 +13087,6 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Geben Sie einen Namen ein.</translation>
     </message>
     <message>
-        <source>The name is too long.</source>
-        <translation>Der Name ist zu lang.</translation>
-    </message>
-    <message>
         <source>The maximum number of perspectives has been reached. Delete a perspective first.</source>
         <translation>Die maximale Zahl an Arbeitsansichten ist erreicht. Löschen Sie zuerst eine.</translation>
     </message>
@@ -13105,6 +13101,10 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     <message>
         <source>The panel layout was reset to the perspective “%1”: the stored layout is damaged or from another version. Arrange the panels again. The new layout is saved automatically.</source>
         <translation>Die Anordnung der Bereiche wurde auf die Arbeitsansicht „%1“ zurückgesetzt: Die gespeicherte Anordnung ist beschädigt oder stammt von einer anderen Version. Ordnen Sie die Bereiche neu an. Die neue Anordnung wird automatisch gespeichert.</translation>
+    </message>
+    <message>
+        <source>The name is too long. Enter a shorter name.</source>
+        <translation>Der Name ist zu lang. Geben Sie einen kürzeren Namen ein.</translation>
     </message>
 </context>
 <context>
@@ -13418,10 +13418,6 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>▲ Über %1. Der manuelle Modus und die Zustimmeinrichtung des Teach-Pendants begrenzen das Verfahren vom PC nicht. Der Kopf zeigt eine Warnung. Die Grenze wird beim Schließen von Tiller zurückgesetzt.</translation>
     </message>
     <message>
-        <source>Maximum speed of TCP and elbow for all motion commanded by Tiller. A change takes effect immediately and stops any motion.</source>
-        <translation>Höchstgeschwindigkeit von TCP und Ellbogen für alle von Tiller befohlenen Bewegungen. Wird sofort wirksam und stoppt laufende Bewegungen.</translation>
-    </message>
-    <message>
         <source>Keyboard shortcuts</source>
         <translation>Tastenkürzel</translation>
     </message>
@@ -13492,6 +13488,10 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     <message>
         <source>Takes effect when Tiller is restarted or the window is reopened. The plots then restart.</source>
         <translation>Wirkt, wenn Tiller neu gestartet oder das Fenster neu geöffnet wird. Die Diagramme beginnen dann neu.</translation>
+    </message>
+    <message>
+        <source>Maximum speed of the TCP and elbow for all motion commanded by Tiller. A change takes effect immediately and stops any motion.</source>
+        <translation>Höchstgeschwindigkeit von TCP und Ellbogen für alle von Tiller befohlenen Bewegungen. Wird sofort wirksam und stoppt laufende Bewegungen.</translation>
     </message>
 </context>
 <context>

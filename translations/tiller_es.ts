@@ -1952,19 +1952,19 @@
         <translation>Mueve este panel a este lado de la ventana principal.</translation>
     </message>
     <message>
-        <source>%1 to the left</source>
+        <source>Move %1 to the left</source>
         <translation>Mover %1 a la izquierda</translation>
     </message>
     <message>
-        <source>%1 to the right</source>
+        <source>Move %1 to the right</source>
         <translation>Mover %1 a la derecha</translation>
     </message>
     <message>
-        <source>%1 to the top</source>
+        <source>Move %1 to the top</source>
         <translation>Mover %1 arriba</translation>
     </message>
     <message>
-        <source>%1 to the bottom</source>
+        <source>Move %1 to the bottom</source>
         <translation>Mover %1 abajo</translation>
     </message>
 </context>
@@ -3627,10 +3627,6 @@
         <translation>Comprobar la conexión…</translation>
     </message>
     <message>
-        <source>Checks everything between this PC and the robot and suggests fixes.</source>
-        <translation>Comprueba todo lo que hay entre este PC y el robot y propone soluciones.</translation>
-    </message>
-    <message>
         <source>Select a robot first.</source>
         <translation>Elija primero un robot.</translation>
     </message>
@@ -3741,6 +3737,10 @@
     <message>
         <source>Starts the control program on the robot. Asks for confirmation before stopping another program.</source>
         <translation>Inicia el programa de control en el robot. Pregunta antes de detener otro programa.</translation>
+    </message>
+    <message>
+        <source>Checks the connection between this PC and the robot and suggests fixes.</source>
+        <translation>Comprueba la conexión entre este PC y el robot y propone soluciones.</translation>
     </message>
 </context>
 <context>
@@ -3934,10 +3934,6 @@
         <translation>Vista predeterminada (en perspectiva)</translation>
     </message>
     <message>
-        <source>Look from between the front and the side, slightly from above, and fit everything in the view.</source>
-        <translation>Mirar entre el frente y el lado, un poco desde arriba, con todo ajustado a la vista.</translation>
-    </message>
-    <message>
         <source>Look from the front</source>
         <translation>Mirar desde el frente</translation>
     </message>
@@ -3968,6 +3964,10 @@
     <message>
         <source>Fit the arm, target and waypoints in the view without changing the viewing direction.</source>
         <translation>Ajusta el brazo, el objetivo y los puntos de paso a la vista sin cambiar la dirección de la mirada.</translation>
+    </message>
+    <message>
+        <source>Shows the arm diagonally from the front, slightly from above, and fits everything in the view.</source>
+        <translation>Muestra el brazo en diagonal desde el frente, un poco desde arriba, y ajusta todo a la vista.</translation>
     </message>
 </context>
 <context>
@@ -12209,20 +12209,12 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>mover X+ en Base 50 mm</translation>
     </message>
     <message>
-        <source>release</source>
-        <translation>soltar</translation>
-    </message>
-    <message>
         <source>teach the second waypoint</source>
         <translation>enseñar el segundo punto de paso</translation>
     </message>
     <message>
         <source>move to the first waypoint (button held)</source>
         <translation>ir al primer punto de paso (mantenido)</translation>
-    </message>
-    <message>
-        <source>release Go to</source>
-        <translation>soltar Ir a</translation>
     </message>
     <message>
         <source>digital output 0 on</source>
@@ -12297,6 +12289,14 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     <message>
         <source>the window has no button “%1”</source>
         <translation>la ventana no tiene el botón «%1»</translation>
+    </message>
+    <message>
+        <source>release the jog button</source>
+        <translation>soltar el botón de jog</translation>
+    </message>
+    <message>
+        <source>release the “Go to” button</source>
+        <translation>soltar el botón «Ir a»</translation>
     </message>
 </context>
 <context>
@@ -12377,7 +12377,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
 <context>
     <name>tiller::app::DockStage</name>
     <message>
-        <source>No panels are shown. Select a perspective at the lower right, or show a panel with the View menu.</source>
+        <source>No panels are shown. Select a perspective at the lower right, or show a panel from the View menu.</source>
         <translation>No se muestra ningún panel. Seleccione una perspectiva abajo a la derecha o muestre un panel con el menú Vista.</translation>
     </message>
 </context>
@@ -12412,7 +12412,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>&lt;h2&gt;El manual no está instalado en este ordenador&lt;/h2&gt;&lt;p&gt;El paquete Debian de Tiller lo contiene. Para añadirlo a su propia compilación, instale el paquete python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Después compile otra vez. También puede leer las páginas como texto en la carpeta packaging/manual del código fuente. Las reglas del movimiento manual y todas las teclas están en la otra página de esta ventana.&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, another mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, Tiller hangs, or the robot mode, the safety mode or Remote control changes;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If the button or key is not pressed, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show a note;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;Hold &lt;b&gt;Ctrl&lt;/b&gt; for one-tenth of the speed, or &lt;b&gt;Shift&lt;/b&gt; for three times the speed, up to the speed cap. On a keyboard without Latin letters, the letters below refer to key positions on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, another mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, Tiller hangs, or the robot mode, the safety mode or Remote control changes;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If the button or key is not pressed, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show a note;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;After a stop, press the button or key again to move the arm. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;Hold &lt;b&gt;Ctrl&lt;/b&gt; for one-tenth of the speed, or &lt;b&gt;Shift&lt;/b&gt; for three times the speed, up to the speed cap. On a keyboard without Latin letters, the letters below refer to key positions on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
         <translation>&lt;h2&gt;Mover el brazo&lt;/h2&gt;&lt;p&gt;El brazo se mueve mientras mantiene pulsado un botón de movimiento y se detiene al soltarlo. También se detiene cuando&lt;/p&gt;&lt;ul&gt;&lt;li&gt;el puntero sale del botón, se pulsa otro botón del ratón o se usa un segundo dispositivo de entrada;&lt;/li&gt;&lt;li&gt;se pulsa un modificador o la tecla contraria mientras se mantiene una tecla del teclado;&lt;/li&gt;&lt;li&gt;la ventana pierde el foco, se abre un diálogo o menú, o cambia el sistema de coordenadas, la velocidad, el paso o la pestaña;&lt;/li&gt;&lt;li&gt;los datos del robot llegan tarde, este programa no responde o el robot sale de «En marcha», de su modo de seguridad o del control remoto;&lt;/li&gt;&lt;li&gt;se bloquea la pantalla, el PC entra en suspensión, o el dispositivo de entrada se desconecta o deja de enviar datos;&lt;/li&gt;&lt;li&gt;falla la comprobación de teclas: en X11, Tiller comprueba cada 10 ms en el servidor gráfico que el botón o la tecla sigue pulsado. Si no lo está, o si el servidor no responde durante 100 ms, el movimiento termina. Si la comprobación no está disponible, lo indican la cabecera y los ajustes;&lt;/li&gt;&lt;li&gt;se alcanza el tiempo máximo de pulsación: %1 s para el movimiento manual (Ajustes), cinco minutos para el movimiento libre, la duración del movimiento más 5 s para ir a una posición. Se muestra una cuenta atrás de los últimos 3 s.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;Después de una parada hay que pulsar de nuevo. Mientras Tiller tiene el control, &lt;b&gt;Espacio&lt;/b&gt; y &lt;b&gt;Esc&lt;/b&gt; detienen el brazo desde cualquier ventana, diálogo y campo de texto. Cuando Tiller no tiene el control, actúan sobre el elemento que tiene el foco; haga clic en &lt;b&gt;STOP&lt;/b&gt; para detener un programa de otro cliente. Es una parada por software, no una parada de emergencia: tenga la parada de emergencia a su alcance.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; hace el movimiento diez veces más fino y &lt;b&gt;Mayús&lt;/b&gt; tres veces más rápido, pero nunca por encima del límite. En un teclado sin letras latinas, las letras siguientes se refieren a su posición en un teclado de EE. UU.&lt;/p&gt;&lt;h2&gt;Órdenes&lt;/h2&gt;</translation>
     </message>
 </context>
@@ -12504,10 +12504,6 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     <message>
         <source>Tiller</source>
         <translation>Tiller</translation>
-    </message>
-    <message>
-        <source>Keyboard jogging armed: arrow keys move X and Y, PgUp and PgDn move Z; with Alt, they rotate. 1 to 6 with + and − move a joint. Space and Esc stop.</source>
-        <translation>Teclado armado: las flechas mueven X e Y, RePág y AvPág mueven Z; con Alt giran. 1 a 6 con + y − mueven una articulación. Espacio y Esc detienen.</translation>
     </message>
     <message>
         <source>Keyboard jogging disarmed</source>
@@ -12648,10 +12644,6 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     <message>
         <source>Settings…</source>
         <translation>Ajustes…</translation>
-    </message>
-    <message>
-        <source>Theme, sizes, units, speed cap, devices and keyboard shortcuts.</source>
-        <translation>Tema, tamaños, unidades, límite de velocidad, dispositivos y atajos de teclado.</translation>
     </message>
     <message>
         <source>Export settings…</source>
@@ -12877,20 +12869,12 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Iniciar programa</translation>
     </message>
     <message>
-        <source>This stops when you close the window.</source>
-        <translation>Esto se detiene al cerrar la ventana.</translation>
-    </message>
-    <message>
         <source>Stop and close</source>
         <translation>Detener y cerrar</translation>
     </message>
     <message>
         <source>Keep running</source>
         <translation>Mantener en marcha</translation>
-    </message>
-    <message>
-        <source>This stops when you change the connection.</source>
-        <translation>Esto se detiene al cambiar la conexión.</translation>
     </message>
     <message>
         <source>Stop and continue</source>
@@ -12909,10 +12893,6 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Guardar proyecto</translation>
     </message>
     <message>
-        <source>Saves the project now. Tiller also saves all changes automatically. If another window or program has changed the file, asks whether to reload it or to keep both.</source>
-        <translation>Guarda el proyecto ahora. Tiller también guarda todos los cambios automáticamente. Si otra ventana u otro programa ha modificado el archivo, pregunta si se recarga o se conservan ambas versiones.</translation>
-    </message>
-    <message>
         <source>Keyboard jogging was disarmed, because an input field has the focus: the keys now edit the field. Arm the keyboard again to jog.</source>
         <translation>El teclado se ha desarmado porque un campo de entrada tiene el foco: las teclas editan ahora el campo. Arme de nuevo el teclado para mover el brazo.</translation>
     </message>
@@ -12924,6 +12904,26 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     <message>
         <source>%1 — Tiller</source>
         <translation>%1 — Tiller</translation>
+    </message>
+    <message>
+        <source>Keyboard jogging armed: arrow keys move along X and Y, PgUp and PgDn along Z; with Alt, they rotate the tool. Hold 1 to 6 and press + or − to move a joint. Space and Esc stop the arm.</source>
+        <translation>Teclado armado: las flechas mueven en X e Y, RePág y AvPág en Z; con Alt giran la herramienta. Mantenga pulsado 1 a 6 y pulse + o − para mover una articulación. Espacio y Esc detienen el brazo.</translation>
+    </message>
+    <message>
+        <source>Changes the theme, sizes, units, speed cap, devices and keyboard shortcuts.</source>
+        <translation>Tema, tamaños, unidades, límite de velocidad, dispositivos y atajos de teclado.</translation>
+    </message>
+    <message>
+        <source>This activity stops when you close the window.</source>
+        <translation>Esto se detiene al cerrar la ventana.</translation>
+    </message>
+    <message>
+        <source>This activity stops when you change the connection.</source>
+        <translation>Esto se detiene al cambiar la conexión.</translation>
+    </message>
+    <message>
+        <source>Saves the project now. Tiller also saves all changes automatically. If another window or program has changed the file, Tiller asks whether to reload the file or keep both versions.</source>
+        <translation>Guarda el proyecto ahora. Tiller también guarda todos los cambios automáticamente. Si otra ventana u otro programa ha modificado el archivo, pregunta si se recarga o se conservan ambas versiones.</translation>
     </message>
 </context>
 <context>
@@ -13087,10 +13087,6 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Introduzca un nombre.</translation>
     </message>
     <message>
-        <source>The name is too long.</source>
-        <translation>El nombre es demasiado largo.</translation>
-    </message>
-    <message>
         <source>The maximum number of perspectives has been reached. Delete a perspective first.</source>
         <translation>Se alcanzó el número máximo de perspectivas. Elimine primero una.</translation>
     </message>
@@ -13105,6 +13101,10 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     <message>
         <source>The panel layout was reset to the perspective “%1”: the stored layout is damaged or from another version. Arrange the panels again. The new layout is saved automatically.</source>
         <translation>La disposición de los paneles se restableció a la perspectiva «%1»: la disposición guardada está dañada o es de otra versión. Ordene los paneles de nuevo. La nueva disposición se guarda automáticamente.</translation>
+    </message>
+    <message>
+        <source>The name is too long. Enter a shorter name.</source>
+        <translation>El nombre es demasiado largo. Introduzca un nombre más corto.</translation>
     </message>
 </context>
 <context>
@@ -13418,10 +13418,6 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>▲ Por encima de %1. El modo manual y el dispositivo de habilitación de la consola no limitan el movimiento desde un PC. La cabecera muestra un aviso. El límite se restablece al cerrar Tiller.</translation>
     </message>
     <message>
-        <source>Maximum speed of TCP and elbow for all motion commanded by Tiller. A change takes effect immediately and stops any motion.</source>
-        <translation>Velocidad máxima de TCP y codo para todo movimiento ordenado por Tiller. Se aplica de inmediato y detiene el movimiento en curso.</translation>
-    </message>
-    <message>
         <source>Keyboard shortcuts</source>
         <translation>Atajos de teclado</translation>
     </message>
@@ -13492,6 +13488,10 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     <message>
         <source>Takes effect when Tiller is restarted or the window is reopened. The plots then restart.</source>
         <translation>Se aplica al reiniciar Tiller o al reabrir la ventana. Los gráficos empiezan entonces de nuevo.</translation>
+    </message>
+    <message>
+        <source>Maximum speed of the TCP and elbow for all motion commanded by Tiller. A change takes effect immediately and stops any motion.</source>
+        <translation>Velocidad máxima de TCP y codo para todo movimiento ordenado por Tiller. Se aplica de inmediato y detiene el movimiento en curso.</translation>
     </message>
 </context>
 <context>

@@ -1952,19 +1952,19 @@
         <translation>Déplace ce panneau de ce côté de la fenêtre principale.</translation>
     </message>
     <message>
-        <source>%1 to the left</source>
+        <source>Move %1 to the left</source>
         <translation>Placer %1 à gauche</translation>
     </message>
     <message>
-        <source>%1 to the right</source>
+        <source>Move %1 to the right</source>
         <translation>Placer %1 à droite</translation>
     </message>
     <message>
-        <source>%1 to the top</source>
+        <source>Move %1 to the top</source>
         <translation>Placer %1 en haut</translation>
     </message>
     <message>
-        <source>%1 to the bottom</source>
+        <source>Move %1 to the bottom</source>
         <translation>Placer %1 en bas</translation>
     </message>
 </context>
@@ -3627,10 +3627,6 @@
         <translation>Vérifier la connexion…</translation>
     </message>
     <message>
-        <source>Checks everything between this PC and the robot and suggests fixes.</source>
-        <translation>Vérifie tout entre ce PC et le robot et propose des remèdes.</translation>
-    </message>
-    <message>
         <source>Select a robot first.</source>
         <translation>Choisissez d’abord un robot.</translation>
     </message>
@@ -3741,6 +3737,10 @@
     <message>
         <source>Starts the control program on the robot. Asks for confirmation before stopping another program.</source>
         <translation>Démarre le programme de commande sur le robot. Demande confirmation avant d’arrêter un autre programme.</translation>
+    </message>
+    <message>
+        <source>Checks the connection between this PC and the robot and suggests fixes.</source>
+        <translation>Vérifie la liaison entre ce PC et le robot et propose des remèdes.</translation>
     </message>
 </context>
 <context>
@@ -3934,10 +3934,6 @@
         <translation>Vue par défaut (en perspective)</translation>
     </message>
     <message>
-        <source>Look from between the front and the side, slightly from above, and fit everything in the view.</source>
-        <translation>Regarder entre l’avant et le côté, légèrement d’en haut, avec tout ajusté à la vue.</translation>
-    </message>
-    <message>
         <source>Look from the front</source>
         <translation>Regarder de face</translation>
     </message>
@@ -3968,6 +3964,10 @@
     <message>
         <source>Fit the arm, target and waypoints in the view without changing the viewing direction.</source>
         <translation>Ajuste le bras, la cible et les points de passage à la vue sans changer la direction du regard.</translation>
+    </message>
+    <message>
+        <source>Shows the arm diagonally from the front, slightly from above, and fits everything in the view.</source>
+        <translation>Affiche le bras en diagonale depuis l’avant, légèrement d’en haut, et ajuste tout à la vue.</translation>
     </message>
 </context>
 <context>
@@ -12209,20 +12209,12 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>aller en X+ en Base sur 50 mm</translation>
     </message>
     <message>
-        <source>release</source>
-        <translation>lâcher</translation>
-    </message>
-    <message>
         <source>teach the second waypoint</source>
         <translation>apprendre le second point de passage</translation>
     </message>
     <message>
         <source>move to the first waypoint (button held)</source>
         <translation>aller au premier point de passage (tenu)</translation>
-    </message>
-    <message>
-        <source>release Go to</source>
-        <translation>lâcher Aller à</translation>
     </message>
     <message>
         <source>digital output 0 on</source>
@@ -12297,6 +12289,14 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     <message>
         <source>the window has no button “%1”</source>
         <translation>la fenêtre n’a pas de bouton « %1 »</translation>
+    </message>
+    <message>
+        <source>release the jog button</source>
+        <translation>relâcher le bouton de déplacement</translation>
+    </message>
+    <message>
+        <source>release the “Go to” button</source>
+        <translation>relâcher le bouton « Aller à »</translation>
     </message>
 </context>
 <context>
@@ -12377,7 +12377,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
 <context>
     <name>tiller::app::DockStage</name>
     <message>
-        <source>No panels are shown. Select a perspective at the lower right, or show a panel with the View menu.</source>
+        <source>No panels are shown. Select a perspective at the lower right, or show a panel from the View menu.</source>
         <translation>Aucun panneau n’est affiché. Choisissez une perspective en bas à droite, ou affichez un panneau par le menu Vue.</translation>
     </message>
 </context>
@@ -12412,7 +12412,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>&lt;h2&gt;Le manuel n’est pas installé sur cet ordinateur&lt;/h2&gt;&lt;p&gt;Le paquet Debian de Tiller le contient. Pour l’ajouter à votre propre compilation, installez le paquet python3-sphinx :&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Compilez ensuite de nouveau. Vous pouvez aussi lire ses pages comme du texte dans le dossier packaging/manual du code source. Les règles du déplacement et toutes les touches sont sur l’autre page de cette fenêtre.&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, another mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, Tiller hangs, or the robot mode, the safety mode or Remote control changes;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If the button or key is not pressed, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show a note;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;Hold &lt;b&gt;Ctrl&lt;/b&gt; for one-tenth of the speed, or &lt;b&gt;Shift&lt;/b&gt; for three times the speed, up to the speed cap. On a keyboard without Latin letters, the letters below refer to key positions on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, another mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, Tiller hangs, or the robot mode, the safety mode or Remote control changes;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If the button or key is not pressed, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show a note;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;After a stop, press the button or key again to move the arm. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;Hold &lt;b&gt;Ctrl&lt;/b&gt; for one-tenth of the speed, or &lt;b&gt;Shift&lt;/b&gt; for three times the speed, up to the speed cap. On a keyboard without Latin letters, the letters below refer to key positions on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
         <translation>&lt;h2&gt;Déplacer le bras&lt;/h2&gt;&lt;p&gt;Le bras bouge tant que vous maintenez un bouton de déplacement, et s’arrête quand vous le relâchez. Il s’arrête aussi quand&lt;/p&gt;&lt;ul&gt;&lt;li&gt;le pointeur quitte le bouton, un autre bouton de souris est pressé ou un second périphérique est utilisé ;&lt;/li&gt;&lt;li&gt;un modificateur ou la touche contraire est enfoncé pendant qu’une touche du clavier est maintenue ;&lt;/li&gt;&lt;li&gt;la fenêtre perd le focus, un dialogue ou un menu s’ouvre, ou le repère, la vitesse, le pas ou l’onglet change ;&lt;/li&gt;&lt;li&gt;les données du robot sont en retard, ce programme ne répond plus, ou le robot quitte « En marche », son mode de sécurité ou la commande à distance ;&lt;/li&gt;&lt;li&gt;l’écran est verrouillé, le PC se met en veille, ou le périphérique est débranché ou n’envoie plus de données ;&lt;/li&gt;&lt;li&gt;le contrôle de touche échoue : sous X11, Tiller vérifie toutes les 10 ms auprès du serveur d’affichage que le bouton ou la touche est encore enfoncé. Si ce n’est pas le cas, ou si le serveur ne répond pas pendant 100 ms, le mouvement se termine. Si ce contrôle n’est pas disponible, l’en-tête et les réglages l’indiquent ;&lt;/li&gt;&lt;li&gt;la durée maximale d’appui est atteinte : %1 s pour un déplacement manuel (réglages), cinq minutes pour Freedrive, la durée du mouvement plus 5 s pour aller à une position. Les 3 dernières secondes sont décomptées.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;Après un arrêt, un nouvel appui est nécessaire. Tant que Tiller a le contrôle, &lt;b&gt;Espace&lt;/b&gt; et &lt;b&gt;Échap&lt;/b&gt; arrêtent le bras depuis chaque fenêtre, dialogue et champ de texte. Quand Tiller n’a pas le contrôle, ils agissent sur l’élément qui a le focus ; cliquez sur &lt;b&gt;STOP&lt;/b&gt; pour arrêter un programme d’un autre client. C’est un arrêt logiciel, pas un arrêt d’urgence : gardez l’arrêt d’urgence à portée de main.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; rend le mouvement dix fois plus fin, &lt;b&gt;Maj&lt;/b&gt; trois fois plus rapide, mais jamais au-dessus du plafond. Sur un clavier sans lettres latines, une lettre ci-dessous désigne sa position sur un clavier américain.&lt;/p&gt;&lt;h2&gt;Commandes&lt;/h2&gt;</translation>
     </message>
 </context>
@@ -12504,10 +12504,6 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     <message>
         <source>Tiller</source>
         <translation>Tiller</translation>
-    </message>
-    <message>
-        <source>Keyboard jogging armed: arrow keys move X and Y, PgUp and PgDn move Z; with Alt, they rotate. 1 to 6 with + and − move a joint. Space and Esc stop.</source>
-        <translation>Clavier armé : les flèches déplacent X et Y, Pg préc et Pg suiv déplacent Z ; avec Alt, elles tournent. 1 à 6 avec + et − déplacent une articulation. Espace et Échap arrêtent.</translation>
     </message>
     <message>
         <source>Keyboard jogging disarmed</source>
@@ -12648,10 +12644,6 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     <message>
         <source>Settings…</source>
         <translation>Réglages…</translation>
-    </message>
-    <message>
-        <source>Theme, sizes, units, speed cap, devices and keyboard shortcuts.</source>
-        <translation>Thème, tailles, unités, plafond de vitesse, appareils et raccourcis clavier.</translation>
     </message>
     <message>
         <source>Export settings…</source>
@@ -12877,20 +12869,12 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Démarrer</translation>
     </message>
     <message>
-        <source>This stops when you close the window.</source>
-        <translation>Cela s’arrête à la fermeture de la fenêtre.</translation>
-    </message>
-    <message>
         <source>Stop and close</source>
         <translation>Arrêter et fermer</translation>
     </message>
     <message>
         <source>Keep running</source>
         <translation>Laisser en marche</translation>
-    </message>
-    <message>
-        <source>This stops when you change the connection.</source>
-        <translation>Cela s’arrête au changement de connexion.</translation>
     </message>
     <message>
         <source>Stop and continue</source>
@@ -12909,10 +12893,6 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Enregistrer le projet</translation>
     </message>
     <message>
-        <source>Saves the project now. Tiller also saves all changes automatically. If another window or program has changed the file, asks whether to reload it or to keep both.</source>
-        <translation>Enregistre le projet maintenant. Tiller enregistre aussi automatiquement toutes les modifications. Si une autre fenêtre ou un autre programme a modifié le fichier, demande s’il faut le recharger ou conserver les deux versions.</translation>
-    </message>
-    <message>
         <source>Keyboard jogging was disarmed, because an input field has the focus: the keys now edit the field. Arm the keyboard again to jog.</source>
         <translation>Le clavier a été désarmé, car un champ de saisie a le focus : les touches modifient maintenant le champ. Réarmez le clavier pour déplacer le bras.</translation>
     </message>
@@ -12924,6 +12904,26 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     <message>
         <source>%1 — Tiller</source>
         <translation>%1 — Tiller</translation>
+    </message>
+    <message>
+        <source>Keyboard jogging armed: arrow keys move along X and Y, PgUp and PgDn along Z; with Alt, they rotate the tool. Hold 1 to 6 and press + or − to move a joint. Space and Esc stop the arm.</source>
+        <translation>Clavier armé : les flèches déplacent en X et Y, Pg préc et Pg suiv en Z ; avec Alt, elles tournent l’outil. Maintenez 1 à 6 et appuyez sur + ou − pour déplacer une articulation. Espace et Échap arrêtent le bras.</translation>
+    </message>
+    <message>
+        <source>Changes the theme, sizes, units, speed cap, devices and keyboard shortcuts.</source>
+        <translation>Thème, tailles, unités, plafond de vitesse, appareils et raccourcis clavier.</translation>
+    </message>
+    <message>
+        <source>This activity stops when you close the window.</source>
+        <translation>Cela s’arrête à la fermeture de la fenêtre.</translation>
+    </message>
+    <message>
+        <source>This activity stops when you change the connection.</source>
+        <translation>Cela s’arrête au changement de connexion.</translation>
+    </message>
+    <message>
+        <source>Saves the project now. Tiller also saves all changes automatically. If another window or program has changed the file, Tiller asks whether to reload the file or keep both versions.</source>
+        <translation>Enregistre le projet maintenant. Tiller enregistre aussi automatiquement toutes les modifications. Si une autre fenêtre ou un autre programme a modifié le fichier, demande s’il faut le recharger ou conserver les deux versions.</translation>
     </message>
 </context>
 <context>
@@ -13087,10 +13087,6 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Saisissez un nom.</translation>
     </message>
     <message>
-        <source>The name is too long.</source>
-        <translation>Le nom est trop long.</translation>
-    </message>
-    <message>
         <source>The maximum number of perspectives has been reached. Delete a perspective first.</source>
         <translation>Le nombre maximal de perspectives est atteint. Supprimez-en d’abord une.</translation>
     </message>
@@ -13105,6 +13101,10 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     <message>
         <source>The panel layout was reset to the perspective “%1”: the stored layout is damaged or from another version. Arrange the panels again. The new layout is saved automatically.</source>
         <translation>La disposition des panneaux a été réinitialisée à la perspective « %1 » : la disposition enregistrée est endommagée ou vient d’une autre version. Disposez de nouveau les panneaux. La nouvelle disposition est enregistrée automatiquement.</translation>
+    </message>
+    <message>
+        <source>The name is too long. Enter a shorter name.</source>
+        <translation>Le nom est trop long. Saisissez un nom plus court.</translation>
     </message>
 </context>
 <context>
@@ -13418,10 +13418,6 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>▲ Au-dessus de %1. Le mode manuel et le dispositif de validation du pupitre ne limitent pas le déplacement depuis un PC. L’en-tête affiche un avertissement. Le plafond est réinitialisé à la fermeture de Tiller.</translation>
     </message>
     <message>
-        <source>Maximum speed of TCP and elbow for all motion commanded by Tiller. A change takes effect immediately and stops any motion.</source>
-        <translation>Vitesse maximale du TCP et du coude pour tout mouvement commandé par Tiller. Prend effet aussitôt et arrête le mouvement en cours.</translation>
-    </message>
-    <message>
         <source>Keyboard shortcuts</source>
         <translation>Raccourcis clavier</translation>
     </message>
@@ -13492,6 +13488,10 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     <message>
         <source>Takes effect when Tiller is restarted or the window is reopened. The plots then restart.</source>
         <translation>Prend effet au redémarrage de Tiller ou à la réouverture de la fenêtre. Les tracés recommencent alors.</translation>
+    </message>
+    <message>
+        <source>Maximum speed of the TCP and elbow for all motion commanded by Tiller. A change takes effect immediately and stops any motion.</source>
+        <translation>Vitesse maximale du TCP et du coude pour tout mouvement commandé par Tiller. Prend effet aussitôt et arrête le mouvement en cours.</translation>
     </message>
 </context>
 <context>

@@ -1952,19 +1952,19 @@
         <translation>パネルをメインウィンドウのこの側へ移動します。</translation>
     </message>
     <message>
-        <source>%1 to the left</source>
+        <source>Move %1 to the left</source>
         <translation>%1 を左へ移動</translation>
     </message>
     <message>
-        <source>%1 to the right</source>
+        <source>Move %1 to the right</source>
         <translation>%1 を右へ移動</translation>
     </message>
     <message>
-        <source>%1 to the top</source>
+        <source>Move %1 to the top</source>
         <translation>%1 を上へ移動</translation>
     </message>
     <message>
-        <source>%1 to the bottom</source>
+        <source>Move %1 to the bottom</source>
         <translation>%1 を下へ移動</translation>
     </message>
 </context>
@@ -3627,10 +3627,6 @@
         <translation>接続を確認…</translation>
     </message>
     <message>
-        <source>Checks everything between this PC and the robot and suggests fixes.</source>
-        <translation>この PC とロボットの間のすべてを調べ、対処を示します。</translation>
-    </message>
-    <message>
         <source>Select a robot first.</source>
         <translation>先にロボットを選んでください。</translation>
     </message>
@@ -3741,6 +3737,10 @@
     <message>
         <source>Starts the control program on the robot. Asks for confirmation before stopping another program.</source>
         <translation>ロボットで制御プログラムを開始します。別のプログラムを停止する前に確認します。</translation>
+    </message>
+    <message>
+        <source>Checks the connection between this PC and the robot and suggests fixes.</source>
+        <translation>この PC とロボットの接続を調べ、対処を示します。</translation>
     </message>
 </context>
 <context>
@@ -3934,10 +3934,6 @@
         <translation>標準の視点（透視）</translation>
     </message>
     <message>
-        <source>Look from between the front and the side, slightly from above, and fit everything in the view.</source>
-        <translation>正面と側面の間、少し上から、全体が収まるように見る。</translation>
-    </message>
-    <message>
         <source>Look from the front</source>
         <translation>正面から見る</translation>
     </message>
@@ -3968,6 +3964,10 @@
     <message>
         <source>Fit the arm, target and waypoints in the view without changing the viewing direction.</source>
         <translation>視線方向を変えずに、アーム、目標、ウェイポイントを画面に収めます。</translation>
+    </message>
+    <message>
+        <source>Shows the arm diagonally from the front, slightly from above, and fits everything in the view.</source>
+        <translation>アームを斜め前方のやや上から表示し、全体をビューに収めます。</translation>
     </message>
 </context>
 <context>
@@ -12168,20 +12168,12 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>ベースで X+ に 50 mm ジョグ</translation>
     </message>
     <message>
-        <source>release</source>
-        <translation>離す</translation>
-    </message>
-    <message>
         <source>teach the second waypoint</source>
         <translation>二番目のウェイポイントを教示</translation>
     </message>
     <message>
         <source>move to the first waypoint (button held)</source>
         <translation>最初のウェイポイントへ移動（押し続け）</translation>
-    </message>
-    <message>
-        <source>release Go to</source>
-        <translation>移動を離す</translation>
     </message>
     <message>
         <source>digital output 0 on</source>
@@ -12256,6 +12248,14 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>the window has no button “%1”</source>
         <translation>ウィンドウに「%1」というボタンがありません</translation>
+    </message>
+    <message>
+        <source>release the jog button</source>
+        <translation>ジョグボタンを離す</translation>
+    </message>
+    <message>
+        <source>release the “Go to” button</source>
+        <translation>「移動」ボタンを離す</translation>
     </message>
 </context>
 <context>
@@ -12336,7 +12336,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
 <context>
     <name>tiller::app::DockStage</name>
     <message>
-        <source>No panels are shown. Select a perspective at the lower right, or show a panel with the View menu.</source>
+        <source>No panels are shown. Select a perspective at the lower right, or show a panel from the View menu.</source>
         <translation>パネルがありません。右下でパースペクティブを選ぶか、メニュー「ビュー」でパネルを表示してください。</translation>
     </message>
 </context>
@@ -12371,7 +12371,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>&lt;h2&gt;このコンピューターにはマニュアルがインストールされていません&lt;/h2&gt;&lt;p&gt;マニュアルは Tiller の Debian パッケージに含まれています。自分でビルドする場合は、パッケージ python3-sphinx をインストールしてください。&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;その後もう一度ビルドしてください。ソースコードのフォルダー packaging/manual でテキストとして読むこともできます。ジョグの規則とすべてのキーは、このウィンドウのもう一方のページにあります。&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, another mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, Tiller hangs, or the robot mode, the safety mode or Remote control changes;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If the button or key is not pressed, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show a note;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;Hold &lt;b&gt;Ctrl&lt;/b&gt; for one-tenth of the speed, or &lt;b&gt;Shift&lt;/b&gt; for three times the speed, up to the speed cap. On a keyboard without Latin letters, the letters below refer to key positions on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, another mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, Tiller hangs, or the robot mode, the safety mode or Remote control changes;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If the button or key is not pressed, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show a note;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;After a stop, press the button or key again to move the arm. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;Hold &lt;b&gt;Ctrl&lt;/b&gt; for one-tenth of the speed, or &lt;b&gt;Shift&lt;/b&gt; for three times the speed, up to the speed cap. On a keyboard without Latin letters, the letters below refer to key positions on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
         <translation>&lt;h2&gt;アームを動かす&lt;/h2&gt;&lt;p&gt;ジョグボタンを押している間アームが動き、離すと止まります。次の場合にも止まります：&lt;/p&gt;&lt;ul&gt;&lt;li&gt;ポインターがボタンから外れる、マウスの別のボタンが押される、または別の入力デバイスが使われる；&lt;/li&gt;&lt;li&gt;キーボードのキーを押している間に、修飾キーや反対方向のキーが押される；&lt;/li&gt;&lt;li&gt;ウィンドウがフォーカスを失う、ダイアログやメニューが開く、または座標系、速度、ステップ、タブが変わる；&lt;/li&gt;&lt;li&gt;ロボットのデータが遅れる、このプログラムが応答しない、またはロボットが「稼働中」、現在の安全モード、リモート制御から外れる；&lt;/li&gt;&lt;li&gt;画面がロックされる、PC がスリープする、または入力デバイスが取り外されるかデータを送らなくなる；&lt;/li&gt;&lt;li&gt;キー状態の確認に失敗する：X11 では、ボタンやキーが押されているかを 10 ms ごとにディスプレイサーバーで確認します。押されていない場合、またはサーバーが 100 ms 応答しない場合、動作は終わります。この確認が使えない場合は、ヘッダーと設定に表示されます；&lt;/li&gt;&lt;li&gt;最大保持時間に達する：ジョグは %1 s（設定）、フリードライブは 5 分、ある位置への移動は所要時間と 5 s。最後の 3 s はカウントダウンされます。&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;停止後は、もう一度押す必要があります。Tiller が制御している間は、&lt;b&gt;Space&lt;/b&gt; と &lt;b&gt;Esc&lt;/b&gt; でどのウィンドウ、ダイアログ、入力欄からでもアームが停止します。制御していないときは、フォーカスのある要素に働きます。他のクライアントのプログラムを停止するには &lt;b&gt;STOP&lt;/b&gt; をクリックしてください。これはソフトウェア停止で、非常停止ではありません：非常停止を手の届く所に置いてください。&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; を押すと動作は 10 倍細かく、&lt;b&gt;Shift&lt;/b&gt; を押すと 3 倍速くなりますが、上限は超えません。ラテン文字のないキーボードでは、下の文字は US 配列での位置を指します。&lt;/p&gt;&lt;h2&gt;コマンド&lt;/h2&gt;</translation>
     </message>
 </context>
@@ -12463,10 +12463,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>Tiller</source>
         <translation>Tiller</translation>
-    </message>
-    <message>
-        <source>Keyboard jogging armed: arrow keys move X and Y, PgUp and PgDn move Z; with Alt, they rotate. 1 to 6 with + and − move a joint. Space and Esc stop.</source>
-        <translation>キーボードジョグ有効：矢印は X と Y、PgUp と PgDn は Z、Alt で回転、1〜6 と + − で関節が動きます。Space と Esc で停止。</translation>
     </message>
     <message>
         <source>Keyboard jogging disarmed</source>
@@ -12607,10 +12603,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>Settings…</source>
         <translation>設定…</translation>
-    </message>
-    <message>
-        <source>Theme, sizes, units, speed cap, devices and keyboard shortcuts.</source>
-        <translation>色、大きさ、単位、速度上限、デバイス、各コマンドのキー。</translation>
     </message>
     <message>
         <source>Export settings…</source>
@@ -12835,20 +12827,12 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>プログラムを開始</translation>
     </message>
     <message>
-        <source>This stops when you close the window.</source>
-        <translation>ウィンドウを閉じると停止します。</translation>
-    </message>
-    <message>
         <source>Stop and close</source>
         <translation>停止して閉じる</translation>
     </message>
     <message>
         <source>Keep running</source>
         <translation>実行を続ける</translation>
-    </message>
-    <message>
-        <source>This stops when you change the connection.</source>
-        <translation>接続を変更すると停止します。</translation>
     </message>
     <message>
         <source>Stop and continue</source>
@@ -12867,10 +12851,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>プロジェクトを保存</translation>
     </message>
     <message>
-        <source>Saves the project now. Tiller also saves all changes automatically. If another window or program has changed the file, asks whether to reload it or to keep both.</source>
-        <translation>プロジェクトを今すぐ保存します。変更は自動的にも保存されます。別のウィンドウまたはプログラムがファイルを変更した場合は、再読み込みするか両方を残すかを確認します。</translation>
-    </message>
-    <message>
         <source>Keyboard jogging was disarmed, because an input field has the focus: the keys now edit the field. Arm the keyboard again to jog.</source>
         <translation>入力欄にフォーカスが移ったため、キーボードジョグを無効にしました。キーは入力欄を編集します。ジョグするには、キーボードをもう一度有効にしてください。</translation>
     </message>
@@ -12882,6 +12862,26 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>%1 — Tiller</source>
         <translation>%1 — Tiller</translation>
+    </message>
+    <message>
+        <source>Keyboard jogging armed: arrow keys move along X and Y, PgUp and PgDn along Z; with Alt, they rotate the tool. Hold 1 to 6 and press + or − to move a joint. Space and Esc stop the arm.</source>
+        <translation>キーボードジョグ有効：矢印キーは X と Y、PgUp と PgDn は Z 方向に動かし、Alt を押すとツールを回転します。1〜6 を押しながら + または − で関節を動かします。Space と Esc でアームを停止します。</translation>
+    </message>
+    <message>
+        <source>Changes the theme, sizes, units, speed cap, devices and keyboard shortcuts.</source>
+        <translation>色、大きさ、単位、速度上限、デバイス、各コマンドのキー。</translation>
+    </message>
+    <message>
+        <source>This activity stops when you close the window.</source>
+        <translation>ウィンドウを閉じると停止します。</translation>
+    </message>
+    <message>
+        <source>This activity stops when you change the connection.</source>
+        <translation>接続を変更すると停止します。</translation>
+    </message>
+    <message>
+        <source>Saves the project now. Tiller also saves all changes automatically. If another window or program has changed the file, Tiller asks whether to reload the file or keep both versions.</source>
+        <translation>プロジェクトを今すぐ保存します。変更は自動的にも保存されます。別のウィンドウまたはプログラムがファイルを変更した場合は、再読み込みするか両方を残すかを確認します。</translation>
     </message>
 </context>
 <context>
@@ -13045,10 +13045,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>名前を入力してください。</translation>
     </message>
     <message>
-        <source>The name is too long.</source>
-        <translation>名前が長すぎます。</translation>
-    </message>
-    <message>
         <source>The maximum number of perspectives has been reached. Delete a perspective first.</source>
         <translation>これ以上のパースペクティブは保存できません。先に一つ削除してください。</translation>
     </message>
@@ -13063,6 +13059,10 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>The panel layout was reset to the perspective “%1”: the stored layout is damaged or from another version. Arrange the panels again. The new layout is saved automatically.</source>
         <translation>パネルはパースペクティブ「%1」の配置です：設定の配置が壊れているか別のバージョンのものです。並べ直してください。新しい配置は自動的に保存されます。</translation>
+    </message>
+    <message>
+        <source>The name is too long. Enter a shorter name.</source>
+        <translation>名前が長すぎます。短い名前を入力してください。</translation>
     </message>
 </context>
 <context>
@@ -13375,10 +13375,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>▲ %1 を超えています。手動モードとペンダントのイネーブル装置は、PC からのジョグを制限しません。ヘッダーに警告が表示されます。上限は Tiller を閉じると元に戻ります。</translation>
     </message>
     <message>
-        <source>Maximum speed of TCP and elbow for all motion commanded by Tiller. A change takes effect immediately and stops any motion.</source>
-        <translation>Tiller の全動作での TCP と肘の最高速度です。すぐに有効になり、実行中の動作を停止します。</translation>
-    </message>
-    <message>
         <source>Keyboard shortcuts</source>
         <translation>キーボードショートカット</translation>
     </message>
@@ -13449,6 +13445,10 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>Takes effect when Tiller is restarted or the window is reopened. The plots then restart.</source>
         <translation>Tiller を再起動するか、ウィンドウを開き直すと有効になります。その際、プロットは最初から始まります。</translation>
+    </message>
+    <message>
+        <source>Maximum speed of the TCP and elbow for all motion commanded by Tiller. A change takes effect immediately and stops any motion.</source>
+        <translation>Tiller の全動作での TCP と肘の最高速度です。すぐに有効になり、実行中の動作を停止します。</translation>
     </message>
 </context>
 <context>

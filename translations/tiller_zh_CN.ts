@@ -1952,19 +1952,19 @@
         <translation>将面板移到主窗口的这一侧。</translation>
     </message>
     <message>
-        <source>%1 to the left</source>
+        <source>Move %1 to the left</source>
         <translation>将 %1 移到左侧</translation>
     </message>
     <message>
-        <source>%1 to the right</source>
+        <source>Move %1 to the right</source>
         <translation>将 %1 移到右侧</translation>
     </message>
     <message>
-        <source>%1 to the top</source>
+        <source>Move %1 to the top</source>
         <translation>将 %1 移到顶部</translation>
     </message>
     <message>
-        <source>%1 to the bottom</source>
+        <source>Move %1 to the bottom</source>
         <translation>将 %1 移到底部</translation>
     </message>
 </context>
@@ -3627,10 +3627,6 @@
         <translation>检查连接…</translation>
     </message>
     <message>
-        <source>Checks everything between this PC and the robot and suggests fixes.</source>
-        <translation>检查本 PC 与机器人之间的所有环节，并给出解决办法。</translation>
-    </message>
-    <message>
         <source>Select a robot first.</source>
         <translation>请先选择机器人。</translation>
     </message>
@@ -3741,6 +3737,10 @@
     <message>
         <source>Starts the control program on the robot. Asks for confirmation before stopping another program.</source>
         <translation>在机器人上启动控制程序。停止其他程序前会先询问。</translation>
+    </message>
+    <message>
+        <source>Checks the connection between this PC and the robot and suggests fixes.</source>
+        <translation>检查本 PC 与机器人之间的连接，并给出解决办法。</translation>
     </message>
 </context>
 <context>
@@ -3934,10 +3934,6 @@
         <translation>默认视图（透视）</translation>
     </message>
     <message>
-        <source>Look from between the front and the side, slightly from above, and fit everything in the view.</source>
-        <translation>从正面与侧面之间略高处观察，并使全部内容适合视图。</translation>
-    </message>
-    <message>
         <source>Look from the front</source>
         <translation>从正面看</translation>
     </message>
@@ -3968,6 +3964,10 @@
     <message>
         <source>Fit the arm, target and waypoints in the view without changing the viewing direction.</source>
         <translation>不改变观察方向，将机械臂、目标和路点纳入画面。</translation>
+    </message>
+    <message>
+        <source>Shows the arm diagonally from the front, slightly from above, and fits everything in the view.</source>
+        <translation>从斜前方略高处显示机械臂，并使全部内容适合视图。</translation>
     </message>
 </context>
 <context>
@@ -12168,20 +12168,12 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>在基座中点动 X+ 50 mm</translation>
     </message>
     <message>
-        <source>release</source>
-        <translation>松开</translation>
-    </message>
-    <message>
         <source>teach the second waypoint</source>
         <translation>示教第二个路点</translation>
     </message>
     <message>
         <source>move to the first waypoint (button held)</source>
         <translation>前往第一个路点（按住）</translation>
-    </message>
-    <message>
-        <source>release Go to</source>
-        <translation>松开“前往”</translation>
     </message>
     <message>
         <source>digital output 0 on</source>
@@ -12256,6 +12248,14 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>the window has no button “%1”</source>
         <translation>窗口中没有按钮“%1”</translation>
+    </message>
+    <message>
+        <source>release the jog button</source>
+        <translation>松开点动按钮</translation>
+    </message>
+    <message>
+        <source>release the “Go to” button</source>
+        <translation>松开“前往”按钮</translation>
     </message>
 </context>
 <context>
@@ -12336,7 +12336,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
 <context>
     <name>tiller::app::DockStage</name>
     <message>
-        <source>No panels are shown. Select a perspective at the lower right, or show a panel with the View menu.</source>
+        <source>No panels are shown. Select a perspective at the lower right, or show a panel from the View menu.</source>
         <translation>没有显示面板。请在右下角选择视角布局，或用“视图”菜单显示面板。</translation>
     </message>
 </context>
@@ -12371,7 +12371,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>&lt;h2&gt;本机上未安装手册&lt;/h2&gt;&lt;p&gt;手册包含在 Tiller 的 Debian 软件包中。要在自行编译时加入手册，请安装软件包 python3-sphinx：&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;然后重新编译。也可以在源代码的文件夹 packaging/manual 中以文本形式阅读。点动规则和所有按键在本窗口的另一页上。&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, another mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, Tiller hangs, or the robot mode, the safety mode or Remote control changes;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If the button or key is not pressed, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show a note;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;Hold &lt;b&gt;Ctrl&lt;/b&gt; for one-tenth of the speed, or &lt;b&gt;Shift&lt;/b&gt; for three times the speed, up to the speed cap. On a keyboard without Latin letters, the letters below refer to key positions on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, another mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, Tiller hangs, or the robot mode, the safety mode or Remote control changes;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If the button or key is not pressed, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show a note;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;After a stop, press the button or key again to move the arm. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;Hold &lt;b&gt;Ctrl&lt;/b&gt; for one-tenth of the speed, or &lt;b&gt;Shift&lt;/b&gt; for three times the speed, up to the speed cap. On a keyboard without Latin letters, the letters below refer to key positions on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
         <translation>&lt;h2&gt;移动机械臂&lt;/h2&gt;&lt;p&gt;按住点动按钮时机械臂移动，松开即停止。以下情况也会停止：&lt;/p&gt;&lt;ul&gt;&lt;li&gt;指针离开按钮、按下鼠标的另一个键，或使用了另一个输入设备；&lt;/li&gt;&lt;li&gt;按住键盘按键时，按下了修饰键或相反方向的按键；&lt;/li&gt;&lt;li&gt;窗口失去焦点、打开了对话框或菜单，或坐标系、速度、步长或选项卡发生变化；&lt;/li&gt;&lt;li&gt;机器人的数据延迟、本程序没有响应，或机器人离开“运行”、其安全模式或远程控制；&lt;/li&gt;&lt;li&gt;屏幕被锁定、PC 进入休眠，或输入设备被拔出或停止发送数据；&lt;/li&gt;&lt;li&gt;按键状态检查失败：在 X11 上，Tiller 每 10 ms 向显示服务器检查按钮或按键是否仍被按下。如果没有按下，或服务器 100 ms 没有响应，运动即结束。如果无法进行此检查，页眉和设置会显示；&lt;/li&gt;&lt;li&gt;达到最长按住时间：点动为 %1 s（设置），自由驱动为五分钟，移动到某位置为运动时间加 5 s。最后 3 s 会倒计时。&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;停止后需要重新按下。Tiller 拥有控制时，&lt;b&gt;Space&lt;/b&gt; 和 &lt;b&gt;Esc&lt;/b&gt; 在任何窗口、对话框和文本框中都会停止机械臂。Tiller 没有控制时，它们作用于当前焦点控件；请单击 &lt;b&gt;STOP&lt;/b&gt; 停止其他客户端的程序。这是软件停止，不是紧急停止：请使紧急停止在伸手可及之处。&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; 使运动精细十倍，&lt;b&gt;Shift&lt;/b&gt; 使运动快三倍，但绝不超过上限。在没有拉丁字母的键盘上，下面的字母指其在美式键盘上的位置。&lt;/p&gt;&lt;h2&gt;命令&lt;/h2&gt;</translation>
     </message>
 </context>
@@ -12463,10 +12463,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>Tiller</source>
         <translation>Tiller</translation>
-    </message>
-    <message>
-        <source>Keyboard jogging armed: arrow keys move X and Y, PgUp and PgDn move Z; with Alt, they rotate. 1 to 6 with + and − move a joint. Space and Esc stop.</source>
-        <translation>键盘点动已启用：方向键移动 X 和 Y，PgUp 和 PgDn 移动 Z；加 Alt 旋转。1 至 6 加 + 和 − 转动关节。Space 和 Esc 停止。</translation>
     </message>
     <message>
         <source>Keyboard jogging disarmed</source>
@@ -12607,10 +12603,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>Settings…</source>
         <translation>设置…</translation>
-    </message>
-    <message>
-        <source>Theme, sizes, units, speed cap, devices and keyboard shortcuts.</source>
-        <translation>配色、大小、单位、速度上限、设备和快捷键。</translation>
     </message>
     <message>
         <source>Export settings…</source>
@@ -12835,20 +12827,12 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>启动程序</translation>
     </message>
     <message>
-        <source>This stops when you close the window.</source>
-        <translation>关闭窗口会将其停止。</translation>
-    </message>
-    <message>
         <source>Stop and close</source>
         <translation>停止并关闭</translation>
     </message>
     <message>
         <source>Keep running</source>
         <translation>保持运行</translation>
-    </message>
-    <message>
-        <source>This stops when you change the connection.</source>
-        <translation>更改连接会将其停止。</translation>
     </message>
     <message>
         <source>Stop and continue</source>
@@ -12867,10 +12851,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>保存项目</translation>
     </message>
     <message>
-        <source>Saves the project now. Tiller also saves all changes automatically. If another window or program has changed the file, asks whether to reload it or to keep both.</source>
-        <translation>立即保存项目。Tiller 也会自动保存所有更改。如果其他窗口或程序更改了文件，将询问是重新加载还是保留两者。</translation>
-    </message>
-    <message>
         <source>Keyboard jogging was disarmed, because an input field has the focus: the keys now edit the field. Arm the keyboard again to jog.</source>
         <translation>输入框获得焦点，因此已停用键盘点动：按键现在编辑该输入框。要点动，请重新启用键盘。</translation>
     </message>
@@ -12882,6 +12862,26 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>%1 — Tiller</source>
         <translation>%1 — Tiller</translation>
+    </message>
+    <message>
+        <source>Keyboard jogging armed: arrow keys move along X and Y, PgUp and PgDn along Z; with Alt, they rotate the tool. Hold 1 to 6 and press + or − to move a joint. Space and Esc stop the arm.</source>
+        <translation>键盘点动已启用：方向键沿 X 和 Y 移动，PgUp 和 PgDn 沿 Z 移动；加 Alt 旋转工具。按住 1 至 6 并按 + 或 − 移动关节。Space 和 Esc 停止机械臂。</translation>
+    </message>
+    <message>
+        <source>Changes the theme, sizes, units, speed cap, devices and keyboard shortcuts.</source>
+        <translation>配色、大小、单位、速度上限、设备和快捷键。</translation>
+    </message>
+    <message>
+        <source>This activity stops when you close the window.</source>
+        <translation>关闭窗口会将其停止。</translation>
+    </message>
+    <message>
+        <source>This activity stops when you change the connection.</source>
+        <translation>更改连接会将其停止。</translation>
+    </message>
+    <message>
+        <source>Saves the project now. Tiller also saves all changes automatically. If another window or program has changed the file, Tiller asks whether to reload the file or keep both versions.</source>
+        <translation>立即保存项目。Tiller 也会自动保存所有更改。如果其他窗口或程序更改了文件，将询问是重新加载还是保留两者。</translation>
     </message>
 </context>
 <context>
@@ -13045,10 +13045,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>请输入名称。</translation>
     </message>
     <message>
-        <source>The name is too long.</source>
-        <translation>名称太长。</translation>
-    </message>
-    <message>
         <source>The maximum number of perspectives has been reached. Delete a perspective first.</source>
         <translation>视角布局已达上限。请先删除一个。</translation>
     </message>
@@ -13063,6 +13059,10 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>The panel layout was reset to the perspective “%1”: the stored layout is damaged or from another version. Arrange the panels again. The new layout is saved automatically.</source>
         <translation>面板按视角布局“%1”排列：设置中的布局已损坏或属于另一版本。请重新排列；新的排列会自动保存。</translation>
+    </message>
+    <message>
+        <source>The name is too long. Enter a shorter name.</source>
+        <translation>名称太长。请输入较短的名称。</translation>
     </message>
 </context>
 <context>
@@ -13375,10 +13375,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>▲ 高于 %1。手动模式和示教器的使能装置不限制从 PC 的点动。页眉会显示警告。关闭 Tiller 后上限复位。</translation>
     </message>
     <message>
-        <source>Maximum speed of TCP and elbow for all motion commanded by Tiller. A change takes effect immediately and stops any motion.</source>
-        <translation>Tiller 所有运动中 TCP 和肘部的最大速度。立即生效，并停止正在进行的运动。</translation>
-    </message>
-    <message>
         <source>Keyboard shortcuts</source>
         <translation>键盘快捷键</translation>
     </message>
@@ -13449,6 +13445,10 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>Takes effect when Tiller is restarted or the window is reopened. The plots then restart.</source>
         <translation>重新启动 Tiller 或重新打开窗口后生效。届时曲线图会重新开始。</translation>
+    </message>
+    <message>
+        <source>Maximum speed of the TCP and elbow for all motion commanded by Tiller. A change takes effect immediately and stops any motion.</source>
+        <translation>Tiller 所有运动中 TCP 和肘部的最大速度。立即生效，并停止正在进行的运动。</translation>
     </message>
 </context>
 <context>
