@@ -1114,7 +1114,7 @@
         <translation>Tastenprüfung aktiv: Tiller prüft alle 10 ms beim Display-Server, ob die Taste noch gedrückt ist.</translation>
     </message>
     <message>
-        <source>Key-state check unavailable: no second connection to the display server. Tiller relies on window events to detect key releases.</source>
+        <source>Key-state check unavailable: Tiller could not open a second connection to the display server. Tiller relies on window events to detect key releases.</source>
         <translation>Tastenprüfung nicht verfügbar: keine zweite Verbindung zum Display-Server. Tiller erkennt das Loslassen von Tasten über Fensterereignisse.</translation>
     </message>
 </context>

@@ -1114,7 +1114,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Key-state check unavailable: no second connection to the display server. Tiller relies on window events to detect key releases.</source>
+        <source>Key-state check unavailable: Tiller could not open a second connection to the display server. Tiller relies on window events to detect key releases.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

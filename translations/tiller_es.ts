@@ -1114,7 +1114,7 @@
         <translation>Comprobación de teclas activa: Tiller comprueba cada 10 ms en el servidor gráfico si el botón o la tecla sigue pulsado.</translation>
     </message>
     <message>
-        <source>Key-state check unavailable: no second connection to the display server. Tiller relies on window events to detect key releases.</source>
+        <source>Key-state check unavailable: Tiller could not open a second connection to the display server. Tiller relies on window events to detect key releases.</source>
         <translation>Comprobación de teclas no disponible: no hay segunda conexión con el servidor gráfico. Tiller detecta que se sueltan las teclas mediante eventos de la ventana.</translation>
     </message>
 </context>

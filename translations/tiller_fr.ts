@@ -1114,7 +1114,7 @@
         <translation>Contrôle de touche actif : Tiller vérifie toutes les 10 ms auprès du serveur d’affichage que le bouton ou la touche est encore enfoncé.</translation>
     </message>
     <message>
-        <source>Key-state check unavailable: no second connection to the display server. Tiller relies on window events to detect key releases.</source>
+        <source>Key-state check unavailable: Tiller could not open a second connection to the display server. Tiller relies on window events to detect key releases.</source>
         <translation>Contrôle de touche indisponible : pas de seconde connexion au serveur d’affichage. Tiller détecte le relâchement des touches par les événements de la fenêtre.</translation>
     </message>
 </context>

@@ -1114,7 +1114,7 @@
         <translation>キー状態の確認は有効です：ボタンやキーが押されているかを 10 ms ごとにディスプレイサーバーで確認します。</translation>
     </message>
     <message>
-        <source>Key-state check unavailable: no second connection to the display server. Tiller relies on window events to detect key releases.</source>
+        <source>Key-state check unavailable: Tiller could not open a second connection to the display server. Tiller relies on window events to detect key releases.</source>
         <translation>キー状態を確認できません：ディスプレイサーバーへの 2 番目の接続がありません。キーを離したことはウィンドウのイベントで検出します。</translation>
     </message>
 </context>

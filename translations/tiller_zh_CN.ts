@@ -1114,7 +1114,7 @@
         <translation>按键状态检查已启用：Tiller 每 10 ms 向显示服务器检查按钮或按键是否仍被按下。</translation>
     </message>
     <message>
-        <source>Key-state check unavailable: no second connection to the display server. Tiller relies on window events to detect key releases.</source>
+        <source>Key-state check unavailable: Tiller could not open a second connection to the display server. Tiller relies on window events to detect key releases.</source>
         <translation>无法进行按键状态检查：没有到显示服务器的第二个连接。Tiller 依靠窗口事件检测按键松开。</translation>
     </message>
 </context>

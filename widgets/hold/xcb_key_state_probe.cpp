@@ -155,8 +155,8 @@ QString XcbKeyStateProbe::description() const {
                                              "every 10 ms whether the button or key is still pressed.")
                : QCoreApplication::translate(
                      "KeyStateProbe",
-                     "Key-state check unavailable: no second connection to the display server. Tiller relies "
-                     "on window events to detect key releases.");
+                     "Key-state check unavailable: Tiller could not open a second connection to the display "
+                     "server. Tiller relies on window events to detect key releases.");
 }
 
 void XcbKeyStateProbe::note(std::int64_t askedNs, bool button, const std::array<bool, kKeys>& keys) {
