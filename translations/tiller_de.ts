@@ -1299,10 +1299,6 @@
         <translation>Nicht gesteuert</translation>
     </message>
     <message>
-        <source>Packets are late or lost: jogging may stop and plots have gaps. Use a cable instead of a wireless link, and close other programs.</source>
-        <translation>Pakete kommen spät oder gehen verloren: Das Verfahren kann stoppen, und Diagramme haben Lücken. Verwenden Sie ein Kabel statt einer Funkverbindung und schließen Sie andere Programme.</translation>
-    </message>
-    <message>
         <source>Commands take longer than 20 ms: the arm responds with a delay. Jog slowly.</source>
         <translation>Befehle dauern länger als 20 ms: Der Arm reagiert verzögert. Verfahren Sie langsam.</translation>
     </message>
@@ -1413,6 +1409,10 @@
     <message>
         <source>Select the simulator or enter the address of a robot.</source>
         <translation>Wählen Sie den Simulator oder geben Sie die Adresse eines Roboters ein.</translation>
+    </message>
+    <message>
+        <source>Packets are late or lost: jogging may stop and plots may have gaps. Use a cable instead of a wireless link, and close other programs.</source>
+        <translation>Pakete kommen spät oder gehen verloren: Das Verfahren kann stoppen, und Diagramme haben Lücken. Verwenden Sie ein Kabel statt einer Funkverbindung und schließen Sie andere Programme.</translation>
     </message>
 </context>
 <context>
@@ -9068,10 +9068,6 @@ Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Pos
         <translation>Prüfungen</translation>
     </message>
     <message>
-        <source>If you connect anyway, the window shows the available data. The red items above may prevent taking control or stop a running motion.</source>
-        <translation>Wenn Sie trotzdem verbinden, zeigt das Fenster die verfügbaren Daten. Die roten Punkte oben können das Übernehmen der Steuerung verhindern oder eine laufende Bewegung stoppen.</translation>
-    </message>
-    <message>
         <source>Check again</source>
         <translation>Erneut prüfen</translation>
     </message>
@@ -9114,6 +9110,10 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     <message>
         <source>Connect anyway</source>
         <translation>Trotzdem verbinden</translation>
+    </message>
+    <message>
+        <source>If you connect anyway, the window shows the available data. The red items above may prevent Tiller from taking control or may stop a running motion.</source>
+        <translation>Wenn Sie trotzdem verbinden, zeigt das Fenster die verfügbaren Daten. Die roten Punkte oben können das Übernehmen der Steuerung verhindern oder eine laufende Bewegung stoppen.</translation>
     </message>
 </context>
 <context>

@@ -1287,7 +1287,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Packets are late or lost: jogging may stop and plots have gaps. Use a cable instead of a wireless link, and close other programs.</source>
+        <source>Packets are late or lost: jogging may stop and plots may have gaps. Use a cable instead of a wireless link, and close other programs.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9099,7 +9099,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>If you connect anyway, the window shows the available data. The red items above may prevent taking control or stop a running motion.</source>
+        <source>If you connect anyway, the window shows the available data. The red items above may prevent Tiller from taking control or may stop a running motion.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -1299,10 +1299,6 @@
         <translation>Sin control</translation>
     </message>
     <message>
-        <source>Packets are late or lost: jogging may stop and plots have gaps. Use a cable instead of a wireless link, and close other programs.</source>
-        <translation>Los paquetes llegan tarde o se pierden: el movimiento puede detenerse y los gráficos tienen huecos. Use un cable en vez de un enlace inalámbrico y cierre otros programas.</translation>
-    </message>
-    <message>
         <source>Commands take longer than 20 ms: the arm responds with a delay. Jog slowly.</source>
         <translation>Las órdenes tardan más de 20 ms: el brazo responde con retraso. Mueva despacio.</translation>
     </message>
@@ -1413,6 +1409,10 @@
     <message>
         <source>Select the simulator or enter the address of a robot.</source>
         <translation>Seleccione el simulador o introduzca la dirección de un robot.</translation>
+    </message>
+    <message>
+        <source>Packets are late or lost: jogging may stop and plots may have gaps. Use a cable instead of a wireless link, and close other programs.</source>
+        <translation>Los paquetes llegan tarde o se pierden: el movimiento puede detenerse y los gráficos tienen huecos. Use un cable en vez de un enlace inalámbrico y cierre otros programas.</translation>
     </message>
 </context>
 <context>
@@ -9068,10 +9068,6 @@ Mueva el brazo a una posición y pulse «Fijar inicio aquí» o «Añadir posici
         <translation>Comprobaciones</translation>
     </message>
     <message>
-        <source>If you connect anyway, the window shows the available data. The red items above may prevent taking control or stop a running motion.</source>
-        <translation>Si se conecta de todos modos, la ventana muestra los datos disponibles. Los puntos en rojo de arriba pueden impedir tomar el control o detener un movimiento en curso.</translation>
-    </message>
-    <message>
         <source>Check again</source>
         <translation>Mirar de nuevo</translation>
     </message>
@@ -9114,6 +9110,10 @@ Suelte el botón para detener el brazo.</translation>
     <message>
         <source>Connect anyway</source>
         <translation>Conectar de todos modos</translation>
+    </message>
+    <message>
+        <source>If you connect anyway, the window shows the available data. The red items above may prevent Tiller from taking control or may stop a running motion.</source>
+        <translation>Si se conecta de todos modos, la ventana muestra los datos disponibles. Los puntos en rojo de arriba pueden impedir tomar el control o detener un movimiento en curso.</translation>
     </message>
 </context>
 <context>

@@ -1299,10 +1299,6 @@
         <translation>Non contrôlé</translation>
     </message>
     <message>
-        <source>Packets are late or lost: jogging may stop and plots have gaps. Use a cable instead of a wireless link, and close other programs.</source>
-        <translation>Des paquets sont en retard ou perdus : le déplacement peut s’arrêter et les tracés ont des lacunes. Utilisez un câble au lieu d’une liaison sans fil et fermez d’autres programmes.</translation>
-    </message>
-    <message>
         <source>Commands take longer than 20 ms: the arm responds with a delay. Jog slowly.</source>
         <translation>Les commandes prennent plus de 20 ms : le bras réagit avec retard. Déplacez lentement.</translation>
     </message>
@@ -1413,6 +1409,10 @@
     <message>
         <source>Select the simulator or enter the address of a robot.</source>
         <translation>Sélectionnez le simulateur ou saisissez l’adresse d’un robot.</translation>
+    </message>
+    <message>
+        <source>Packets are late or lost: jogging may stop and plots may have gaps. Use a cable instead of a wireless link, and close other programs.</source>
+        <translation>Des paquets sont en retard ou perdus : le déplacement peut s’arrêter et les tracés ont des lacunes. Utilisez un câble au lieu d’une liaison sans fil et fermez d’autres programmes.</translation>
     </message>
 </context>
 <context>
@@ -9068,10 +9068,6 @@ Amenez le bras à une position et appuyez sur « Origine ici » ou « Ajouter po
         <translation>Contrôles</translation>
     </message>
     <message>
-        <source>If you connect anyway, the window shows the available data. The red items above may prevent taking control or stop a running motion.</source>
-        <translation>Si vous vous connectez malgré tout, la fenêtre affiche les données disponibles. Les points rouges ci-dessus peuvent empêcher la prise de contrôle ou arrêter un mouvement en cours.</translation>
-    </message>
-    <message>
         <source>Check again</source>
         <translation>Vérifier encore</translation>
     </message>
@@ -9114,6 +9110,10 @@ Relâchez le bouton pour arrêter le bras.</translation>
     <message>
         <source>Connect anyway</source>
         <translation>Connecter malgré tout</translation>
+    </message>
+    <message>
+        <source>If you connect anyway, the window shows the available data. The red items above may prevent Tiller from taking control or may stop a running motion.</source>
+        <translation>Si vous vous connectez malgré tout, la fenêtre affiche les données disponibles. Les points rouges ci-dessus peuvent empêcher la prise de contrôle ou arrêter un mouvement en cours.</translation>
     </message>
 </context>
 <context>

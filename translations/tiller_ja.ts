@@ -1299,10 +1299,6 @@
         <translation>制御なし</translation>
     </message>
     <message>
-        <source>Packets are late or lost: jogging may stop and plots have gaps. Use a cable instead of a wireless link, and close other programs.</source>
-        <translation>パケットが遅れるか届きません：ジョグが止まったり、グラフに隙間ができます。無線ではなくケーブルを使い、他のプログラムを閉じてください。</translation>
-    </message>
-    <message>
         <source>Commands take longer than 20 ms: the arm responds with a delay. Jog slowly.</source>
         <translation>指令に 20 ms 以上かかっています：アームの反応が遅れます。ゆっくりジョグしてください。</translation>
     </message>
@@ -1413,6 +1409,10 @@
     <message>
         <source>Select the simulator or enter the address of a robot.</source>
         <translation>シミュレーターを選ぶか、ロボットのアドレスを入力してください。</translation>
+    </message>
+    <message>
+        <source>Packets are late or lost: jogging may stop and plots may have gaps. Use a cable instead of a wireless link, and close other programs.</source>
+        <translation>パケットが遅れるか届きません：ジョグが止まったり、グラフに隙間ができます。無線ではなくケーブルを使い、他のプログラムを閉じてください。</translation>
     </message>
 </context>
 <context>
@@ -9049,10 +9049,6 @@ Jog the arm to a position and press “Set home here” or “Add position”.</
         <translation>チェック項目</translation>
     </message>
     <message>
-        <source>If you connect anyway, the window shows the available data. The red items above may prevent taking control or stop a running motion.</source>
-        <translation>それでも接続すると、利用できるデータを表示します。上の赤い項目により、制御を取得できないことや、動作が停止することがあります。</translation>
-    </message>
-    <message>
         <source>Check again</source>
         <translation>もう一度確認</translation>
     </message>
@@ -9095,6 +9091,10 @@ Release the button to stop the arm.</source>
     <message>
         <source>Connect anyway</source>
         <translation>それでも接続</translation>
+    </message>
+    <message>
+        <source>If you connect anyway, the window shows the available data. The red items above may prevent Tiller from taking control or may stop a running motion.</source>
+        <translation>それでも接続すると、利用できるデータを表示します。上の赤い項目により、制御を取得できないことや、動作が停止することがあります。</translation>
     </message>
 </context>
 <context>

@@ -1299,10 +1299,6 @@
         <translation>未控制</translation>
     </message>
     <message>
-        <source>Packets are late or lost: jogging may stop and plots have gaps. Use a cable instead of a wireless link, and close other programs.</source>
-        <translation>数据包延迟或丢失：点动可能停止，曲线图会有空缺。请使用网线代替无线连接，并关闭其他程序。</translation>
-    </message>
-    <message>
         <source>Commands take longer than 20 ms: the arm responds with a delay. Jog slowly.</source>
         <translation>命令耗时超过 20 ms：机械臂响应有延迟。请慢速点动。</translation>
     </message>
@@ -1413,6 +1409,10 @@
     <message>
         <source>Select the simulator or enter the address of a robot.</source>
         <translation>选择模拟器或输入机器人的地址。</translation>
+    </message>
+    <message>
+        <source>Packets are late or lost: jogging may stop and plots may have gaps. Use a cable instead of a wireless link, and close other programs.</source>
+        <translation>数据包延迟或丢失：点动可能停止，曲线图会有空缺。请使用网线代替无线连接，并关闭其他程序。</translation>
     </message>
 </context>
 <context>
@@ -9049,10 +9049,6 @@ Jog the arm to a position and press “Set home here” or “Add position”.</
         <translation>检查项</translation>
     </message>
     <message>
-        <source>If you connect anyway, the window shows the available data. The red items above may prevent taking control or stop a running motion.</source>
-        <translation>若仍然连接，窗口会显示可用的数据。上面的红色项可能妨碍获取控制，或停止正在进行的运动。</translation>
-    </message>
-    <message>
         <source>Check again</source>
         <translation>再次检查</translation>
     </message>
@@ -9095,6 +9091,10 @@ Release the button to stop the arm.</source>
     <message>
         <source>Connect anyway</source>
         <translation>仍然连接</translation>
+    </message>
+    <message>
+        <source>If you connect anyway, the window shows the available data. The red items above may prevent Tiller from taking control or may stop a running motion.</source>
+        <translation>若仍然连接，窗口会显示可用的数据。上面的红色项可能妨碍获取控制，或停止正在进行的运动。</translation>
     </message>
 </context>
 <context>

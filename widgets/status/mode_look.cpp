@@ -256,7 +256,7 @@ QString linkConsequence(const LinkQuality& q) {
     const Worth worth = worthOf(q);
     if (worth == Worth::Gaps) {
         return ModeLookText::tr(
-            "Packets are late or lost: jogging may stop and plots have gaps. Use a cable instead of a "
+            "Packets are late or lost: jogging may stop and plots may have gaps. Use a cable instead of a "
             "wireless link, and close other programs.");
     }
     if (worth == Worth::Slow) {

@@ -156,9 +156,10 @@ PreflightPage::PreflightPage(const doctor::Patient& patient, QWidget* parent)
     layout->addWidget(note_);
     showNote();
 
-    consequence_ = new QLabel(tr("If you connect anyway, the window shows the available data. The red items "
-                                 "above may prevent taking control or stop a running motion."),
-                              this);
+    consequence_ =
+        new QLabel(tr("If you connect anyway, the window shows the available data. The red items "
+                      "above may prevent Tiller from taking control or may stop a running motion."),
+                   this);
     consequence_->setObjectName(QStringLiteral("preflightConsequence"));
     consequence_->setWordWrap(true);
     consequence_->hide();
