@@ -2035,10 +2035,6 @@
         <translation>Dieses Diagramm entfernen</translation>
     </message>
     <message>
-        <source>Scale to curves</source>
-        <translation>An die Kurven anpassen</translation>
-    </message>
-    <message>
         <source>Show all</source>
         <translation>Alles zeigen</translation>
     </message>
@@ -2049,6 +2045,10 @@
     <message>
         <source>Filtered %1</source>
         <translation>%1 gefiltert</translation>
+    </message>
+    <message>
+        <source>Scale automatically</source>
+        <translation>Automatisch skalieren</translation>
     </message>
 </context>
 <context>
@@ -5451,11 +5451,11 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie „Ecke hi
         <translation>Zur Stelle</translation>
     </message>
     <message>
-        <source>Stop comparing</source>
-        <translation>Vergleich beenden</translation>
+        <source>Cancel the comparison</source>
+        <translation>Vergleich abbrechen</translation>
     </message>
     <message>
-        <source>Place cursor A where arm and model diverge</source>
+        <source>Place cursor A where the arm and the model diverge</source>
         <translation>Cursor A dorthin setzen, wo Arm und Modell voneinander abweichen</translation>
     </message>
 </context>
@@ -5498,16 +5498,16 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie „Ecke hi
         <translation>Kraft am TCP</translation>
     </message>
     <message>
-        <source>For longer than</source>
-        <translation>Länger als</translation>
-    </message>
-    <message>
         <source>Signals with a limit of 0 are not compared.</source>
         <translation>Signale mit der Grenze 0 werden nicht verglichen.</translation>
     </message>
     <message>
         <source>Compare</source>
         <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>Minimum duration</source>
+        <translation>Mindestdauer</translation>
     </message>
 </context>
 <context>
@@ -7359,10 +7359,6 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Zeiteinheit</translation>
     </message>
     <message>
-        <source>Detect</source>
-        <translation>Erkennen</translation>
-    </message>
-    <message>
         <source>Rows per second</source>
         <translation>Zeilen pro Sekunde</translation>
     </message>
@@ -7409,6 +7405,10 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
     <message>
         <source>Reason: %1</source>
         <translation>Grund: %1</translation>
+    </message>
+    <message>
+        <source>Detect automatically</source>
+        <translation>Automatisch erkennen</translation>
     </message>
 </context>
 <context>
@@ -8091,10 +8091,6 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>In diesem Bereich fehlen Messwerte: Setzen Sie die Cursor A und B so, dass keine Lücke dazwischenliegt.</translation>
     </message>
     <message>
-        <source>Hann window of %1 samples · resolution %2 Hz · mean of %3 · %4 … %5 s</source>
-        <translation>Hann-Fenster mit %1 Messwerten · Auflösung %2 Hz · Mittel aus %3 · %4 … %5 s</translation>
-    </message>
-    <message>
         <source>Frequency [Hz]</source>
         <translation>Frequenz [Hz]</translation>
     </message>
@@ -8109,17 +8105,6 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
             <numerusform>%n Messwerte</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n sample(s), 1 of %1 shown</source>
-        <translation>
-            <numerusform>%n Messwert, jeder %1. angezeigt</numerusform>
-            <numerusform>%n Messwerte, jeder %1. angezeigt</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 · %2 … %3 s</source>
-        <translation>%1 · %2 … %3 s</translation>
-    </message>
     <message>
         <source>This range is too long to combine signals from different recordings. Place cursors A and B around a shorter range.</source>
         <translation>Dieser Bereich ist zu lang, um Signale aus verschiedenen Aufzeichnungen zu kombinieren. Setzen Sie die Cursor A und B um einen kürzeren Bereich.</translation>
@@ -8132,13 +8117,27 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <source>This range contains samples of different robots. Place cursors A and B around the data of one robot.</source>
         <translation>Dieser Bereich enthält Messwerte verschiedener Roboter. Setzen Sie die Cursor A und B um die Daten eines Roboters.</translation>
     </message>
+    <message numerus="yes">
+        <source>Hann window of %1 samples · resolution %2 Hz · mean of %n segment(s) · %3 to %4 s</source>
+        <translation>
+            <numerusform>Hann-Fenster mit %1 Messwerten · Auflösung %2 Hz · Mittel aus %n Abschnitt · %3 bis %4 s</numerusform>
+            <numerusform>Hann-Fenster mit %1 Messwerten · Auflösung %2 Hz · Mittel aus %n Abschnitten · %3 bis %4 s</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sample(s) shown, 1 of every %1</source>
+        <translation>
+            <numerusform>%n Messwert angezeigt, 1 von je %1</numerusform>
+            <numerusform>%n Messwerte angezeigt, 1 von je %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 · %2 to %3 s</source>
+        <translation>%1 · %2 bis %3 s</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotComparison</name>
-    <message>
-        <source>Not compared with the arm model: the recording does not contain the robot model.</source>
-        <translation>Nicht mit dem Armmodell verglichen: Die Aufzeichnung nennt das Robotermodell nicht.</translation>
-    </message>
     <message>
         <source>Arm and model diverge: %1</source>
         <translation>Arm und Modell weichen voneinander ab: %1</translation>
@@ -8146,6 +8145,10 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
     <message>
         <source>Comparing the arm with its model: %1</source>
         <translation>Der Arm wird mit seinem Modell verglichen: %1</translation>
+    </message>
+    <message>
+        <source>Not compared with the arm model: the recording does not specify the robot model. Press “Compare…” and select the model.</source>
+        <translation>Nicht mit dem Armmodell verglichen: Die Aufzeichnung nennt das Robotermodell nicht. Drücken Sie „Vergleichen…“ und wählen Sie das Modell.</translation>
     </message>
 </context>
 <context>
@@ -8177,18 +8180,6 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
     <message>
         <source>Plots</source>
         <translation>Diagramme</translation>
-    </message>
-    <message>
-        <source>Cursor read-out</source>
-        <translation>Ablesung am Cursor</translation>
-    </message>
-    <message>
-        <source>Click in the plots to place cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click to show that signal at the cursors.</source>
-        <translation>Klicken Sie in die Diagramme, um die Cursor A und B zu setzen; ziehen Sie sie oder verwenden Sie A, B und die Pfeiltasten. Klicken Sie auf einen Legendeneintrag, um seine Kurve auszublenden; Strg+Klick liest dieses Signal an den Cursorn ab.</translation>
-    </message>
-    <message>
-        <source>Time window</source>
-        <translation>Zeitfenster</translation>
     </message>
     <message>
         <source>Time range of the plots. The mouse wheel zooms the time axis; over the value axis, or with Ctrl, it zooms the values. Double-click the value axis to scale automatically.</source>
@@ -8223,10 +8214,6 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>Die Kraft kann nicht auf null gesetzt werden: Die Diagramme zeigen keine Messwerte. Verbinden Sie sich mit einem Roboter oder blättern Sie zu einer Zeit mit Messwerten.</translation>
     </message>
     <message>
-        <source>Paused · %1 s ago</source>
-        <translation>Angehalten · vor %1 s</translation>
-    </message>
-    <message>
         <source>Paused</source>
         <translation>Angehalten</translation>
     </message>
@@ -8251,10 +8238,6 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>Diagramme anhalten; Daten und Aufzeichnung laufen weiter</translation>
     </message>
     <message>
-        <source>Back to the newest samples</source>
-        <translation>Zurück zu den neuesten Werten</translation>
-    </message>
-    <message>
         <source>Show the force as measured by the robot. %1</source>
         <translation>Die vom Roboter gemessene Kraft anzeigen. %1</translation>
     </message>
@@ -8273,10 +8256,6 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
     <message>
         <source>Stop recording</source>
         <translation>Aufzeichnung beenden</translation>
-    </message>
-    <message>
-        <source>controller time %1 … %2 s</source>
-        <translation>Zeit der Steuerung %1 … %2 s</translation>
     </message>
     <message>
         <source>simulated</source>
@@ -8337,14 +8316,6 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         </translation>
     </message>
     <message>
-        <source>File name %1…</source>
-        <translation>Dateiname %1…</translation>
-    </message>
-    <message>
-        <source>Folder %1…</source>
-        <translation>Ordner %1…</translation>
-    </message>
-    <message>
         <source>Open folder</source>
         <translation>Ordner öffnen</translation>
     </message>
@@ -8353,20 +8324,8 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>Ordner für Aufzeichnungen</translation>
     </message>
     <message>
-        <source>export to %1</source>
-        <translation>nach %1 exportieren</translation>
-    </message>
-    <message>
         <source>This range contains no samples. Select a different range, then export again.</source>
         <translation>In diesem Bereich gibt es keine Messwerte. Wählen Sie einen anderen Bereich und exportieren Sie dann erneut.</translation>
-    </message>
-    <message>
-        <source>Use the suffix .png, .svg or .pdf for an image, or .csv for values.</source>
-        <translation>Verwenden Sie die Endung .png, .svg oder .pdf für ein Bild oder .csv für Werte.</translation>
-    </message>
-    <message>
-        <source>%1, at %2 s on the time axis</source>
-        <translation>%1, bei %2 s auf der Zeitachse</translation>
     </message>
     <message>
         <source>Note</source>
@@ -8395,10 +8354,6 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
     <message>
         <source>Remove this page</source>
         <translation>Diese Seite entfernen</translation>
-    </message>
-    <message>
-        <source>Standard plots</source>
-        <translation>Standard-Diagramme</translation>
     </message>
     <message>
         <source>Open recording…</source>
@@ -8481,10 +8436,6 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>Layout ▾</translation>
     </message>
     <message>
-        <source>not a plot layout</source>
-        <translation>kein Diagrammlayout</translation>
-    </message>
-    <message>
         <source>Spectrum and XY</source>
         <translation>Spektrum und XY</translation>
     </message>
@@ -8511,13 +8462,6 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
     <message>
         <source>The maximum number of plot pages has been reached. Remove a page first.</source>
         <translation>Die maximale Zahl an Diagrammseiten ist erreicht: Entfernen Sie zuerst eine Seite.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 · %2 per second · %3 free · %n packet(s) lost</source>
-        <translation>
-            <numerusform>%1 · %2 je Sekunde · %3 frei · %n Paket verloren</numerusform>
-            <numerusform>%1 · %2 je Sekunde · %3 frei · %n Pakete verloren</numerusform>
-        </translation>
     </message>
     <message>
         <source>CSV: text, for pandas and spreadsheets</source>
@@ -8576,11 +8520,74 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>Alle %1 Seiten zeigen Aufzeichnungen. Entfernen Sie zuerst eine Seite oder schließen Sie die Aufzeichnungen.</translation>
     </message>
     <message>
-        <source>Opened the recording %1 incompletely. %2</source>
-        <translation>Aufzeichnung %1 unvollständig geöffnet. %2</translation>
+        <source>Cursor readout</source>
+        <translation>Ablesung am Cursor</translation>
     </message>
     <message>
-        <source>A part of the recording %1 could not be read. %2</source>
+        <source>Click in the plots to place cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click the entry to show its values at the cursors.</source>
+        <translation>Klicken Sie in die Diagramme, um die Cursor A und B zu setzen; ziehen Sie sie oder verwenden Sie A, B und die Pfeiltasten. Klicken Sie auf einen Legendeneintrag, um seine Kurve auszublenden; Strg+Klick liest dieses Signal an den Cursorn ab.</translation>
+    </message>
+    <message>
+        <source>Time range</source>
+        <translation>Zeitbereich</translation>
+    </message>
+    <message>
+        <source>Paused · %1 s behind</source>
+        <translation>Angehalten · %1 s zurück</translation>
+    </message>
+    <message>
+        <source>Return to the newest samples</source>
+        <translation>Zurück zu den neuesten Werten</translation>
+    </message>
+    <message>
+        <source>controller time %1 to %2 s</source>
+        <translation>Zeit der Steuerung %1 bis %2 s</translation>
+    </message>
+    <message>
+        <source>%1 to %2 s</source>
+        <translation>%1 bis %2 s</translation>
+    </message>
+    <message>
+        <source>File name: %1…</source>
+        <translation>Dateiname: %1…</translation>
+    </message>
+    <message>
+        <source>Folder: %1…</source>
+        <translation>Ordner: %1…</translation>
+    </message>
+    <message>
+        <source>The image %1 could not be created. Choose another image format.</source>
+        <translation>Das Bild %1 konnte nicht erstellt werden. Wählen Sie ein anderes Bildformat.</translation>
+    </message>
+    <message>
+        <source>The file type is not supported. Use the suffix .png, .svg or .pdf for an image, or .csv for values.</source>
+        <translation>Der Dateityp wird nicht unterstützt. Verwenden Sie die Endung .png, .svg oder .pdf für ein Bild oder .csv für Werte.</translation>
+    </message>
+    <message>
+        <source>%1 at controller time %2 s.</source>
+        <translation>%1 (Zeit der Steuerung: %2 s).</translation>
+    </message>
+    <message>
+        <source>Show standard plots</source>
+        <translation>Standard-Diagramme zeigen</translation>
+    </message>
+    <message>
+        <source>the file does not contain a plot layout</source>
+        <translation>die Datei enthält kein Diagrammlayout</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 · %2/s · %3 free · %n packet(s) lost</source>
+        <translation>
+            <numerusform>%1 · %2/s · %3 frei · %n Paket verloren</numerusform>
+            <numerusform>%1 · %2/s · %3 frei · %n Pakete verloren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Opened the recording %1, but part of it could not be read. %2</source>
+        <translation>Aufzeichnung %1 geöffnet, aber ein Teil konnte nicht gelesen werden. %2</translation>
+    </message>
+    <message>
+        <source>Part of the recording %1 could not be read. %2</source>
         <translation>Ein Teil der Aufzeichnung %1 konnte nicht gelesen werden. %2</translation>
     </message>
 </context>
@@ -8665,10 +8672,6 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>Spitze-Spitze</translation>
     </message>
     <message>
-        <source>Slope per s</source>
-        <translation>Steigung je s</translation>
-    </message>
-    <message>
         <source>Δt 0 s</source>
         <translation>Δt 0 s</translation>
     </message>
@@ -8687,6 +8690,10 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
     <message>
         <source>Statistics are incomplete: %1</source>
         <translation>Die Statistik ist unvollständig: %1</translation>
+    </message>
+    <message>
+        <source>Slope per second</source>
+        <translation>Steigung je s</translation>
     </message>
 </context>
 <context>
@@ -8716,10 +8723,6 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>Feste Skala · Doppelklick auf die Achse skaliert automatisch</translation>
     </message>
     <message>
-        <source>No samples yet: connect to a robot</source>
-        <translation>Noch keine Werte: Verbinden Sie sich mit einem Roboter</translation>
-    </message>
-    <message>
         <source>Zeroed (offset %1 %2)</source>
         <translation>Auf null gesetzt (Versatz %1 %2)</translation>
     </message>
@@ -8738,6 +8741,10 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
     <message>
         <source>Drop signals here</source>
         <translation>Signale hier ablegen</translation>
+    </message>
+    <message>
+        <source>No samples yet. Connect to a robot.</source>
+        <translation>Noch keine Werte. Verbinden Sie sich mit einem Roboter.</translation>
     </message>
 </context>
 <context>

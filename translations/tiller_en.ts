@@ -2035,10 +2035,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Scale to curves</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Show all</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2048,6 +2044,10 @@
     </message>
     <message>
         <source>Filtered %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale automatically</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5449,11 +5449,11 @@ Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Stop comparing</source>
+        <source>Cancel the comparison</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Place cursor A where arm and model diverge</source>
+        <source>Place cursor A where the arm and the model diverge</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5496,15 +5496,15 @@ Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>For longer than</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Signals with a limit of 0 are not compared.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Compare</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Minimum duration</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7352,10 +7352,6 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Detect</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Rows per second</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7401,6 +7397,10 @@ Right-click or press F2 to rename it.</source>
     </message>
     <message>
         <source>Reason: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Detect automatically</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8083,10 +8083,6 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Hann window of %1 samples · resolution %2 Hz · mean of %3 · %4 … %5 s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Frequency [Hz]</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8101,17 +8097,6 @@ Press “Measure…” to measure the payload with the arm.</source>
             <numerusform>%n samples</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n sample(s), 1 of %1 shown</source>
-        <translation>
-            <numerusform>%n sample, every %1th shown</numerusform>
-            <numerusform>%n samples, every %1th shown</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 · %2 … %3 s</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source>This range is too long to combine signals from different recordings. Place cursors A and B around a shorter range.</source>
         <translation type="unfinished"></translation>
@@ -8124,19 +8109,37 @@ Press “Measure…” to measure the payload with the arm.</source>
         <source>This range contains samples of different robots. Place cursors A and B around the data of one robot.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message numerus="yes">
+        <source>Hann window of %1 samples · resolution %2 Hz · mean of %n segment(s) · %3 to %4 s</source>
+        <translation>
+            <numerusform>Hann window of %1 samples · resolution %2 Hz · mean of %n segment · %3 to %4 s</numerusform>
+            <numerusform>Hann window of %1 samples · resolution %2 Hz · mean of %n segments · %3 to %4 s</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sample(s) shown, 1 of every %1</source>
+        <translation>
+            <numerusform>%n sample shown, 1 of every %1</numerusform>
+            <numerusform>%n samples shown, 1 of every %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 · %2 to %3 s</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotComparison</name>
-    <message>
-        <source>Not compared with the arm model: the recording does not contain the robot model.</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source>Arm and model diverge: %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Comparing the arm with its model: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not compared with the arm model: the recording does not specify the robot model. Press “Compare…” and select the model.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8167,23 +8170,11 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>export to %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>This range contains no samples. Select a different range, then export again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Plots</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Cursor read-out</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Time window</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8200,10 +8191,6 @@ Press “Measure…” to measure the payload with the arm.</source>
     </message>
     <message>
         <source>Save the visible range as an image (e.g. PNG) or as values (e.g. CSV)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Paused · %1 s ago</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8228,10 +8215,6 @@ Press “Measure…” to measure the payload with the arm.</source>
     </message>
     <message>
         <source>Freeze the plots. Reception and recording of data continue.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Back to the newest samples</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8263,10 +8246,6 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>controller time %1 … %2 s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>simulated</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8276,14 +8255,6 @@ Press “Measure…” to measure the payload with the arm.</source>
     </message>
     <message>
         <source>PDF document (*.pdf)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Use the suffix .png, .svg or .pdf for an image, or .csv for values.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Click in the plots to place cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click to show that signal at the cursors.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8337,14 +8308,6 @@ Press “Measure…” to measure the payload with the arm.</source>
         </translation>
     </message>
     <message>
-        <source>File name %1…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Folder %1…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Open folder</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8354,10 +8317,6 @@ Press “Measure…” to measure the payload with the arm.</source>
     </message>
     <message>
         <source>Zero</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1, at %2 s on the time axis</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8386,10 +8345,6 @@ Press “Measure…” to measure the payload with the arm.</source>
     </message>
     <message>
         <source>Remove this page</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Standard plots</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8473,10 +8428,6 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>not a plot layout</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Spectrum and XY</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8503,13 +8454,6 @@ Press “Measure…” to measure the payload with the arm.</source>
     <message>
         <source>The maximum number of plot pages has been reached. Remove a page first.</source>
         <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 · %2 per second · %3 free · %n packet(s) lost</source>
-        <translation>
-            <numerusform>%1 · %2 per second · %3 free · %n packet lost</numerusform>
-            <numerusform>%1 · %2 per second · %3 free · %n packets lost</numerusform>
-        </translation>
     </message>
     <message>
         <source>CSV: text, for pandas and spreadsheets</source>
@@ -8568,11 +8512,74 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Opened the recording %1 incompletely. %2</source>
+        <source>The image %1 could not be created. Choose another image format.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A part of the recording %1 could not be read. %2</source>
+        <source>Cursor readout</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paused · %1 s behind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Return to the newest samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>controller time %1 to %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 to %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file type is not supported. Use the suffix .png, .svg or .pdf for an image, or .csv for values.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click in the plots to place cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click the entry to show its values at the cursors.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File name: %1…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder: %1…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 at controller time %2 s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show standard plots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file does not contain a plot layout</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 · %2/s · %3 free · %n packet(s) lost</source>
+        <translation>
+            <numerusform>%1 · %2/s · %3 free · %n packet lost</numerusform>
+            <numerusform>%1 · %2/s · %3 free · %n packets lost</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Opened the recording %1, but part of it could not be read. %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Part of the recording %1 could not be read. %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8657,10 +8664,6 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Slope per s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Δt 0 s</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8680,6 +8683,10 @@ Press “Measure…” to measure the payload with the arm.</source>
         <source>Statistics are incomplete: %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Slope per second</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotView</name>
@@ -8697,10 +8704,6 @@ Press “Measure…” to measure the payload with the arm.</source>
     </message>
     <message>
         <source>%1 %2 s · %3 %4</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No samples yet: connect to a robot</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8729,6 +8732,10 @@ Press “Measure…” to measure the payload with the arm.</source>
     </message>
     <message>
         <source>Drop signals here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No samples yet. Connect to a robot.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

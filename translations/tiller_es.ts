@@ -2035,10 +2035,6 @@
         <translation>Quitar este gráfico</translation>
     </message>
     <message>
-        <source>Scale to curves</source>
-        <translation>Ajustar la escala a las curvas</translation>
-    </message>
-    <message>
         <source>Show all</source>
         <translation>Mostrar todo</translation>
     </message>
@@ -2049,6 +2045,10 @@
     <message>
         <source>Filtered %1</source>
         <translation>%1 filtrada</translation>
+    </message>
+    <message>
+        <source>Scale automatically</source>
+        <translation>Ajustar la escala automáticamente</translation>
     </message>
 </context>
 <context>
@@ -5451,11 +5451,11 @@ Mueva el TCP a una esquina de un obstáculo y pulse «Esquina aquí».</translat
         <translation>Ir allí</translation>
     </message>
     <message>
-        <source>Stop comparing</source>
-        <translation>Dejar de comparar</translation>
+        <source>Cancel the comparison</source>
+        <translation>Cancelar la comparación</translation>
     </message>
     <message>
-        <source>Place cursor A where arm and model diverge</source>
+        <source>Place cursor A where the arm and the model diverge</source>
         <translation>Colocar el cursor A donde difieren brazo y modelo</translation>
     </message>
 </context>
@@ -5498,16 +5498,16 @@ Mueva el TCP a una esquina de un obstáculo y pulse «Esquina aquí».</translat
         <translation>Fuerza en el TCP</translation>
     </message>
     <message>
-        <source>For longer than</source>
-        <translation>Durante más de</translation>
-    </message>
-    <message>
         <source>Signals with a limit of 0 are not compared.</source>
         <translation>Las señales con límite 0 no se comparan.</translation>
     </message>
     <message>
         <source>Compare</source>
         <translation>Comparar</translation>
+    </message>
+    <message>
+        <source>Minimum duration</source>
+        <translation>Duración mínima</translation>
     </message>
 </context>
 <context>
@@ -7359,10 +7359,6 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Unidad de tiempo</translation>
     </message>
     <message>
-        <source>Detect</source>
-        <translation>Detectar</translation>
-    </message>
-    <message>
         <source>Rows per second</source>
         <translation>Filas por segundo</translation>
     </message>
@@ -7409,6 +7405,10 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
     <message>
         <source>Reason: %1</source>
         <translation>Motivo: %1</translation>
+    </message>
+    <message>
+        <source>Detect automatically</source>
+        <translation>Detectar automáticamente</translation>
     </message>
 </context>
 <context>
@@ -8091,10 +8091,6 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>Faltan muestras en este intervalo: coloque los cursores A y B sin huecos entre ellos.</translation>
     </message>
     <message>
-        <source>Hann window of %1 samples · resolution %2 Hz · mean of %3 · %4 … %5 s</source>
-        <translation>Ventana de Hann de %1 muestras · resolución %2 Hz · media de %3 · %4 … %5 s</translation>
-    </message>
-    <message>
         <source>Frequency [Hz]</source>
         <translation>Frecuencia [Hz]</translation>
     </message>
@@ -8109,17 +8105,6 @@ Pulse Medir… para medir la carga con el brazo.</translation>
             <numerusform>%n muestras</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n sample(s), 1 of %1 shown</source>
-        <translation>
-            <numerusform>%n muestra, se muestra 1 de cada %1</numerusform>
-            <numerusform>%n muestras, se muestra 1 de cada %1</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 · %2 … %3 s</source>
-        <translation>%1 · %2 … %3 s</translation>
-    </message>
     <message>
         <source>This range is too long to combine signals from different recordings. Place cursors A and B around a shorter range.</source>
         <translation>Este intervalo es demasiado largo para combinar señales de distintas grabaciones. Coloque los cursores A y B alrededor de un intervalo más corto.</translation>
@@ -8132,13 +8117,27 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <source>This range contains samples of different robots. Place cursors A and B around the data of one robot.</source>
         <translation>Este intervalo contiene muestras de robots distintos. Coloque los cursores A y B alrededor de los datos de un solo robot.</translation>
     </message>
+    <message numerus="yes">
+        <source>Hann window of %1 samples · resolution %2 Hz · mean of %n segment(s) · %3 to %4 s</source>
+        <translation>
+            <numerusform>Ventana de Hann de %1 muestras · resolución %2 Hz · media de %n segmento · %3 a %4 s</numerusform>
+            <numerusform>Ventana de Hann de %1 muestras · resolución %2 Hz · media de %n segmentos · %3 a %4 s</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sample(s) shown, 1 of every %1</source>
+        <translation>
+            <numerusform>%n muestra mostrada, 1 de cada %1</numerusform>
+            <numerusform>%n muestras mostradas, 1 de cada %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 · %2 to %3 s</source>
+        <translation>%1 · %2 a %3 s</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotComparison</name>
-    <message>
-        <source>Not compared with the arm model: the recording does not contain the robot model.</source>
-        <translation>No comparada con el modelo del brazo: la grabación no indica el modelo de robot.</translation>
-    </message>
     <message>
         <source>Arm and model diverge: %1</source>
         <translation>El brazo y el modelo difieren: %1</translation>
@@ -8146,6 +8145,10 @@ Pulse Medir… para medir la carga con el brazo.</translation>
     <message>
         <source>Comparing the arm with its model: %1</source>
         <translation>Comparando el brazo con su modelo: %1</translation>
+    </message>
+    <message>
+        <source>Not compared with the arm model: the recording does not specify the robot model. Press “Compare…” and select the model.</source>
+        <translation>No comparada con el modelo del brazo: la grabación no indica el modelo de robot. Pulse «Comparar…» y seleccione el modelo.</translation>
     </message>
 </context>
 <context>
@@ -8177,18 +8180,6 @@ Pulse Medir… para medir la carga con el brazo.</translation>
     <message>
         <source>Plots</source>
         <translation>Gráficos</translation>
-    </message>
-    <message>
-        <source>Cursor read-out</source>
-        <translation>Lectura del cursor</translation>
-    </message>
-    <message>
-        <source>Click in the plots to place cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click to show that signal at the cursors.</source>
-        <translation>Haga clic en los gráficos para colocar los cursores A y B; arrástrelos o use las teclas A, B y las flechas. Haga clic en una entrada de la leyenda para ocultar su curva; Ctrl+clic lee esa señal en los cursores.</translation>
-    </message>
-    <message>
-        <source>Time window</source>
-        <translation>Ventana de tiempo</translation>
     </message>
     <message>
         <source>Time range of the plots. The mouse wheel zooms the time axis; over the value axis, or with Ctrl, it zooms the values. Double-click the value axis to scale automatically.</source>
@@ -8223,10 +8214,6 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>No se puede poner a cero la fuerza: los gráficos no muestran muestras. Conéctese a un robot o vaya a un momento con muestras.</translation>
     </message>
     <message>
-        <source>Paused · %1 s ago</source>
-        <translation>En pausa · hace %1 s</translation>
-    </message>
-    <message>
         <source>Paused</source>
         <translation>En pausa</translation>
     </message>
@@ -8251,10 +8238,6 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>Congelar los gráficos; los datos y la grabación continúan</translation>
     </message>
     <message>
-        <source>Back to the newest samples</source>
-        <translation>Volver a las muestras más nuevas</translation>
-    </message>
-    <message>
         <source>Show the force as measured by the robot. %1</source>
         <translation>Mostrar la fuerza medida por el robot. %1</translation>
     </message>
@@ -8273,10 +8256,6 @@ Pulse Medir… para medir la carga con el brazo.</translation>
     <message>
         <source>Stop recording</source>
         <translation>Detener grabación</translation>
-    </message>
-    <message>
-        <source>controller time %1 … %2 s</source>
-        <translation>tiempo del controlador %1 … %2 s</translation>
     </message>
     <message>
         <source>simulated</source>
@@ -8337,14 +8316,6 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         </translation>
     </message>
     <message>
-        <source>File name %1…</source>
-        <translation>Nombre de archivo %1…</translation>
-    </message>
-    <message>
-        <source>Folder %1…</source>
-        <translation>Carpeta %1…</translation>
-    </message>
-    <message>
         <source>Open folder</source>
         <translation>Abrir la carpeta</translation>
     </message>
@@ -8353,20 +8324,8 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>Carpeta de grabaciones</translation>
     </message>
     <message>
-        <source>export to %1</source>
-        <translation>exportar a %1</translation>
-    </message>
-    <message>
         <source>This range contains no samples. Select a different range, then export again.</source>
         <translation>No hay muestras en este intervalo. Seleccione otro intervalo y exporte de nuevo.</translation>
-    </message>
-    <message>
-        <source>Use the suffix .png, .svg or .pdf for an image, or .csv for values.</source>
-        <translation>Use la extensión .png, .svg o .pdf para una imagen, o .csv para valores.</translation>
-    </message>
-    <message>
-        <source>%1, at %2 s on the time axis</source>
-        <translation>%1, a los %2 s en el eje de tiempo</translation>
     </message>
     <message>
         <source>Note</source>
@@ -8395,10 +8354,6 @@ Pulse Medir… para medir la carga con el brazo.</translation>
     <message>
         <source>Remove this page</source>
         <translation>Quitar esta página</translation>
-    </message>
-    <message>
-        <source>Standard plots</source>
-        <translation>Gráficos estándar</translation>
     </message>
     <message>
         <source>Open recording…</source>
@@ -8481,10 +8436,6 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>Disposición ▾</translation>
     </message>
     <message>
-        <source>not a plot layout</source>
-        <translation>no es una disposición de gráficos</translation>
-    </message>
-    <message>
         <source>Spectrum and XY</source>
         <translation>Espectro y XY</translation>
     </message>
@@ -8511,13 +8462,6 @@ Pulse Medir… para medir la carga con el brazo.</translation>
     <message>
         <source>The maximum number of plot pages has been reached. Remove a page first.</source>
         <translation>Se alcanzó el número máximo de páginas de gráficos: quite primero una.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 · %2 per second · %3 free · %n packet(s) lost</source>
-        <translation>
-            <numerusform>%1 · %2 por segundo · %3 libres · %n paquete perdido</numerusform>
-            <numerusform>%1 · %2 por segundo · %3 libres · %n paquetes perdidos</numerusform>
-        </translation>
     </message>
     <message>
         <source>CSV: text, for pandas and spreadsheets</source>
@@ -8576,11 +8520,74 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>Las %1 páginas muestran registros. Elimine antes una página o cierre los registros.</translation>
     </message>
     <message>
-        <source>Opened the recording %1 incompletely. %2</source>
-        <translation>Grabación %1 abierta de forma incompleta. %2</translation>
+        <source>Cursor readout</source>
+        <translation>Lectura del cursor</translation>
     </message>
     <message>
-        <source>A part of the recording %1 could not be read. %2</source>
+        <source>Click in the plots to place cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click the entry to show its values at the cursors.</source>
+        <translation>Haga clic en los gráficos para colocar los cursores A y B; arrástrelos o use las teclas A, B y las flechas. Haga clic en una entrada de la leyenda para ocultar su curva; Ctrl+clic lee esa señal en los cursores.</translation>
+    </message>
+    <message>
+        <source>Time range</source>
+        <translation>Intervalo de tiempo</translation>
+    </message>
+    <message>
+        <source>Paused · %1 s behind</source>
+        <translation>En pausa · %1 s de retraso</translation>
+    </message>
+    <message>
+        <source>Return to the newest samples</source>
+        <translation>Volver a las muestras más nuevas</translation>
+    </message>
+    <message>
+        <source>controller time %1 to %2 s</source>
+        <translation>tiempo del controlador %1 a %2 s</translation>
+    </message>
+    <message>
+        <source>%1 to %2 s</source>
+        <translation>%1 a %2 s</translation>
+    </message>
+    <message>
+        <source>File name: %1…</source>
+        <translation>Nombre de archivo: %1…</translation>
+    </message>
+    <message>
+        <source>Folder: %1…</source>
+        <translation>Carpeta: %1…</translation>
+    </message>
+    <message>
+        <source>The image %1 could not be created. Choose another image format.</source>
+        <translation>No se pudo crear la imagen %1. Elija otro formato de imagen.</translation>
+    </message>
+    <message>
+        <source>The file type is not supported. Use the suffix .png, .svg or .pdf for an image, or .csv for values.</source>
+        <translation>El tipo de archivo no se admite. Use la extensión .png, .svg o .pdf para una imagen, o .csv para valores.</translation>
+    </message>
+    <message>
+        <source>%1 at controller time %2 s.</source>
+        <translation>%1 (tiempo del controlador: %2 s).</translation>
+    </message>
+    <message>
+        <source>Show standard plots</source>
+        <translation>Mostrar gráficos estándar</translation>
+    </message>
+    <message>
+        <source>the file does not contain a plot layout</source>
+        <translation>el archivo no contiene una disposición de gráficos</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 · %2/s · %3 free · %n packet(s) lost</source>
+        <translation>
+            <numerusform>%1 · %2/s · %3 libres · %n paquete perdido</numerusform>
+            <numerusform>%1 · %2/s · %3 libres · %n paquetes perdidos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Opened the recording %1, but part of it could not be read. %2</source>
+        <translation>Grabación %1 abierta, pero no se pudo leer una parte. %2</translation>
+    </message>
+    <message>
+        <source>Part of the recording %1 could not be read. %2</source>
         <translation>No se pudo leer una parte de la grabación %1. %2</translation>
     </message>
 </context>
@@ -8665,10 +8672,6 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>Pico a pico</translation>
     </message>
     <message>
-        <source>Slope per s</source>
-        <translation>Pendiente por s</translation>
-    </message>
-    <message>
         <source>Δt 0 s</source>
         <translation>Δt 0 s</translation>
     </message>
@@ -8687,6 +8690,10 @@ Pulse Medir… para medir la carga con el brazo.</translation>
     <message>
         <source>Statistics are incomplete: %1</source>
         <translation>Las estadísticas están incompletas: %1</translation>
+    </message>
+    <message>
+        <source>Slope per second</source>
+        <translation>Pendiente por s</translation>
     </message>
 </context>
 <context>
@@ -8716,10 +8723,6 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>Escala fija · doble clic en el eje para ajustarla automáticamente</translation>
     </message>
     <message>
-        <source>No samples yet: connect to a robot</source>
-        <translation>Aún sin muestras: conéctese a un robot</translation>
-    </message>
-    <message>
         <source>Zeroed (offset %1 %2)</source>
         <translation>Puesta a cero (desplazamiento %1 %2)</translation>
     </message>
@@ -8738,6 +8741,10 @@ Pulse Medir… para medir la carga con el brazo.</translation>
     <message>
         <source>Drop signals here</source>
         <translation>Suelte aquí las señales</translation>
+    </message>
+    <message>
+        <source>No samples yet. Connect to a robot.</source>
+        <translation>Aún sin muestras. Conéctese a un robot.</translation>
     </message>
 </context>
 <context>

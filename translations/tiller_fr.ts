@@ -2035,10 +2035,6 @@
         <translation>Retirer ce tracé</translation>
     </message>
     <message>
-        <source>Scale to curves</source>
-        <translation>Ajuster l’échelle aux courbes</translation>
-    </message>
-    <message>
         <source>Show all</source>
         <translation>Tout montrer</translation>
     </message>
@@ -2049,6 +2045,10 @@
     <message>
         <source>Filtered %1</source>
         <translation>%1 filtré</translation>
+    </message>
+    <message>
+        <source>Scale automatically</source>
+        <translation>Échelle automatique</translation>
     </message>
 </context>
 <context>
@@ -5451,11 +5451,11 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur « Coin ici ».</transla
         <translation>Y aller</translation>
     </message>
     <message>
-        <source>Stop comparing</source>
-        <translation>Arrêter la comparaison</translation>
+        <source>Cancel the comparison</source>
+        <translation>Annuler la comparaison</translation>
     </message>
     <message>
-        <source>Place cursor A where arm and model diverge</source>
+        <source>Place cursor A where the arm and the model diverge</source>
         <translation>Placer le curseur A où le bras et le modèle divergent</translation>
     </message>
 </context>
@@ -5498,16 +5498,16 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur « Coin ici ».</transla
         <translation>Force au TCP</translation>
     </message>
     <message>
-        <source>For longer than</source>
-        <translation>Plus longtemps que</translation>
-    </message>
-    <message>
         <source>Signals with a limit of 0 are not compared.</source>
         <translation>Les signaux de limite 0 ne sont pas comparés.</translation>
     </message>
     <message>
         <source>Compare</source>
         <translation>Comparer</translation>
+    </message>
+    <message>
+        <source>Minimum duration</source>
+        <translation>Durée minimale</translation>
     </message>
 </context>
 <context>
@@ -7359,10 +7359,6 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Unité de temps</translation>
     </message>
     <message>
-        <source>Detect</source>
-        <translation>Détecter</translation>
-    </message>
-    <message>
         <source>Rows per second</source>
         <translation>Lignes par seconde</translation>
     </message>
@@ -7409,6 +7405,10 @@ Clic droit ou F2 pour renommer.</translation>
     <message>
         <source>Reason: %1</source>
         <translation>Raison : %1</translation>
+    </message>
+    <message>
+        <source>Detect automatically</source>
+        <translation>Détecter automatiquement</translation>
     </message>
 </context>
 <context>
@@ -8091,10 +8091,6 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>Des échantillons manquent dans cette plage : placez les curseurs A et B sans lacune entre eux.</translation>
     </message>
     <message>
-        <source>Hann window of %1 samples · resolution %2 Hz · mean of %3 · %4 … %5 s</source>
-        <translation>Fenêtre de Hann de %1 échantillons · résolution %2 Hz · moyenne de %3 · %4 … %5 s</translation>
-    </message>
-    <message>
         <source>Frequency [Hz]</source>
         <translation>Fréquence [Hz]</translation>
     </message>
@@ -8109,17 +8105,6 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
             <numerusform>%n échantillons</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n sample(s), 1 of %1 shown</source>
-        <translation>
-            <numerusform>%n échantillon, 1 sur %1 affiché</numerusform>
-            <numerusform>%n échantillons, 1 sur %1 affiché</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 · %2 … %3 s</source>
-        <translation>%1 · %2 … %3 s</translation>
-    </message>
     <message>
         <source>This range is too long to combine signals from different recordings. Place cursors A and B around a shorter range.</source>
         <translation>Cette plage est trop longue pour combiner des signaux d’enregistrements différents. Placez les curseurs A et B autour d’une plage plus courte.</translation>
@@ -8132,13 +8117,27 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <source>This range contains samples of different robots. Place cursors A and B around the data of one robot.</source>
         <translation>Cette plage contient des échantillons de robots différents. Placez les curseurs A et B autour des données d’un seul robot.</translation>
     </message>
+    <message numerus="yes">
+        <source>Hann window of %1 samples · resolution %2 Hz · mean of %n segment(s) · %3 to %4 s</source>
+        <translation>
+            <numerusform>Fenêtre de Hann de %1 échantillons · résolution %2 Hz · moyenne de %n segment · %3 à %4 s</numerusform>
+            <numerusform>Fenêtre de Hann de %1 échantillons · résolution %2 Hz · moyenne de %n segments · %3 à %4 s</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sample(s) shown, 1 of every %1</source>
+        <translation>
+            <numerusform>%n échantillon affiché, 1 sur %1</numerusform>
+            <numerusform>%n échantillons affichés, 1 sur %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 · %2 to %3 s</source>
+        <translation>%1 · %2 à %3 s</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotComparison</name>
-    <message>
-        <source>Not compared with the arm model: the recording does not contain the robot model.</source>
-        <translation>Non comparé au modèle du bras : l’enregistrement n’indique pas le modèle de robot.</translation>
-    </message>
     <message>
         <source>Arm and model diverge: %1</source>
         <translation>Le bras et le modèle divergent : %1</translation>
@@ -8146,6 +8145,10 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
     <message>
         <source>Comparing the arm with its model: %1</source>
         <translation>Comparaison du bras avec son modèle : %1</translation>
+    </message>
+    <message>
+        <source>Not compared with the arm model: the recording does not specify the robot model. Press “Compare…” and select the model.</source>
+        <translation>Non comparé au modèle du bras : l’enregistrement n’indique pas le modèle de robot. Appuyez sur « Comparer… » et sélectionnez le modèle.</translation>
     </message>
 </context>
 <context>
@@ -8177,18 +8180,6 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
     <message>
         <source>Plots</source>
         <translation>Tracés</translation>
-    </message>
-    <message>
-        <source>Cursor read-out</source>
-        <translation>Lecture au curseur</translation>
-    </message>
-    <message>
-        <source>Click in the plots to place cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click to show that signal at the cursors.</source>
-        <translation>Cliquez dans les tracés pour placer les curseurs A et B ; faites-les glisser ou utilisez A, B et les flèches. Cliquez sur une entrée de légende pour masquer sa courbe ; Ctrl+clic pour lire ce signal aux curseurs.</translation>
-    </message>
-    <message>
-        <source>Time window</source>
-        <translation>Fenêtre de temps</translation>
     </message>
     <message>
         <source>Time range of the plots. The mouse wheel zooms the time axis; over the value axis, or with Ctrl, it zooms the values. Double-click the value axis to scale automatically.</source>
@@ -8223,10 +8214,6 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>Mise à zéro de la force impossible : les tracés n’affichent aucun échantillon. Connectez-vous à un robot ou allez à un moment avec des échantillons.</translation>
     </message>
     <message>
-        <source>Paused · %1 s ago</source>
-        <translation>En pause · il y a %1 s</translation>
-    </message>
-    <message>
         <source>Paused</source>
         <translation>En pause</translation>
     </message>
@@ -8251,10 +8238,6 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>Figer les tracés ; les données et l’enregistrement continuent</translation>
     </message>
     <message>
-        <source>Back to the newest samples</source>
-        <translation>Retour aux valeurs les plus récentes</translation>
-    </message>
-    <message>
         <source>Show the force as measured by the robot. %1</source>
         <translation>Afficher la force mesurée par le robot. %1</translation>
     </message>
@@ -8273,10 +8256,6 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
     <message>
         <source>Stop recording</source>
         <translation>Arrêter l’enregistrement</translation>
-    </message>
-    <message>
-        <source>controller time %1 … %2 s</source>
-        <translation>temps du contrôleur %1 … %2 s</translation>
     </message>
     <message>
         <source>simulated</source>
@@ -8337,14 +8316,6 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         </translation>
     </message>
     <message>
-        <source>File name %1…</source>
-        <translation>Nom de fichier %1…</translation>
-    </message>
-    <message>
-        <source>Folder %1…</source>
-        <translation>Dossier %1…</translation>
-    </message>
-    <message>
         <source>Open folder</source>
         <translation>Ouvrir le dossier</translation>
     </message>
@@ -8353,20 +8324,8 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>Dossier des enregistrements</translation>
     </message>
     <message>
-        <source>export to %1</source>
-        <translation>exporter vers %1</translation>
-    </message>
-    <message>
         <source>This range contains no samples. Select a different range, then export again.</source>
         <translation>Il n’y a pas d’échantillons dans cette plage. Sélectionnez une autre plage, puis exportez de nouveau.</translation>
-    </message>
-    <message>
-        <source>Use the suffix .png, .svg or .pdf for an image, or .csv for values.</source>
-        <translation>Utilisez le suffixe .png, .svg ou .pdf pour une image, ou .csv pour des valeurs.</translation>
-    </message>
-    <message>
-        <source>%1, at %2 s on the time axis</source>
-        <translation>%1, à %2 s sur l’axe du temps</translation>
     </message>
     <message>
         <source>Note</source>
@@ -8395,10 +8354,6 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
     <message>
         <source>Remove this page</source>
         <translation>Retirer cette page</translation>
-    </message>
-    <message>
-        <source>Standard plots</source>
-        <translation>Tracés standard</translation>
     </message>
     <message>
         <source>Open recording…</source>
@@ -8481,10 +8436,6 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>Disposition ▾</translation>
     </message>
     <message>
-        <source>not a plot layout</source>
-        <translation>ce n’est pas une disposition de tracés</translation>
-    </message>
-    <message>
         <source>Spectrum and XY</source>
         <translation>Spectre et XY</translation>
     </message>
@@ -8511,13 +8462,6 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
     <message>
         <source>The maximum number of plot pages has been reached. Remove a page first.</source>
         <translation>Le nombre maximal de pages de tracés est atteint : retirez d’abord une page.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 · %2 per second · %3 free · %n packet(s) lost</source>
-        <translation>
-            <numerusform>%1 · %2 par seconde · %3 libres · %n paquet perdu</numerusform>
-            <numerusform>%1 · %2 par seconde · %3 libres · %n paquets perdus</numerusform>
-        </translation>
     </message>
     <message>
         <source>CSV: text, for pandas and spreadsheets</source>
@@ -8576,11 +8520,74 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>Les %1 pages affichent des enregistrements. Supprimez d’abord une page ou fermez les enregistrements.</translation>
     </message>
     <message>
-        <source>Opened the recording %1 incompletely. %2</source>
-        <translation>Enregistrement %1 ouvert partiellement. %2</translation>
+        <source>Cursor readout</source>
+        <translation>Lecture au curseur</translation>
     </message>
     <message>
-        <source>A part of the recording %1 could not be read. %2</source>
+        <source>Click in the plots to place cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click the entry to show its values at the cursors.</source>
+        <translation>Cliquez dans les tracés pour placer les curseurs A et B ; faites-les glisser ou utilisez A, B et les flèches. Cliquez sur une entrée de légende pour masquer sa courbe ; Ctrl+clic pour lire ce signal aux curseurs.</translation>
+    </message>
+    <message>
+        <source>Time range</source>
+        <translation>Plage de temps</translation>
+    </message>
+    <message>
+        <source>Paused · %1 s behind</source>
+        <translation>En pause · %1 s de retard</translation>
+    </message>
+    <message>
+        <source>Return to the newest samples</source>
+        <translation>Retour aux valeurs les plus récentes</translation>
+    </message>
+    <message>
+        <source>controller time %1 to %2 s</source>
+        <translation>temps du contrôleur %1 à %2 s</translation>
+    </message>
+    <message>
+        <source>%1 to %2 s</source>
+        <translation>%1 à %2 s</translation>
+    </message>
+    <message>
+        <source>File name: %1…</source>
+        <translation>Nom de fichier : %1…</translation>
+    </message>
+    <message>
+        <source>Folder: %1…</source>
+        <translation>Dossier : %1…</translation>
+    </message>
+    <message>
+        <source>The image %1 could not be created. Choose another image format.</source>
+        <translation>L’image %1 n’a pas pu être créée. Choisissez un autre format d’image.</translation>
+    </message>
+    <message>
+        <source>The file type is not supported. Use the suffix .png, .svg or .pdf for an image, or .csv for values.</source>
+        <translation>Le type de fichier n’est pas pris en charge. Utilisez le suffixe .png, .svg ou .pdf pour une image, ou .csv pour des valeurs.</translation>
+    </message>
+    <message>
+        <source>%1 at controller time %2 s.</source>
+        <translation>%1 (temps du contrôleur : %2 s).</translation>
+    </message>
+    <message>
+        <source>Show standard plots</source>
+        <translation>Afficher les tracés standard</translation>
+    </message>
+    <message>
+        <source>the file does not contain a plot layout</source>
+        <translation>le fichier ne contient pas de disposition de tracés</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 · %2/s · %3 free · %n packet(s) lost</source>
+        <translation>
+            <numerusform>%1 · %2/s · %3 libres · %n paquet perdu</numerusform>
+            <numerusform>%1 · %2/s · %3 libres · %n paquets perdus</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Opened the recording %1, but part of it could not be read. %2</source>
+        <translation>Enregistrement %1 ouvert, mais une partie n’a pas pu être lue. %2</translation>
+    </message>
+    <message>
+        <source>Part of the recording %1 could not be read. %2</source>
         <translation>Une partie de l’enregistrement %1 n’a pas pu être lue. %2</translation>
     </message>
 </context>
@@ -8665,10 +8672,6 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>Crête à crête</translation>
     </message>
     <message>
-        <source>Slope per s</source>
-        <translation>Pente par s</translation>
-    </message>
-    <message>
         <source>Δt 0 s</source>
         <translation>Δt 0 s</translation>
     </message>
@@ -8687,6 +8690,10 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
     <message>
         <source>Statistics are incomplete: %1</source>
         <translation>Les statistiques sont incomplètes : %1</translation>
+    </message>
+    <message>
+        <source>Slope per second</source>
+        <translation>Pente par s</translation>
     </message>
 </context>
 <context>
@@ -8716,10 +8723,6 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>Échelle fixe · double-cliquez sur l’axe pour l’échelle automatique</translation>
     </message>
     <message>
-        <source>No samples yet: connect to a robot</source>
-        <translation>Pas encore de valeurs : connectez-vous à un robot</translation>
-    </message>
-    <message>
         <source>Zeroed (offset %1 %2)</source>
         <translation>Mis à zéro (décalage %1 %2)</translation>
     </message>
@@ -8738,6 +8741,10 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
     <message>
         <source>Drop signals here</source>
         <translation>Déposez les signaux ici</translation>
+    </message>
+    <message>
+        <source>No samples yet. Connect to a robot.</source>
+        <translation>Pas encore de valeurs. Connectez-vous à un robot.</translation>
     </message>
 </context>
 <context>

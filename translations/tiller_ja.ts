@@ -2035,10 +2035,6 @@
         <translation>このグラフを削除</translation>
     </message>
     <message>
-        <source>Scale to curves</source>
-        <translation>曲線に合わせる</translation>
-    </message>
-    <message>
         <source>Show all</source>
         <translation>すべて表示</translation>
     </message>
@@ -2049,6 +2045,10 @@
     <message>
         <source>Filtered %1</source>
         <translation>フィルター後の %1</translation>
+    </message>
+    <message>
+        <source>Scale automatically</source>
+        <translation>自動スケール</translation>
     </message>
 </context>
 <context>
@@ -5448,11 +5448,11 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
         <translation>時刻へ移動</translation>
     </message>
     <message>
-        <source>Stop comparing</source>
-        <translation>比較を終了</translation>
+        <source>Cancel the comparison</source>
+        <translation>比較をキャンセル</translation>
     </message>
     <message>
-        <source>Place cursor A where arm and model diverge</source>
+        <source>Place cursor A where the arm and the model diverge</source>
         <translation>アームとモデルがずれ始める時点にカーソル A を置きます</translation>
     </message>
 </context>
@@ -5495,16 +5495,16 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
         <translation>TCP の力</translation>
     </message>
     <message>
-        <source>For longer than</source>
-        <translation>継続時間の下限</translation>
-    </message>
-    <message>
         <source>Signals with a limit of 0 are not compared.</source>
         <translation>限界値が 0 のものは比較しません。</translation>
     </message>
     <message>
         <source>Compare</source>
         <translation>比較</translation>
+    </message>
+    <message>
+        <source>Minimum duration</source>
+        <translation>最小継続時間</translation>
     </message>
 </context>
 <context>
@@ -7350,10 +7350,6 @@ Right-click or press F2 to rename it.</source>
         <translation>時刻の単位</translation>
     </message>
     <message>
-        <source>Detect</source>
-        <translation>自動検出</translation>
-    </message>
-    <message>
         <source>Rows per second</source>
         <translation>毎秒の行数</translation>
     </message>
@@ -7400,6 +7396,10 @@ Right-click or press F2 to rename it.</source>
     <message>
         <source>Reason: %1</source>
         <translation>理由: %1</translation>
+    </message>
+    <message>
+        <source>Detect automatically</source>
+        <translation>自動検出</translation>
     </message>
 </context>
 <context>
@@ -8077,10 +8077,6 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>この範囲ではサンプルが欠けています。間に欠けがないようにカーソルAとBを置いてください。</translation>
     </message>
     <message>
-        <source>Hann window of %1 samples · resolution %2 Hz · mean of %3 · %4 … %5 s</source>
-        <translation>%1サンプルのハン窓 · 1線%2 Hz · %3個の平均 · %4 … %5 s</translation>
-    </message>
-    <message>
         <source>Frequency [Hz]</source>
         <translation>周波数 [Hz]</translation>
     </message>
@@ -8094,16 +8090,6 @@ Press “Measure…” to measure the payload with the arm.</source>
             <numerusform>%nサンプル</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n sample(s), 1 of %1 shown</source>
-        <translation>
-            <numerusform>%nサンプル、%1個に1個</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 · %2 … %3 s</source>
-        <translation>%1 · %2 … %3 s</translation>
-    </message>
     <message>
         <source>This range is too long to combine signals from different recordings. Place cursors A and B around a shorter range.</source>
         <translation>この範囲は、異なる記録の信号を組み合わせるには長すぎます。カーソル A と B をより短い範囲に置いてください。</translation>
@@ -8116,13 +8102,25 @@ Press “Measure…” to measure the payload with the arm.</source>
         <source>This range contains samples of different robots. Place cursors A and B around the data of one robot.</source>
         <translation>この範囲には異なるロボットのサンプルが含まれています。カーソル A と B で 1 台のロボットのデータを囲んでください。</translation>
     </message>
+    <message numerus="yes">
+        <source>Hann window of %1 samples · resolution %2 Hz · mean of %n segment(s) · %3 to %4 s</source>
+        <translation>
+            <numerusform>%1サンプルのハン窓 · 分解能 %2 Hz · %n区間の平均 · %3～%4 s</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sample(s) shown, 1 of every %1</source>
+        <translation>
+            <numerusform>%nサンプル表示、%1個に1個</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 · %2 to %3 s</source>
+        <translation>%1 · %2～%3 s</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotComparison</name>
-    <message>
-        <source>Not compared with the arm model: the recording does not contain the robot model.</source>
-        <translation>アームのモデルとは比較していません：記録にロボットの機種の情報がありません。</translation>
-    </message>
     <message>
         <source>Arm and model diverge: %1</source>
         <translation>アームとモデルの差が限界を超えました：%1</translation>
@@ -8130,6 +8128,10 @@ Press “Measure…” to measure the payload with the arm.</source>
     <message>
         <source>Comparing the arm with its model: %1</source>
         <translation>アームをモデルと比較中：%1</translation>
+    </message>
+    <message>
+        <source>Not compared with the arm model: the recording does not specify the robot model. Press “Compare…” and select the model.</source>
+        <translation>アームのモデルとは比較していません：記録にロボットの機種の情報がありません。「比較…」を押して機種を選択してください。</translation>
     </message>
 </context>
 <context>
@@ -8161,18 +8163,6 @@ Press “Measure…” to measure the payload with the arm.</source>
     <message>
         <source>Plots</source>
         <translation>グラフ</translation>
-    </message>
-    <message>
-        <source>Cursor read-out</source>
-        <translation>カーソルの読み</translation>
-    </message>
-    <message>
-        <source>Click in the plots to place cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click to show that signal at the cursors.</source>
-        <translation>グラフをクリックしてカーソル A と B を置きます。ドラッグするか、A、B と矢印キーを使います。凡例の名前をクリックで曲線を隠し、Ctrl でその信号を読みます。</translation>
-    </message>
-    <message>
-        <source>Time window</source>
-        <translation>時間の幅</translation>
     </message>
     <message>
         <source>Time range of the plots. The mouse wheel zooms the time axis; over the value axis, or with Ctrl, it zooms the values. Double-click the value axis to scale automatically.</source>
@@ -8207,10 +8197,6 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>力をゼロにできませんでした：グラフにサンプルがありません。ロボットに接続するか、サンプルのある時刻に移ってください。</translation>
     </message>
     <message>
-        <source>Paused · %1 s ago</source>
-        <translation>一時停止 · %1 s 前</translation>
-    </message>
-    <message>
         <source>Paused</source>
         <translation>一時停止</translation>
     </message>
@@ -8235,10 +8221,6 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>グラフを止める。データと記録は続きます</translation>
     </message>
     <message>
-        <source>Back to the newest samples</source>
-        <translation>最新のサンプルに戻る</translation>
-    </message>
-    <message>
         <source>Show the force as measured by the robot. %1</source>
         <translation>ロボットが測定した力を表示。%1</translation>
     </message>
@@ -8257,10 +8239,6 @@ Press “Measure…” to measure the payload with the arm.</source>
     <message>
         <source>Stop recording</source>
         <translation>記録を停止</translation>
-    </message>
-    <message>
-        <source>controller time %1 … %2 s</source>
-        <translation>コントローラー時刻 %1 … %2 s</translation>
     </message>
     <message>
         <source>simulated</source>
@@ -8319,14 +8297,6 @@ Press “Measure…” to measure the payload with the arm.</source>
         </translation>
     </message>
     <message>
-        <source>File name %1…</source>
-        <translation>ファイル名 %1…</translation>
-    </message>
-    <message>
-        <source>Folder %1…</source>
-        <translation>フォルダー %1…</translation>
-    </message>
-    <message>
         <source>Open folder</source>
         <translation>フォルダーを開く</translation>
     </message>
@@ -8335,20 +8305,8 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>記録用フォルダー</translation>
     </message>
     <message>
-        <source>export to %1</source>
-        <translation>%1 にエクスポート</translation>
-    </message>
-    <message>
         <source>This range contains no samples. Select a different range, then export again.</source>
         <translation>この範囲にサンプルがありません。別の範囲を選んでから、もう一度エクスポートしてください。</translation>
-    </message>
-    <message>
-        <source>Use the suffix .png, .svg or .pdf for an image, or .csv for values.</source>
-        <translation>画像は .png、.svg、.pdf、値は .csv の名前にしてください。</translation>
-    </message>
-    <message>
-        <source>%1, at %2 s on the time axis</source>
-        <translation>%1、時間軸 %2 s</translation>
     </message>
     <message>
         <source>Note</source>
@@ -8377,10 +8335,6 @@ Press “Measure…” to measure the payload with the arm.</source>
     <message>
         <source>Remove this page</source>
         <translation>このページを削除</translation>
-    </message>
-    <message>
-        <source>Standard plots</source>
-        <translation>標準のグラフ</translation>
     </message>
     <message>
         <source>Open recording…</source>
@@ -8463,10 +8417,6 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>配置 ▾</translation>
     </message>
     <message>
-        <source>not a plot layout</source>
-        <translation>グラフの配置ではありません</translation>
-    </message>
-    <message>
         <source>Spectrum and XY</source>
         <translation>スペクトルとXY</translation>
     </message>
@@ -8493,12 +8443,6 @@ Press “Measure…” to measure the payload with the arm.</source>
     <message>
         <source>The maximum number of plot pages has been reached. Remove a page first.</source>
         <translation>グラフのページが上限に達しています。まず1つ取り除いてください。</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 · %2 per second · %3 free · %n packet(s) lost</source>
-        <translation>
-            <numerusform>%1 · 毎秒%2 · 空き%3 · 欠落%nパケット</numerusform>
-        </translation>
     </message>
     <message>
         <source>CSV: text, for pandas and spreadsheets</source>
@@ -8557,11 +8501,73 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>%1 ページすべてに記録が表示されています。先にページを削除するか、記録を閉じてください。</translation>
     </message>
     <message>
-        <source>Opened the recording %1 incompletely. %2</source>
+        <source>Cursor readout</source>
+        <translation>カーソルの読み</translation>
+    </message>
+    <message>
+        <source>Click in the plots to place cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click the entry to show its values at the cursors.</source>
+        <translation>グラフをクリックしてカーソル A と B を置きます。ドラッグするか、A、B と矢印キーを使います。凡例の名前をクリックで曲線を隠し、Ctrl でその信号を読みます。</translation>
+    </message>
+    <message>
+        <source>Time range</source>
+        <translation>時間範囲</translation>
+    </message>
+    <message>
+        <source>Paused · %1 s behind</source>
+        <translation>一時停止 · %1 s 遅れ</translation>
+    </message>
+    <message>
+        <source>Return to the newest samples</source>
+        <translation>最新のサンプルに戻る</translation>
+    </message>
+    <message>
+        <source>controller time %1 to %2 s</source>
+        <translation>コントローラー時刻 %1～%2 s</translation>
+    </message>
+    <message>
+        <source>%1 to %2 s</source>
+        <translation>%1～%2 s</translation>
+    </message>
+    <message>
+        <source>File name: %1…</source>
+        <translation>ファイル名：%1…</translation>
+    </message>
+    <message>
+        <source>Folder: %1…</source>
+        <translation>フォルダー：%1…</translation>
+    </message>
+    <message>
+        <source>The image %1 could not be created. Choose another image format.</source>
+        <translation>画像 %1 を作成できませんでした。別の画像形式を選択してください。</translation>
+    </message>
+    <message>
+        <source>The file type is not supported. Use the suffix .png, .svg or .pdf for an image, or .csv for values.</source>
+        <translation>このファイル形式には対応していません。画像は .png、.svg、.pdf、値は .csv の名前にしてください。</translation>
+    </message>
+    <message>
+        <source>%1 at controller time %2 s.</source>
+        <translation>%1（コントローラー時刻 %2 s）。</translation>
+    </message>
+    <message>
+        <source>Show standard plots</source>
+        <translation>標準のグラフを表示</translation>
+    </message>
+    <message>
+        <source>the file does not contain a plot layout</source>
+        <translation>ファイルにグラフの配置が含まれていません</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 · %2/s · %3 free · %n packet(s) lost</source>
+        <translation>
+            <numerusform>%1 · %2/s · 空き%3 · 欠落%nパケット</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Opened the recording %1, but part of it could not be read. %2</source>
         <translation>記録 %1 を開きましたが、一部を読み取れません。%2</translation>
     </message>
     <message>
-        <source>A part of the recording %1 could not be read. %2</source>
+        <source>Part of the recording %1 could not be read. %2</source>
         <translation>記録 %1 の一部を読み取れませんでした。%2</translation>
     </message>
 </context>
@@ -8646,10 +8652,6 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>ピークピーク</translation>
     </message>
     <message>
-        <source>Slope per s</source>
-        <translation>傾き /s</translation>
-    </message>
-    <message>
         <source>Δt 0 s</source>
         <translation>Δt 0 s</translation>
     </message>
@@ -8668,6 +8670,10 @@ Press “Measure…” to measure the payload with the arm.</source>
     <message>
         <source>Statistics are incomplete: %1</source>
         <translation>統計が不完全です：%1</translation>
+    </message>
+    <message>
+        <source>Slope per second</source>
+        <translation>傾き /s</translation>
     </message>
 </context>
 <context>
@@ -8697,10 +8703,6 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>目盛り固定 · 軸をダブルクリックで解除</translation>
     </message>
     <message>
-        <source>No samples yet: connect to a robot</source>
-        <translation>サンプルがまだありません：ロボットに接続してください</translation>
-    </message>
-    <message>
         <source>Zeroed (offset %1 %2)</source>
         <translation>ゼロ設定済み（オフセット %1 %2）</translation>
     </message>
@@ -8719,6 +8721,10 @@ Press “Measure…” to measure the payload with the arm.</source>
     <message>
         <source>Drop signals here</source>
         <translation>ここに信号をドロップ</translation>
+    </message>
+    <message>
+        <source>No samples yet. Connect to a robot.</source>
+        <translation>サンプルがまだありません。ロボットに接続してください。</translation>
     </message>
 </context>
 <context>

@@ -2035,10 +2035,6 @@
         <translation>移除此曲线图</translation>
     </message>
     <message>
-        <source>Scale to curves</source>
-        <translation>按曲线缩放</translation>
-    </message>
-    <message>
         <source>Show all</source>
         <translation>全部显示</translation>
     </message>
@@ -2049,6 +2045,10 @@
     <message>
         <source>Filtered %1</source>
         <translation>滤波后的 %1</translation>
+    </message>
+    <message>
+        <source>Scale automatically</source>
+        <translation>自动缩放</translation>
     </message>
 </context>
 <context>
@@ -5448,11 +5448,11 @@ Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation>转到时刻</translation>
     </message>
     <message>
-        <source>Stop comparing</source>
-        <translation>停止比较</translation>
+        <source>Cancel the comparison</source>
+        <translation>取消比较</translation>
     </message>
     <message>
-        <source>Place cursor A where arm and model diverge</source>
+        <source>Place cursor A where the arm and the model diverge</source>
         <translation>将游标 A 置于机械臂与模型出现偏差处</translation>
     </message>
 </context>
@@ -5495,16 +5495,16 @@ Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation>TCP 力</translation>
     </message>
     <message>
-        <source>For longer than</source>
-        <translation>持续时间超过</translation>
-    </message>
-    <message>
         <source>Signals with a limit of 0 are not compared.</source>
         <translation>限值为 0 的信号不参与比较。</translation>
     </message>
     <message>
         <source>Compare</source>
         <translation>比较</translation>
+    </message>
+    <message>
+        <source>Minimum duration</source>
+        <translation>最短持续时间</translation>
     </message>
 </context>
 <context>
@@ -7350,10 +7350,6 @@ Right-click or press F2 to rename it.</source>
         <translation>时间单位</translation>
     </message>
     <message>
-        <source>Detect</source>
-        <translation>自动检测</translation>
-    </message>
-    <message>
         <source>Rows per second</source>
         <translation>每秒行数</translation>
     </message>
@@ -7400,6 +7396,10 @@ Right-click or press F2 to rename it.</source>
     <message>
         <source>Reason: %1</source>
         <translation>原因：%1</translation>
+    </message>
+    <message>
+        <source>Detect automatically</source>
+        <translation>自动检测</translation>
     </message>
 </context>
 <context>
@@ -8077,10 +8077,6 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>此范围内缺少采样：请放置游标 A 和 B，使其间没有缺口。</translation>
     </message>
     <message>
-        <source>Hann window of %1 samples · resolution %2 Hz · mean of %3 · %4 … %5 s</source>
-        <translation>%1 个采样的汉宁窗 · 每线 %2 Hz · %3 次平均 · %4 … %5 s</translation>
-    </message>
-    <message>
         <source>Frequency [Hz]</source>
         <translation>频率 [Hz]</translation>
     </message>
@@ -8094,16 +8090,6 @@ Press “Measure…” to measure the payload with the arm.</source>
             <numerusform>%n 个采样</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n sample(s), 1 of %1 shown</source>
-        <translation>
-            <numerusform>%n 个采样，每 %1 个显示一个</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 · %2 … %3 s</source>
-        <translation>%1 · %2 … %3 s</translation>
-    </message>
     <message>
         <source>This range is too long to combine signals from different recordings. Place cursors A and B around a shorter range.</source>
         <translation>该范围太长，无法组合不同录制的信号。请将游标 A 和 B 放在更短的范围上。</translation>
@@ -8116,13 +8102,25 @@ Press “Measure…” to measure the payload with the arm.</source>
         <source>This range contains samples of different robots. Place cursors A and B around the data of one robot.</source>
         <translation>该范围包含不同机器人的样本。请将光标 A 和 B 放在同一台机器人数据的两端。</translation>
     </message>
+    <message numerus="yes">
+        <source>Hann window of %1 samples · resolution %2 Hz · mean of %n segment(s) · %3 to %4 s</source>
+        <translation>
+            <numerusform>%1 个采样的汉宁窗 · 分辨率 %2 Hz · %n 段平均 · %3 至 %4 s</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sample(s) shown, 1 of every %1</source>
+        <translation>
+            <numerusform>显示 %n 个采样，每 %1 个取一个</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 · %2 to %3 s</source>
+        <translation>%1 · %2 至 %3 s</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotComparison</name>
-    <message>
-        <source>Not compared with the arm model: the recording does not contain the robot model.</source>
-        <translation>未与机械臂模型比较：录制中没有机器人型号。</translation>
-    </message>
     <message>
         <source>Arm and model diverge: %1</source>
         <translation>机械臂与模型出现偏差：%1</translation>
@@ -8130,6 +8128,10 @@ Press “Measure…” to measure the payload with the arm.</source>
     <message>
         <source>Comparing the arm with its model: %1</source>
         <translation>正在将机械臂与其模型比较：%1</translation>
+    </message>
+    <message>
+        <source>Not compared with the arm model: the recording does not specify the robot model. Press “Compare…” and select the model.</source>
+        <translation>未与机械臂模型比较：录制中没有机器人型号。请按“比较…”并选择型号。</translation>
     </message>
 </context>
 <context>
@@ -8161,18 +8163,6 @@ Press “Measure…” to measure the payload with the arm.</source>
     <message>
         <source>Plots</source>
         <translation>曲线图</translation>
-    </message>
-    <message>
-        <source>Cursor read-out</source>
-        <translation>游标读数</translation>
-    </message>
-    <message>
-        <source>Click in the plots to place cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click to show that signal at the cursors.</source>
-        <translation>在曲线图中点击以放置游标 A 和 B；拖动它们，或使用 A、B 键和方向键。点击图例中的名称可隐藏其曲线，按住 Ctrl 则读取该信号。</translation>
-    </message>
-    <message>
-        <source>Time window</source>
-        <translation>时间窗口</translation>
     </message>
     <message>
         <source>Time range of the plots. The mouse wheel zooms the time axis; over the value axis, or with Ctrl, it zooms the values. Double-click the value axis to scale automatically.</source>
@@ -8207,10 +8197,6 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>无法将力归零：曲线图没有样本。请连接机器人，或滚动到有样本的时间。</translation>
     </message>
     <message>
-        <source>Paused · %1 s ago</source>
-        <translation>已暂停 · %1 s 前</translation>
-    </message>
-    <message>
         <source>Paused</source>
         <translation>已暂停</translation>
     </message>
@@ -8235,10 +8221,6 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>冻结曲线图；数据和录制继续</translation>
     </message>
     <message>
-        <source>Back to the newest samples</source>
-        <translation>回到最新样本</translation>
-    </message>
-    <message>
         <source>Show the force as measured by the robot. %1</source>
         <translation>按机器人测量值显示力。%1</translation>
     </message>
@@ -8257,10 +8239,6 @@ Press “Measure…” to measure the payload with the arm.</source>
     <message>
         <source>Stop recording</source>
         <translation>停止录制</translation>
-    </message>
-    <message>
-        <source>controller time %1 … %2 s</source>
-        <translation>控制器时间 %1 … %2 s</translation>
     </message>
     <message>
         <source>simulated</source>
@@ -8319,14 +8297,6 @@ Press “Measure…” to measure the payload with the arm.</source>
         </translation>
     </message>
     <message>
-        <source>File name %1…</source>
-        <translation>文件名 %1…</translation>
-    </message>
-    <message>
-        <source>Folder %1…</source>
-        <translation>文件夹 %1…</translation>
-    </message>
-    <message>
         <source>Open folder</source>
         <translation>打开文件夹</translation>
     </message>
@@ -8335,20 +8305,8 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>录制文件夹</translation>
     </message>
     <message>
-        <source>export to %1</source>
-        <translation>导出到 %1</translation>
-    </message>
-    <message>
         <source>This range contains no samples. Select a different range, then export again.</source>
         <translation>此范围内没有样本。请选择其他范围，然后重新导出。</translation>
-    </message>
-    <message>
-        <source>Use the suffix .png, .svg or .pdf for an image, or .csv for values.</source>
-        <translation>图片请用 .png、.svg 或 .pdf，数值请用 .csv 命名。</translation>
-    </message>
-    <message>
-        <source>%1, at %2 s on the time axis</source>
-        <translation>%1，时间轴 %2 s</translation>
     </message>
     <message>
         <source>Note</source>
@@ -8377,10 +8335,6 @@ Press “Measure…” to measure the payload with the arm.</source>
     <message>
         <source>Remove this page</source>
         <translation>移除此页</translation>
-    </message>
-    <message>
-        <source>Standard plots</source>
-        <translation>标准曲线图</translation>
     </message>
     <message>
         <source>Open recording…</source>
@@ -8463,10 +8417,6 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>布局 ▾</translation>
     </message>
     <message>
-        <source>not a plot layout</source>
-        <translation>不是曲线图布局</translation>
-    </message>
-    <message>
         <source>Spectrum and XY</source>
         <translation>频谱和 XY</translation>
     </message>
@@ -8493,12 +8443,6 @@ Press “Measure…” to measure the payload with the arm.</source>
     <message>
         <source>The maximum number of plot pages has been reached. Remove a page first.</source>
         <translation>曲线图页数已达上限：请先移除一页。</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 · %2 per second · %3 free · %n packet(s) lost</source>
-        <translation>
-            <numerusform>%1 · 每秒 %2 · 剩余 %3 · 丢失 %n 个数据包</numerusform>
-        </translation>
     </message>
     <message>
         <source>CSV: text, for pandas and spreadsheets</source>
@@ -8557,11 +8501,73 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>全部 %1 个页面都显示记录。请先移除一个页面或关闭记录。</translation>
     </message>
     <message>
-        <source>Opened the recording %1 incompletely. %2</source>
-        <translation>已打开录制 %1，但内容不完整。%2</translation>
+        <source>Cursor readout</source>
+        <translation>游标读数</translation>
     </message>
     <message>
-        <source>A part of the recording %1 could not be read. %2</source>
+        <source>Click in the plots to place cursors A and B; drag them, or use the A, B and arrow keys. Click a legend entry to hide its curve; Ctrl+click the entry to show its values at the cursors.</source>
+        <translation>在曲线图中点击以放置游标 A 和 B；拖动它们，或使用 A、B 键和方向键。点击图例中的名称可隐藏其曲线，按住 Ctrl 则读取该信号。</translation>
+    </message>
+    <message>
+        <source>Time range</source>
+        <translation>时间范围</translation>
+    </message>
+    <message>
+        <source>Paused · %1 s behind</source>
+        <translation>已暂停 · 滞后 %1 s</translation>
+    </message>
+    <message>
+        <source>Return to the newest samples</source>
+        <translation>回到最新样本</translation>
+    </message>
+    <message>
+        <source>controller time %1 to %2 s</source>
+        <translation>控制器时间 %1 至 %2 s</translation>
+    </message>
+    <message>
+        <source>%1 to %2 s</source>
+        <translation>%1 至 %2 s</translation>
+    </message>
+    <message>
+        <source>File name: %1…</source>
+        <translation>文件名：%1…</translation>
+    </message>
+    <message>
+        <source>Folder: %1…</source>
+        <translation>文件夹：%1…</translation>
+    </message>
+    <message>
+        <source>The image %1 could not be created. Choose another image format.</source>
+        <translation>无法创建图片 %1。请选择其他图片格式。</translation>
+    </message>
+    <message>
+        <source>The file type is not supported. Use the suffix .png, .svg or .pdf for an image, or .csv for values.</source>
+        <translation>不支持此文件类型。图片请用 .png、.svg 或 .pdf，数值请用 .csv 命名。</translation>
+    </message>
+    <message>
+        <source>%1 at controller time %2 s.</source>
+        <translation>%1（控制器时间 %2 s）。</translation>
+    </message>
+    <message>
+        <source>Show standard plots</source>
+        <translation>显示标准曲线图</translation>
+    </message>
+    <message>
+        <source>the file does not contain a plot layout</source>
+        <translation>文件不包含曲线图布局</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 · %2/s · %3 free · %n packet(s) lost</source>
+        <translation>
+            <numerusform>%1 · %2/s · 剩余 %3 · 丢失 %n 个数据包</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Opened the recording %1, but part of it could not be read. %2</source>
+        <translation>已打开录制 %1，但无法读取其中一部分。%2</translation>
+    </message>
+    <message>
+        <source>Part of the recording %1 could not be read. %2</source>
         <translation>无法读取录制 %1 的一部分。%2</translation>
     </message>
 </context>
@@ -8646,10 +8652,6 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>峰峰值</translation>
     </message>
     <message>
-        <source>Slope per s</source>
-        <translation>斜率 /s</translation>
-    </message>
-    <message>
         <source>Δt 0 s</source>
         <translation>Δt 0 s</translation>
     </message>
@@ -8668,6 +8670,10 @@ Press “Measure…” to measure the payload with the arm.</source>
     <message>
         <source>Statistics are incomplete: %1</source>
         <translation>统计不完整：%1</translation>
+    </message>
+    <message>
+        <source>Slope per second</source>
+        <translation>斜率 /s</translation>
     </message>
 </context>
 <context>
@@ -8697,10 +8703,6 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>刻度固定 · 双击轴自动缩放</translation>
     </message>
     <message>
-        <source>No samples yet: connect to a robot</source>
-        <translation>还没有样本：请连接机器人</translation>
-    </message>
-    <message>
         <source>Zeroed (offset %1 %2)</source>
         <translation>已归零（偏移 %1 %2）</translation>
     </message>
@@ -8719,6 +8721,10 @@ Press “Measure…” to measure the payload with the arm.</source>
     <message>
         <source>Drop signals here</source>
         <translation>把信号拖放到此处</translation>
+    </message>
+    <message>
+        <source>No samples yet. Connect to a robot.</source>
+        <translation>还没有样本。请连接机器人。</translation>
     </message>
 </context>
 <context>

@@ -271,7 +271,7 @@ private Q_SLOTS:
         Q_EMIT menu->aboutToShow();
         const QString progress =
             menu->findChild<QAction*>("plots.record.progress", Qt::FindDirectChildrenOnly)->text();
-        QVERIFY2(progress.contains("free") && key.toolTip().contains("per second"), qPrintable(progress));
+        QVERIFY2(progress.contains("free") && key.toolTip().contains("B/s"), qPrintable(progress));
         QTest::mouseClick(&key, Qt::LeftButton);
         QVERIFY(until([&] { return !active(); }));
         const auto file = recording::openRecording(QDir(folder).filePath("run.mcap"));

@@ -62,8 +62,8 @@ void ComparisonBand::tell(const QString& words, const QString& details, Key key,
     const QString text = key == Key::Cancel ? tr("Cancel") : tr("Go to time");
     key_->setText(text);
     key_->setAccessibleName(text);
-    key_->setToolTip(key == Key::Cancel ? tr("Stop comparing")
-                                        : tr("Place cursor A where arm and model diverge"));
+    key_->setToolTip(key == Key::Cancel ? tr("Cancel the comparison")
+                                        : tr("Place cursor A where the arm and the model diverge"));
     compare_->setEnabled(key != Key::Cancel);
     if (parted != parted_) {
         parted_ = parted;

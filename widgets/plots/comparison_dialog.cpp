@@ -45,7 +45,7 @@ ComparisonDialog::ComparisonDialog(const divergence::Limits& limits, std::option
                limits.tcpPosition / format::metresPerUnit(), 10 / format::metresPerUnit());
     current_ = box("current", tr("Joint currents"), QStringLiteral(" A"), limits.current, 100);
     force_ = box("force", tr("TCP force"), QStringLiteral(" N"), limits.force, 10'000);
-    lasting_ = box("lasting", tr("For longer than"), QStringLiteral(" ms"),
+    lasting_ = box("lasting", tr("Minimum duration"), QStringLiteral(" ms"),
                    limits.lasting * kMsPerSecondOfLimit, 60'000);
     for (DecimalSpinBox* each : {joint_, tcp_, current_, force_, lasting_}) {
         form->addRow(each->accessibleName(), each);

@@ -112,7 +112,7 @@ OpenTableDialog::OpenTableDialog(const QString& path, const recording::TableForm
     time_->addItem(tr("No time column"));
     using recording::TimeUnit;
     unit_ = box("unit", tr("Time unit"));
-    unit_->addItem(tr("Detect"));
+    unit_->addItem(tr("Detect automatically"));
     for (const auto& [unit, name] :
          {std::pair{TimeUnit::Seconds, "s"}, std::pair{TimeUnit::Milliseconds, "ms"},
           std::pair{TimeUnit::Microseconds, "µs"}, std::pair{TimeUnit::Nanoseconds, "ns"}}) {
@@ -126,19 +126,19 @@ OpenTableDialog::OpenTableDialog(const QString& path, const recording::TableForm
     rate_->setDecimals(3);
     rate_->setValue(format.rate > 0 ? format.rate : 500);
     separator_ = box("separator", tr("Column separator"));
-    separator_->addItem(tr("Detect"));
+    separator_->addItem(tr("Detect automatically"));
     for (const auto& [name, sign] : {std::pair{tr("Comma"), ','}, std::pair{tr("Semicolon"), ';'},
                                      std::pair{tr("Tab"), '\t'}, std::pair{tr("Space"), ' '}}) {
         separator_->addItem(name, static_cast<int>(sign));
     }
     choose(*separator_, format.separator);
     decimal_ = box("decimal", tr("Decimal separator"));
-    decimal_->addItem(tr("Detect"));
+    decimal_->addItem(tr("Detect automatically"));
     decimal_->addItem(tr("Point"), static_cast<int>('.'));
     decimal_->addItem(tr("Comma"), static_cast<int>(','));
     choose(*decimal_, format.decimal);
     header_ = box("header", tr("First row"));
-    header_->addItem(tr("Detect"));
+    header_->addItem(tr("Detect automatically"));
     header_->addItem(tr("Column names"), 1);
     header_->addItem(tr("Data"), 0);
     choose(*header_, format.hasHeader);

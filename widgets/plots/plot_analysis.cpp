@@ -390,16 +390,15 @@ void PlotAnalysis::present(const Task& task, const Outcome& outcome) {
         const auto count = static_cast<int>(outcome.points.size());
         const QString samples = task.every == 1
                                     ? tr("%n sample(s)", nullptr, count)
-                                    : tr("%n sample(s), 1 of %1 shown", nullptr, count).arg(task.every);
-        title_->setText(tr("%1 · %2 … %3 s").arg(samples, from, to));
+                                    : tr("%n sample(s) shown, 1 of every %1", nullptr, count).arg(task.every);
+        title_->setText(tr("%1 · %2 to %3 s").arg(samples, from, to));
         canvas_->show(outcome.points, nameOf(task.wanted.front()), nameOf(task.wanted.back()), {});
         return;
     }
-    title_->setText(tr("Hann window of %1 samples · resolution %2 Hz · mean of %3 · %4 … %5 s")
+    title_->setText(tr("Hann window of %1 samples · resolution %2 Hz · mean of %n segment(s) · %3 to %4 s",
+                       nullptr, outcome.segments)
                         .arg(outcome.segment)
-                        .arg(format::number(outcome.resolution, kSecondDigits))
-                        .arg(outcome.segments)
-                        .arg(from, to));
+                        .arg(format::number(outcome.resolution, kSecondDigits), from, to));
     canvas_->show(outcome.points, tr("Frequency [Hz]"),
                   tr("Amplitude of %1").arg(nameOf(task.wanted.front())), {});
 }

@@ -38,8 +38,8 @@ public:
     void follow(const PlotView* view);
     void setKind(Kind kind);
     Kind kind() const;
-    /// Description of the result, e.g. "Fz · Hann window of 4 096 samples · 0.122 Hz a line · mean of 5 ·
-    /// 12.000 … 42.000 s".
+    /// Description of the result, e.g. "Hann window of 4096 samples · resolution 0.122 Hz · mean of
+    /// 5 segments · 12.000 to 42.000 s".
     QString title() const;
     const AnalysisCanvas& canvas() const { return *canvas_; }
 

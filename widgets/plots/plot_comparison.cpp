@@ -81,7 +81,8 @@ void PlotComparison::run(const QString& recording, std::optional<RobotModelId> m
     if (!model) {
         entry.state = State::Failed;
         entry.problem =
-            tr("Not compared with the arm model: the recording does not contain the robot model.");
+            tr("Not compared with the arm model: the recording does not specify the robot model. Press "
+               "“Compare…” and select the model.");
     }
     const CancelToken cancel = entry.cancel;
     entries_.insert(recording, entry);

@@ -213,7 +213,7 @@ PlotDock::PlotDock(RobotSession& session, LiveHistory& live, QWidget* parent)
     connect(pages_, &PlotPages::noteWanted, this, &PlotDock::askForNote);
     connect(marks_.get(), &PlotMarks::thresholdsChanged, this, &PlotDock::arrangementChanged);
     connect(marks_.get(), &PlotMarks::crossed, this, [this](const Threshold& threshold, double time) {
-        session_.journal().add(Severity::Warning, tr("%1, at %2 s on the time axis")
+        session_.journal().add(Severity::Warning, tr("%1 at controller time %2 s.")
                                                       .arg(marks_->words(threshold),
                                                            format::number(store_.controllerTime(time), 3)));
     });
@@ -429,7 +429,7 @@ void PlotDock::buildPagesMenu() {
     add(menu, "plots.layout.removePage", tr("Remove this page"), [this] {
         pages_->removePage(pages_->current());
     })->setEnabled(pages_->count() > 1);
-    add(menu, "plots.layout.standard", tr("Standard plots"), [this] {
+    add(menu, "plots.layout.standard", tr("Show standard plots"), [this] {
         if (!pages_->showStandard()) {
             session_.journal().add(
                 Severity::Warning,
@@ -664,11 +664,12 @@ void PlotDock::showRecording(std::unique_ptr<recording::Recording> file, std::op
         comparison_->begin(*opened);
     }
     const QStringList problems = store_.takeProblems(*opened);
-    session_.journal().add(
-        problems.isEmpty() ? Severity::Info : Severity::Warning,
-        problems.isEmpty() ? tr("Opened the recording %1").arg(*opened)
-                           : tr("Opened the recording %1 incompletely. %2").arg(*opened, problems.first()),
-        Origin::Operator, problems.mid(1).join(QLatin1Char(' ')));
+    session_.journal().add(problems.isEmpty() ? Severity::Info : Severity::Warning,
+                           problems.isEmpty()
+                               ? tr("Opened the recording %1").arg(*opened)
+                               : tr("Opened the recording %1, but part of it could not be read. %2")
+                                     .arg(*opened, problems.first()),
+                           Origin::Operator, problems.mid(1).join(QLatin1Char(' ')));
 }
 
 void PlotDock::reportProblems() {
@@ -677,7 +678,7 @@ void PlotDock::reportProblems() {
         if (const QStringList problems = store_.takeProblems(recording); !problems.isEmpty()) {
             session_.journal().add(
                 Severity::Warning,
-                tr("A part of the recording %1 could not be read. %2").arg(recording, problems.first()),
+                tr("Part of the recording %1 could not be read. %2").arg(recording, problems.first()),
                 Origin::Tiller, problems.mid(1).join(QLatin1Char(' ')));
         }
     }
@@ -778,15 +779,15 @@ void PlotDock::announceContent() {
 void PlotDock::buildHeader() {
     readout_ = new ElidedLabel({}, this);
     readout_->setObjectName(QStringLiteral("plots.readout"));
-    readout_->setAccessibleName(tr("Cursor read-out"));
+    readout_->setAccessibleName(tr("Cursor readout"));
     readout_->setFont(textFont(13));
     readout_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     readout_->setProperty("role", QStringLiteral("secondary"));
     readout_->setElideMode(Qt::ElideRight);
     readout_->setMinimumWidth(kMinReadout);  // constant, so that the buttons keep their positions
-    readout_->setToolTip(
-        tr("Click in the plots to place cursors A and B; drag them, or use the A, B and arrow keys. "
-           "Click a legend entry to hide its curve; Ctrl+click to show that signal at the cursors."));
+    readout_->setToolTip(tr(
+        "Click in the plots to place cursors A and B; drag them, or use the A, B and arrow keys. "
+        "Click a legend entry to hide its curve; Ctrl+click the entry to show its values at the cursors."));
     signalsKey_ = quietButton(QStringLiteral("plots.signals"), tr("Signal list"), this);
     signalsKey_->setText(tr("Signals"));
     signalsKey_->setToolTip(
@@ -813,7 +814,7 @@ void PlotDock::buildHeader() {
     line->setObjectName(QStringLiteral("plots.separator"));
     line->setFixedSize(1, 16);
 
-    span_ = quietButton(QStringLiteral("plots.span"), tr("Time window"), this);
+    span_ = quietButton(QStringLiteral("plots.span"), tr("Time range"), this);
     span_->setToolTip(
         tr("Time range of the plots. The mouse wheel zooms the time axis; over the value axis, or with Ctrl, "
            "it zooms the values. Double-click the value axis to scale automatically."));
@@ -926,7 +927,7 @@ void PlotDock::updateHeader() {
     QString words = view().readout();
     if (!window.follows()) {
         const QString behind = window.behind() >= 0.05
-                                   ? tr("Paused · %1 s ago").arg(format::number(window.behind(), 1))
+                                   ? tr("Paused · %1 s behind").arg(format::number(window.behind(), 1))
                                    : tr("Paused");
         words = words.isEmpty() ? behind : words + QStringLiteral("   ") + behind;
     }
@@ -945,7 +946,7 @@ void PlotDock::updateHeader() {
     setTextIfNew(span_, spanText + QStringLiteral(" ▾"));
     setTextIfNew(pause_, window.follows() ? tr("Pause") : tr("Resume"));
     pause_->setToolTip(window.follows() ? tr("Freeze the plots. Reception and recording of data continue.")
-                                        : tr("Back to the newest samples"));
+                                        : tr("Return to the newest samples"));
     zero_->setChecked(view().isForceZeroed());
     zero_->setToolTip(view().isForceZeroed()
                           ? tr("Show the force as measured by the robot. %1").arg(view().zeroText())
@@ -965,7 +966,7 @@ void PlotDock::updateHeader() {
 
 QString PlotDock::recordingText(const RecordingState& recording) {
     const double rate = recording.seconds > 0 ? static_cast<double>(recording.bytes) / recording.seconds : 0;
-    return tr("%1 · %2 per second · %3 free · %n packet(s) lost", nullptr, static_cast<int>(recording.lost))
+    return tr("%1 · %2/s · %3 free · %n packet(s) lost", nullptr, static_cast<int>(recording.lost))
         .arg(format::bytes(recording.bytes), format::bytes(std::llround(rate)),
              format::bytes(recording.freeBytes));
 }
@@ -1044,13 +1045,13 @@ Result<void> PlotDock::exportPicture(const QString& path) const {
     if (recording.isEmpty()) {
         text.title = QStringLiteral("%1 · %2").arg(
             state.robotName.isEmpty() ? QStringLiteral("Tiller") : state.robotName, picturesTitle());
-        details << tr("controller time %1 … %2 s")
+        details << tr("controller time %1 to %2 s")
                        .arg(format::number(window.start(), 3), format::number(window.end(), 3));
     } else {
         // The robot and the time axis of the live data do not apply to a recording.
         text.title = QStringLiteral("%1 · %2").arg(recording, picturesTitle());
         const double begin = store_.timesOf(recording)->firstTime();
-        details << QStringLiteral("%1 … %2 s")
+        details << tr("%1 to %2 s")
                        .arg(format::number(window.start() - begin, 3),
                             format::number(window.end() - begin, 3));
     }
@@ -1222,10 +1223,10 @@ void PlotDock::showRecordMenu() {
     connect(add("plots.record.signals",
                 recorded == 0 ? tr("All signals…") : tr("%n signal(s)…", nullptr, recorded)),
             &QAction::triggered, this, &PlotDock::recordingOptionsWanted);
-    connect(add("plots.record.pattern", tr("File name %1…").arg(choice_.pattern)), &QAction::triggered, this,
+    connect(add("plots.record.pattern", tr("File name: %1…").arg(choice_.pattern)), &QAction::triggered, this,
             &PlotDock::recordingOptionsWanted);
     const QString folder = choice_.folder.isEmpty() ? recordingFolder() : choice_.folder;
-    QAction* place = add("plots.record.folder", tr("Folder %1…").arg(QDir(folder).dirName()));
+    QAction* place = add("plots.record.folder", tr("Folder: %1…").arg(QDir(folder).dirName()));
     place->setToolTip(QDir::toNativeSeparators(folder));
     connect(place, &QAction::triggered, this, &PlotDock::askForFolder);
     connect(add("plots.record.openFolder", tr("Open folder")), &QAction::triggered, this, [folder] {

@@ -143,7 +143,7 @@ private:
     void followAbsent();
     void buildPagesMenu();
     void announceContent();
-    /// e.g. "12.3 MB · 145 kB a second · 40 GB free · 0 packets lost"
+    /// e.g. "12.3 MB · 145 kB/s · 40 GB free · 0 packets lost"
     static QString recordingText(const RecordingState& recording);
     QString picturesTitle() const;
     QString historyText() const;

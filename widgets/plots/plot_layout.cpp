@@ -184,9 +184,10 @@ Result<PlotLayout> PlotLayout::fromJson(const QByteArray& json) {
     const QJsonDocument document = QJsonDocument::fromJson(json, &problem);
     const QJsonArray pages = document.object()["pages"].toArray();
     if (!document.isObject() || pages.isEmpty()) {
-        return Error{ErrorCode::FileCorrupt,
-                     QCoreApplication::translate("tiller::PlotDock", "not a plot layout"),
-                     problem.error == QJsonParseError::NoError ? QString() : problem.errorString()};
+        return Error{
+            ErrorCode::FileCorrupt,
+            QCoreApplication::translate("tiller::PlotDock", "the file does not contain a plot layout"),
+            problem.error == QJsonParseError::NoError ? QString() : problem.errorString()};
     }
     PlotLayout layout;
     layout.pages.clear();

@@ -188,7 +188,7 @@ void PlotMenu::addPlot(QMenu& menu, const PlotPane& pane) {
         view->removePane(at);
     })->setEnabled(view_.panes().size() > 1 || !pane.shown().empty());
     menu.addSeparator();
-    addAction(menu, "plots.menu.release", tr("Scale to curves"), [view, at] {
+    addAction(menu, "plots.menu.release", tr("Scale automatically"), [view, at] {
         view->releaseValues(*view->panes()[static_cast<std::size_t>(at)]);
     })->setEnabled(pane.isZoomed());
     addAction(menu, "plots.menu.fit", tr("Show all"), [view] { view->fit(); });

@@ -112,18 +112,21 @@ Result<void> exportPicture(const PlotView& view, SignalStore& store, const State
                            const PictureText& text, const QString& path) {
     const QString ending = QFileInfo(path).suffix().toLower();
     if (ending != QLatin1String("png") && ending != QLatin1String("svg") && ending != QLatin1String("pdf")) {
-        return Error{
-            ErrorCode::InvalidArgument,
-            QCoreApplication::translate(
-                "tiller::PlotDock", "Use the suffix .png, .svg or .pdf for an image, or .csv for values."),
-            {}};
+        return Error{ErrorCode::InvalidArgument,
+                     QCoreApplication::translate("tiller::PlotDock",
+                                                 "The file type is not supported. Use the suffix .png, .svg "
+                                                 "or .pdf for an image, or .csv for values."),
+                     {}};
     }
     Page page(view, store, lane, text);
     const QByteArray bytes = ending == QLatin1String("png")   ? png(page)
                              : ending == QLatin1String("svg") ? svg(page, text.title)
                                                               : pdf(page, text.title);
     return bytes.isEmpty() ? Error{ErrorCode::Internal,
-                                   QCoreApplication::translate("tiller::PlotDock", "export to %1").arg(path),
+                                   QCoreApplication::translate(
+                                       "tiller::PlotDock",
+                                       "The image %1 could not be created. Choose another image format.")
+                                       .arg(path),
                                    {}}
                            : writeFileAtomically(path, bytes);
 }

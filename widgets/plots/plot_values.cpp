@@ -45,9 +45,17 @@ PlotValues::PlotValues(const SignalStore& store, QWidget* parent)
     table_->horizontalHeader()->setFont(textFont(12));
     table_->setShowGrid(false);
     table_->setMinimumHeight(kMinTable);
-    const QStringList titles{tr("Signal"),     tr("A"),    tr("B"),   tr("B − A"), tr("Min"),
-                             tr("Max"),        tr("Mean"), tr("RMS"), tr("Std"),   tr("Peak to peak"),
-                             tr("Slope per s")};
+    const QStringList titles{tr("Signal"),
+                             tr("A"),
+                             tr("B"),
+                             tr("B − A"),
+                             tr("Min"),
+                             tr("Max"),
+                             tr("Mean"),
+                             tr("RMS"),
+                             tr("Std"),
+                             tr("Peak to peak"),
+                             tr("Slope per second")};
     table_->setColumnCount(static_cast<int>(titles.size()));
     table_->setHorizontalHeaderLabels(titles);
     auto* layout = new QVBoxLayout(this);

@@ -868,7 +868,7 @@ void PlotView::drawForeground(QPainter* painter, const QRectF&) {
         if (pane->shown().empty()) {
             painter->drawText(pane->area(), Qt::AlignCenter, tr("Drop signals here"));
         } else if (pane == panes_.front() && store_.live().isEmpty() && !store_.hasRecordings()) {
-            painter->drawText(pane->area(), Qt::AlignCenter, tr("No samples yet: connect to a robot"));
+            painter->drawText(pane->area(), Qt::AlignCenter, tr("No samples yet. Connect to a robot."));
         }
     }
     const Theme& theme = Theme::current();

@@ -359,12 +359,12 @@ private Q_SLOTS:
         for (int frame = 0; frame < 60; ++frame) {
             Q_EMIT b.session.stateChanged(b.session.state());
         }
-        QVERIFY2(b.readout().contains("2.0 s ago"), qPrintable(b.readout()));
+        QVERIFY2(b.readout().contains("2.0 s behind"), qPrintable(b.readout()));
         b.runTo(70);
         for (int frame = 0; frame < 60; ++frame) {
             Q_EMIT b.session.stateChanged(b.session.state());
         }
-        QVERIFY2(b.readout().contains("10.0 s ago"), qPrintable(b.readout()));
+        QVERIFY2(b.readout().contains("10.0 s behind"), qPrintable(b.readout()));
     }
 
     void theTimeWindowIsSelectedFromTheMenu() {
@@ -1695,7 +1695,7 @@ private Q_SLOTS:
         QCOMPARE(cell("Max"), QString("50.0"));
         QCOMPARE(cell("Mean"), QString("45.00"));
         QCOMPARE(cell("Peak to peak"), QString("10.0"));
-        QCOMPARE(cell("Slope per s"), QString("1.00"));
+        QCOMPARE(cell("Slope per second"), QString("1.00"));
         QCOMPARE(cell("Std"), QString("2.887"));  // 10 / sqrt(12)
         QCOMPARE(cell("RMS"), QString("45.09"));
         QVERIFY(b.dock.findChild<QLabel*>("plots.values.between")->text().contains("10.0000 s"));
