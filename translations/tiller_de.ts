@@ -5245,14 +5245,6 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie „Ecke hi
         <translation>„%1“ löschen</translation>
     </message>
     <message>
-        <source>Include “%1”</source>
-        <translation>„%1“ einbeziehen</translation>
-    </message>
-    <message>
-        <source>Exclude “%1”</source>
-        <translation>„%1“ ausschließen</translation>
-    </message>
-    <message>
         <source>Set the floor</source>
         <translation>Boden setzen</translation>
     </message>
@@ -5385,10 +5377,6 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie „Ecke hi
         <translation>Quader oder Ebene zum TCP verschieben</translation>
     </message>
     <message>
-        <source>Include or exclude the box or plane</source>
-        <translation>Quader oder Ebene einbeziehen oder ausschließen</translation>
-    </message>
-    <message>
         <source>Rename box or plane</source>
         <translation>Quader oder Ebene umbenennen</translation>
     </message>
@@ -5415,6 +5403,18 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie „Ecke hi
     <message>
         <source>missing frame</source>
         <translation>Koordinatensystem fehlt</translation>
+    </message>
+    <message>
+        <source>Turn on the collision check of “%1”</source>
+        <translation>Kollisionsprüfung von „%1“ einschalten</translation>
+    </message>
+    <message>
+        <source>Turn off the collision check of “%1”</source>
+        <translation>Kollisionsprüfung von „%1“ ausschalten</translation>
+    </message>
+    <message>
+        <source>Turn collision check on or off</source>
+        <translation>Kollisionsprüfung ein- oder ausschalten</translation>
     </message>
 </context>
 <context>
@@ -7779,13 +7779,6 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <source>Wait for standstill, keep the tool free of contact, and record the pose. Then rotate the wrist by jogging or with “Next pose (hold)”, and record three more poses.</source>
         <translation>Warten Sie auf Stillstand, halten Sie das Werkzeug frei von Kontakt und nehmen Sie die Pose. Drehen Sie dann das Handgelenk durch Verfahren oder mit „Nächste Pose“ und nehmen Sie drei weitere Posen.</translation>
     </message>
-    <message numerus="yes">
-        <source>Rotate the wrist in another direction and record the pose. Poses still needed: %n</source>
-        <translation>
-            <numerusform>Drehen Sie das Handgelenk in eine andere Richtung und nehmen Sie die Pose. Noch benötigte Posen: %n</numerusform>
-            <numerusform>Drehen Sie das Handgelenk in eine andere Richtung und nehmen Sie die Pose. Noch benötigte Posen: %n</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Record pose %1</source>
         <translation>Pose %1 nehmen</translation>
@@ -7805,6 +7798,13 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
     <message>
         <source>  ◀ least accurate</source>
         <translation>  ◀ am ungenauesten</translation>
+    </message>
+    <message numerus="yes">
+        <source>Rotate the wrist in another direction and record the pose. Poses still needed: %n.</source>
+        <translation>
+            <numerusform>Drehen Sie das Handgelenk in eine andere Richtung und nehmen Sie die Pose. Noch benötigte Posen: %n.</numerusform>
+            <numerusform>Drehen Sie das Handgelenk in eine andere Richtung und nehmen Sie die Pose. Noch benötigte Posen: %n.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -10970,13 +10970,6 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <source>Jog the tip to a fixed, sharp point and record the pose. Record four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
         <translation>Fahren Sie die Spitze an einen festen, spitzen Punkt und nehmen Sie die Pose. Nehmen Sie insgesamt vier Posen, jeweils mit der Spitze am selben Punkt und dem Werkzeug in eine andere Richtung geneigt.</translation>
     </message>
-    <message numerus="yes">
-        <source>Tilt the tool in another direction, move the tip to the same point again, and record the pose. Poses still needed: %n</source>
-        <translation>
-            <numerusform>Neigen Sie das Werkzeug in eine andere Richtung, bringen Sie die Spitze wieder an denselben Punkt und nehmen Sie die Pose. Noch benötigte Posen: %n</numerusform>
-            <numerusform>Neigen Sie das Werkzeug in eine andere Richtung, bringen Sie die Spitze wieder an denselben Punkt und nehmen Sie die Pose. Noch benötigte Posen: %n</numerusform>
-        </translation>
-    </message>
     <message>
         <source>The tool keeps the current orientation.</source>
         <translation>Das Werkzeug behält die aktuelle Orientierung.</translation>
@@ -11041,9 +11034,16 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <source>  ◀ least accurate</source>
         <translation>  ◀ am ungenauesten</translation>
     </message>
+    <message numerus="yes">
+        <source>Tilt the tool in another direction, move the tip to the same point again, and record the pose. Poses still needed: %n.</source>
+        <translation>
+            <numerusform>Neigen Sie das Werkzeug in eine andere Richtung, bringen Sie die Spitze wieder an denselben Punkt und nehmen Sie die Pose. Noch benötigte Posen: %n.</numerusform>
+            <numerusform>Neigen Sie das Werkzeug in eine andere Richtung, bringen Sie die Spitze wieder an denselben Punkt und nehmen Sie die Pose. Noch benötigte Posen: %n.</numerusform>
+        </translation>
+    </message>
     <message>
-        <source>Poses can be recorded only while the robot sends data.</source>
-        <translation>Posen können nur genommen werden, solange der Roboter Daten sendet.</translation>
+        <source>Poses can be recorded only while the robot sends data. Connect to a robot, or wait for new data.</source>
+        <translation>Posen können nur genommen werden, solange der Roboter Daten sendet. Verbinden Sie sich mit einem Roboter oder warten Sie auf neue Daten.</translation>
     </message>
 </context>
 <context>

@@ -5243,14 +5243,6 @@ Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Include “%1”</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Exclude “%1”</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Set the floor</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5383,10 +5375,6 @@ Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Include or exclude the box or plane</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Rename box or plane</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5412,6 +5400,18 @@ Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
     </message>
     <message>
         <source>missing frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn on the collision check of “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn off the collision check of “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn collision check on or off</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7772,13 +7772,6 @@ Right-click or press F2 to rename it.</source>
         <source>Wait for standstill, keep the tool free of contact, and record the pose. Then rotate the wrist by jogging or with “Next pose (hold)”, and record three more poses.</source>
         <translation type="unfinished"></translation>
     </message>
-    <message numerus="yes">
-        <source>Rotate the wrist in another direction and record the pose. Poses still needed: %n</source>
-        <translation>
-            <numerusform>Rotate the wrist in another direction and record the pose. Poses still needed: %n</numerusform>
-            <numerusform>Rotate the wrist in another direction and record the pose. Poses still needed: %n</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Record pose %1</source>
         <translation type="unfinished"></translation>
@@ -7798,6 +7791,13 @@ Right-click or press F2 to rename it.</source>
     <message>
         <source>  ◀ least accurate</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Rotate the wrist in another direction and record the pose. Poses still needed: %n.</source>
+        <translation>
+            <numerusform>Rotate the wrist in another direction and record the pose. Poses still needed: %n.</numerusform>
+            <numerusform>Rotate the wrist in another direction and record the pose. Poses still needed: %n.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -10952,13 +10952,6 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <source>Jog the tip to a fixed, sharp point and record the pose. Record four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
         <translation type="unfinished"></translation>
     </message>
-    <message numerus="yes">
-        <source>Tilt the tool in another direction, move the tip to the same point again, and record the pose. Poses still needed: %n</source>
-        <translation>
-            <numerusform>Tilt the tool in another direction, move the tip to the same point again, and record the pose. Poses still needed: %n</numerusform>
-            <numerusform>Tilt the tool in another direction, move the tip to the same point again, and record the pose. Poses still needed: %n</numerusform>
-        </translation>
-    </message>
     <message>
         <source>The tool keeps the current orientation.</source>
         <translation type="unfinished"></translation>
@@ -11023,8 +11016,15 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <source>  ◀ least accurate</source>
         <translation type="unfinished"></translation>
     </message>
+    <message numerus="yes">
+        <source>Tilt the tool in another direction, move the tip to the same point again, and record the pose. Poses still needed: %n.</source>
+        <translation>
+            <numerusform>Tilt the tool in another direction, move the tip to the same point again, and record the pose. Poses still needed: %n.</numerusform>
+            <numerusform>Tilt the tool in another direction, move the tip to the same point again, and record the pose. Poses still needed: %n.</numerusform>
+        </translation>
+    </message>
     <message>
-        <source>Poses can be recorded only while the robot sends data.</source>
+        <source>Poses can be recorded only while the robot sends data. Connect to a robot, or wait for new data.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

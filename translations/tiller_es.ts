@@ -5245,14 +5245,6 @@ Mueva el TCP a una esquina de un obstáculo y pulse «Esquina aquí».</translat
         <translation>Eliminar «%1»</translation>
     </message>
     <message>
-        <source>Include “%1”</source>
-        <translation>Incluir «%1»</translation>
-    </message>
-    <message>
-        <source>Exclude “%1”</source>
-        <translation>Excluir «%1»</translation>
-    </message>
-    <message>
         <source>Set the floor</source>
         <translation>Definir el suelo</translation>
     </message>
@@ -5385,10 +5377,6 @@ Mueva el TCP a una esquina de un obstáculo y pulse «Esquina aquí».</translat
         <translation>Mover la caja o el plano al TCP</translation>
     </message>
     <message>
-        <source>Include or exclude the box or plane</source>
-        <translation>Incluir o excluir la caja o el plano</translation>
-    </message>
-    <message>
         <source>Rename box or plane</source>
         <translation>Renombrar la caja o el plano</translation>
     </message>
@@ -5415,6 +5403,18 @@ Mueva el TCP a una esquina de un obstáculo y pulse «Esquina aquí».</translat
     <message>
         <source>missing frame</source>
         <translation>falta el sistema de coordenadas</translation>
+    </message>
+    <message>
+        <source>Turn on the collision check of “%1”</source>
+        <translation>Activar la comprobación de colisiones de «%1»</translation>
+    </message>
+    <message>
+        <source>Turn off the collision check of “%1”</source>
+        <translation>Desactivar la comprobación de colisiones de «%1»</translation>
+    </message>
+    <message>
+        <source>Turn collision check on or off</source>
+        <translation>Activar o desactivar la comprobación de colisiones</translation>
     </message>
 </context>
 <context>
@@ -7779,13 +7779,6 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <source>Wait for standstill, keep the tool free of contact, and record the pose. Then rotate the wrist by jogging or with “Next pose (hold)”, and record three more poses.</source>
         <translation>Espere el reposo, mantenga la herramienta sin contacto y tome la pose. Después gire la muñeca, con movimiento manual o con «Pose siguiente», y tome tres poses más.</translation>
     </message>
-    <message numerus="yes">
-        <source>Rotate the wrist in another direction and record the pose. Poses still needed: %n</source>
-        <translation>
-            <numerusform>Gire la muñeca en otra dirección y tome la pose. Poses que faltan: %n</numerusform>
-            <numerusform>Gire la muñeca en otra dirección y tome la pose. Poses que faltan: %n</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Record pose %1</source>
         <translation>Tomar pose %1</translation>
@@ -7805,6 +7798,13 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
     <message>
         <source>  ◀ least accurate</source>
         <translation>  ◀ menos precisa</translation>
+    </message>
+    <message numerus="yes">
+        <source>Rotate the wrist in another direction and record the pose. Poses still needed: %n.</source>
+        <translation>
+            <numerusform>Gire la muñeca en otra dirección y tome la pose. Poses que faltan: %n.</numerusform>
+            <numerusform>Gire la muñeca en otra dirección y tome la pose. Poses que faltan: %n.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -10970,13 +10970,6 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <source>Jog the tip to a fixed, sharp point and record the pose. Record four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
         <translation>Lleve la punta a un punto fijo y afilado y tome la pose. Tome cuatro poses en total, cada una con la punta en el mismo punto y la herramienta inclinada en otra dirección.</translation>
     </message>
-    <message numerus="yes">
-        <source>Tilt the tool in another direction, move the tip to the same point again, and record the pose. Poses still needed: %n</source>
-        <translation>
-            <numerusform>Incline la herramienta en otra dirección, lleve la punta de nuevo al mismo punto y tome la pose. Poses que faltan: %n</numerusform>
-            <numerusform>Incline la herramienta en otra dirección, lleve la punta de nuevo al mismo punto y tome la pose. Poses que faltan: %n</numerusform>
-        </translation>
-    </message>
     <message>
         <source>The tool keeps the current orientation.</source>
         <translation>La herramienta conserva la orientación actual.</translation>
@@ -11041,9 +11034,16 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <source>  ◀ least accurate</source>
         <translation>  ◀ menos precisa</translation>
     </message>
+    <message numerus="yes">
+        <source>Tilt the tool in another direction, move the tip to the same point again, and record the pose. Poses still needed: %n.</source>
+        <translation>
+            <numerusform>Incline la herramienta en otra dirección, lleve la punta de nuevo al mismo punto y tome la pose. Poses que faltan: %n.</numerusform>
+            <numerusform>Incline la herramienta en otra dirección, lleve la punta de nuevo al mismo punto y tome la pose. Poses que faltan: %n.</numerusform>
+        </translation>
+    </message>
     <message>
-        <source>Poses can be recorded only while the robot sends data.</source>
-        <translation>Las poses solo se pueden tomar mientras el robot envía datos.</translation>
+        <source>Poses can be recorded only while the robot sends data. Connect to a robot, or wait for new data.</source>
+        <translation>Las poses solo se pueden tomar mientras el robot envía datos. Conéctese a un robot o espere nuevos datos.</translation>
     </message>
 </context>
 <context>

@@ -5245,14 +5245,6 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur « Coin ici ».</transla
         <translation>Supprimer « %1 »</translation>
     </message>
     <message>
-        <source>Include “%1”</source>
-        <translation>Inclure « %1 »</translation>
-    </message>
-    <message>
-        <source>Exclude “%1”</source>
-        <translation>Exclure « %1 »</translation>
-    </message>
-    <message>
         <source>Set the floor</source>
         <translation>Définir le sol</translation>
     </message>
@@ -5385,10 +5377,6 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur « Coin ici ».</transla
         <translation>Déplacer la boîte ou le plan au TCP</translation>
     </message>
     <message>
-        <source>Include or exclude the box or plane</source>
-        <translation>Inclure ou exclure la boîte ou le plan</translation>
-    </message>
-    <message>
         <source>Rename box or plane</source>
         <translation>Renommer la boîte ou le plan</translation>
     </message>
@@ -5415,6 +5403,18 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur « Coin ici ».</transla
     <message>
         <source>missing frame</source>
         <translation>repère manquant</translation>
+    </message>
+    <message>
+        <source>Turn on the collision check of “%1”</source>
+        <translation>Activer la vérification des collisions de « %1 »</translation>
+    </message>
+    <message>
+        <source>Turn off the collision check of “%1”</source>
+        <translation>Désactiver la vérification des collisions de « %1 »</translation>
+    </message>
+    <message>
+        <source>Turn collision check on or off</source>
+        <translation>Activer ou désactiver la vérification des collisions</translation>
     </message>
 </context>
 <context>
@@ -7779,13 +7779,6 @@ Clic droit ou F2 pour renommer.</translation>
         <source>Wait for standstill, keep the tool free of contact, and record the pose. Then rotate the wrist by jogging or with “Next pose (hold)”, and record three more poses.</source>
         <translation>Attendez l’arrêt, gardez l’outil sans contact et prenez la pose. Tournez ensuite le poignet, par déplacement ou avec « Pose suivante », et prenez trois autres poses.</translation>
     </message>
-    <message numerus="yes">
-        <source>Rotate the wrist in another direction and record the pose. Poses still needed: %n</source>
-        <translation>
-            <numerusform>Tournez le poignet dans une autre direction et prenez la pose. Poses encore nécessaires : %n</numerusform>
-            <numerusform>Tournez le poignet dans une autre direction et prenez la pose. Poses encore nécessaires : %n</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Record pose %1</source>
         <translation>Prendre la pose %1</translation>
@@ -7805,6 +7798,13 @@ Clic droit ou F2 pour renommer.</translation>
     <message>
         <source>  ◀ least accurate</source>
         <translation>  ◀ la moins précise</translation>
+    </message>
+    <message numerus="yes">
+        <source>Rotate the wrist in another direction and record the pose. Poses still needed: %n.</source>
+        <translation>
+            <numerusform>Tournez le poignet dans une autre direction et prenez la pose. Poses encore nécessaires : %n.</numerusform>
+            <numerusform>Tournez le poignet dans une autre direction et prenez la pose. Poses encore nécessaires : %n.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -10970,13 +10970,6 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <source>Jog the tip to a fixed, sharp point and record the pose. Record four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
         <translation>Amenez la pointe à un point fixe et aigu et prenez la pose. Prenez quatre poses au total, chacune avec la pointe au même point et l’outil incliné dans une autre direction.</translation>
     </message>
-    <message numerus="yes">
-        <source>Tilt the tool in another direction, move the tip to the same point again, and record the pose. Poses still needed: %n</source>
-        <translation>
-            <numerusform>Inclinez l’outil dans une autre direction, ramenez la pointe au même point et prenez la pose. Poses restantes : %n</numerusform>
-            <numerusform>Inclinez l’outil dans une autre direction, ramenez la pointe au même point et prenez la pose. Poses restantes : %n</numerusform>
-        </translation>
-    </message>
     <message>
         <source>The tool keeps the current orientation.</source>
         <translation>L’outil garde l’orientation actuelle.</translation>
@@ -11041,9 +11034,16 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <source>  ◀ least accurate</source>
         <translation>  ◀ la moins précise</translation>
     </message>
+    <message numerus="yes">
+        <source>Tilt the tool in another direction, move the tip to the same point again, and record the pose. Poses still needed: %n.</source>
+        <translation>
+            <numerusform>Inclinez l’outil dans une autre direction, ramenez la pointe au même point et prenez la pose. Poses restantes : %n.</numerusform>
+            <numerusform>Inclinez l’outil dans une autre direction, ramenez la pointe au même point et prenez la pose. Poses restantes : %n.</numerusform>
+        </translation>
+    </message>
     <message>
-        <source>Poses can be recorded only while the robot sends data.</source>
-        <translation>Les poses ne peuvent être prises que lorsque le robot envoie des données.</translation>
+        <source>Poses can be recorded only while the robot sends data. Connect to a robot, or wait for new data.</source>
+        <translation>Les poses ne peuvent être prises que lorsque le robot envoie des données. Connectez-vous à un robot ou attendez de nouvelles données.</translation>
     </message>
 </context>
 <context>

@@ -5242,14 +5242,6 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
         <translation>「%1」を削除</translation>
     </message>
     <message>
-        <source>Include “%1”</source>
-        <translation>「%1」を含める</translation>
-    </message>
-    <message>
-        <source>Exclude “%1”</source>
-        <translation>「%1」を除外</translation>
-    </message>
-    <message>
         <source>Set the floor</source>
         <translation>床を設定</translation>
     </message>
@@ -5382,10 +5374,6 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
         <translation>箱または平面をTCPへ移動</translation>
     </message>
     <message>
-        <source>Include or exclude the box or plane</source>
-        <translation>箱または平面を含める、または除外する</translation>
-    </message>
-    <message>
         <source>Rename box or plane</source>
         <translation>箱または平面の名前を変更</translation>
     </message>
@@ -5412,6 +5400,18 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
     <message>
         <source>missing frame</source>
         <translation>座標系がありません</translation>
+    </message>
+    <message>
+        <source>Turn on the collision check of “%1”</source>
+        <translation>「%1」の衝突確認をオンにする</translation>
+    </message>
+    <message>
+        <source>Turn off the collision check of “%1”</source>
+        <translation>「%1」の衝突確認をオフにする</translation>
+    </message>
+    <message>
+        <source>Turn collision check on or off</source>
+        <translation>衝突の確認をオンまたはオフにする</translation>
     </message>
 </context>
 <context>
@@ -7766,12 +7766,6 @@ Right-click or press F2 to rename it.</source>
         <source>Wait for standstill, keep the tool free of contact, and record the pose. Then rotate the wrist by jogging or with “Next pose (hold)”, and record three more poses.</source>
         <translation>アームを静止させ、何にも触れず、姿勢を記録します。次にジョグか「次の姿勢」で手首を回し、さらに三つ記録します。</translation>
     </message>
-    <message numerus="yes">
-        <source>Rotate the wrist in another direction and record the pose. Poses still needed: %n</source>
-        <translation>
-            <numerusform>手首を別の側に回して姿勢を記録してください。残り：%n</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Record pose %1</source>
         <translation>姿勢 %1 を記録</translation>
@@ -7791,6 +7785,12 @@ Right-click or press F2 to rename it.</source>
     <message>
         <source>  ◀ least accurate</source>
         <translation>  ◀ 最も不正確</translation>
+    </message>
+    <message numerus="yes">
+        <source>Rotate the wrist in another direction and record the pose. Poses still needed: %n.</source>
+        <translation>
+            <numerusform>手首を別の側に回して姿勢を記録してください。残り：%n。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -10942,12 +10942,6 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <source>Jog the tip to a fixed, sharp point and record the pose. Record four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
         <translation>先端を固定された尖った点へジョグし、姿勢を記録します。全部で四回：先端は同じ点、ツールは毎回別の側に傾けます。</translation>
     </message>
-    <message numerus="yes">
-        <source>Tilt the tool in another direction, move the tip to the same point again, and record the pose. Poses still needed: %n</source>
-        <translation>
-            <numerusform>ツールを別の側に傾け、先端を同じ点に合わせて姿勢を記録してください。残り：%n</numerusform>
-        </translation>
-    </message>
     <message>
         <source>The tool keeps the current orientation.</source>
         <translation>ツールは現在の方向を保ちます。</translation>
@@ -11012,9 +11006,15 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <source>  ◀ least accurate</source>
         <translation>  ◀ 最も不正確</translation>
     </message>
+    <message numerus="yes">
+        <source>Tilt the tool in another direction, move the tip to the same point again, and record the pose. Poses still needed: %n.</source>
+        <translation>
+            <numerusform>ツールを別の側に傾け、先端を同じ点に合わせて姿勢を記録してください。残り：%n。</numerusform>
+        </translation>
+    </message>
     <message>
-        <source>Poses can be recorded only while the robot sends data.</source>
-        <translation>ロボットがデータを送っている間に姿勢を記録できます。</translation>
+        <source>Poses can be recorded only while the robot sends data. Connect to a robot, or wait for new data.</source>
+        <translation>姿勢を記録できるのは、ロボットがデータを送っている間だけです。ロボットに接続するか、新しいデータを待ってください。</translation>
     </message>
 </context>
 <context>

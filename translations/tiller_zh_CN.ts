@@ -5242,14 +5242,6 @@ Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation>删除“%1”</translation>
     </message>
     <message>
-        <source>Include “%1”</source>
-        <translation>包含“%1”</translation>
-    </message>
-    <message>
-        <source>Exclude “%1”</source>
-        <translation>排除“%1”</translation>
-    </message>
-    <message>
         <source>Set the floor</source>
         <translation>设置地面</translation>
     </message>
@@ -5382,10 +5374,6 @@ Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation>将长方体或平面移到 TCP</translation>
     </message>
     <message>
-        <source>Include or exclude the box or plane</source>
-        <translation>包含或排除长方体或平面</translation>
-    </message>
-    <message>
         <source>Rename box or plane</source>
         <translation>重命名长方体或平面</translation>
     </message>
@@ -5412,6 +5400,18 @@ Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
     <message>
         <source>missing frame</source>
         <translation>缺少坐标系</translation>
+    </message>
+    <message>
+        <source>Turn on the collision check of “%1”</source>
+        <translation>打开“%1”的碰撞检查</translation>
+    </message>
+    <message>
+        <source>Turn off the collision check of “%1”</source>
+        <translation>关闭“%1”的碰撞检查</translation>
+    </message>
+    <message>
+        <source>Turn collision check on or off</source>
+        <translation>打开或关闭碰撞检查</translation>
     </message>
 </context>
 <context>
@@ -7766,12 +7766,6 @@ Right-click or press F2 to rename it.</source>
         <source>Wait for standstill, keep the tool free of contact, and record the pose. Then rotate the wrist by jogging or with “Next pose (hold)”, and record three more poses.</source>
         <translation>让机械臂静止，不触碰任何东西，取位姿。然后用点动或“下一位姿”转动手腕，再取三个。</translation>
     </message>
-    <message numerus="yes">
-        <source>Rotate the wrist in another direction and record the pose. Poses still needed: %n</source>
-        <translation>
-            <numerusform>把手腕转到另一侧并取位姿。还需：%n</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Record pose %1</source>
         <translation>取位姿 %1</translation>
@@ -7791,6 +7785,12 @@ Right-click or press F2 to rename it.</source>
     <message>
         <source>  ◀ least accurate</source>
         <translation>  ◀ 最不准确</translation>
+    </message>
+    <message numerus="yes">
+        <source>Rotate the wrist in another direction and record the pose. Poses still needed: %n.</source>
+        <translation>
+            <numerusform>把手腕转到另一侧并取位姿。还需：%n。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -10942,12 +10942,6 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <source>Jog the tip to a fixed, sharp point and record the pose. Record four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
         <translation>把尖端点动到一个固定的尖点并取位姿。共四次：尖端在同一点，工具每次向不同侧倾斜。</translation>
     </message>
-    <message numerus="yes">
-        <source>Tilt the tool in another direction, move the tip to the same point again, and record the pose. Poses still needed: %n</source>
-        <translation>
-            <numerusform>把工具倾向另一侧，使尖端再到同一点，并取位姿。还需：%n</numerusform>
-        </translation>
-    </message>
     <message>
         <source>The tool keeps the current orientation.</source>
         <translation>工具保持当前方向。</translation>
@@ -11012,9 +11006,15 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <source>  ◀ least accurate</source>
         <translation>  ◀ 最不准确</translation>
     </message>
+    <message numerus="yes">
+        <source>Tilt the tool in another direction, move the tip to the same point again, and record the pose. Poses still needed: %n.</source>
+        <translation>
+            <numerusform>把工具倾向另一侧，使尖端再到同一点，并取位姿。还需：%n。</numerusform>
+        </translation>
+    </message>
     <message>
-        <source>Poses can be recorded only while the robot sends data.</source>
-        <translation>只有机器人发送数据时才能取位姿。</translation>
+        <source>Poses can be recorded only while the robot sends data. Connect to a robot, or wait for new data.</source>
+        <translation>只有机器人发送数据时才能取位姿。请连接机器人，或等待新数据。</translation>
     </message>
 </context>
 <context>

@@ -303,7 +303,7 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
     });
     addCommand(QStringLiteral("moveToTcp"), CellPage::tr("Move the box or plane to the TCP"), true,
                [this] { moveToTcp(); });
-    addCommand(QStringLiteral("enable"), CellPage::tr("Include or exclude the box or plane"), true,
+    addCommand(QStringLiteral("enable"), CellPage::tr("Turn collision check on or off"), true,
                [this] { setEnabledInCell(!enabled_->isChecked()); });
     addCommand(QStringLiteral("rename"), CellPage::tr("Rename box or plane"), true,
                [this] { table().renameCurrent(); });
@@ -521,8 +521,8 @@ void CellPage::remove() {
 void CellPage::setEnabledInCell(bool enabled) {
     const auto set = [&](auto part) {
         part.enabled = enabled;
-        change(part, enabled ? CellPage::tr("Include “%1”").arg(part.name)
-                             : CellPage::tr("Exclude “%1”").arg(part.name));
+        change(part, enabled ? CellPage::tr("Turn on the collision check of “%1”").arg(part.name)
+                             : CellPage::tr("Turn off the collision check of “%1”").arg(part.name));
     };
     if (const project::CellBox* selected = box()) {
         set(*selected);

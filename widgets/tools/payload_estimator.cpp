@@ -245,7 +245,7 @@ QString PayloadEstimator::feedback() const {
     return readings_.empty()
                ? tr("Wait for standstill, keep the tool free of contact, and record the pose. Then rotate "
                     "the wrist by jogging or with “Next pose (hold)”, and record three more poses.")
-               : tr("Rotate the wrist in another direction and record the pose. Poses still needed: %n",
+               : tr("Rotate the wrist in another direction and record the pose. Poses still needed: %n.",
                     nullptr, kinematics::kMinPayloadPoses - static_cast<int>(readings_.size()));
 }
 

@@ -202,7 +202,7 @@ QString TcpTeacher::tipFeedback() const {
                ? tr("Jog the tip to a fixed, sharp point and record the pose. Record four poses in total, "
                     "each with the tip on the same point and the tool tilted in another direction.")
                : tr("Tilt the tool in another direction, move the tip to the same point again, and record "
-                    "the pose. Poses still needed: %n",
+                    "the pose. Poses still needed: %n.",
                     nullptr, kinematics::kMinTipPoses - taken);
 }
 
@@ -279,7 +279,8 @@ void TcpTeacher::refresh() {
         lines << line;
     }
     poses_->setText(lines.join(QLatin1Char('\n')));
-    feedback_->setText(!live && tips_.empty() ? tr("Poses can be recorded only while the robot sends data.")
+    feedback_->setText(!live && tips_.empty() ? tr("Poses can be recorded only while the robot sends data. "
+                                                   "Connect to a robot, or wait for new data.")
                                               : tipFeedback());
     turnFeedback_->setText(turnFeedback());
     make_->setEnabled(tcp().has_value());
