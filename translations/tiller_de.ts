@@ -5729,14 +5729,6 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>„%1“ nachgeteacht</translation>
     </message>
     <message>
-        <source>Set the position of “%1”</source>
-        <translation>Position von „%1“ setzen</translation>
-    </message>
-    <message>
-        <source>“%1” was set numerically. %2</source>
-        <translation>„%1“ wurde numerisch gesetzt. %2</translation>
-    </message>
-    <message>
         <source>Duplicate “%1”</source>
         <translation>„%1“ duplizieren</translation>
     </message>
@@ -5754,6 +5746,14 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
     <message>
         <source>Delete frame</source>
         <translation>Koordinatensystem löschen</translation>
+    </message>
+    <message>
+        <source>Change the pose of “%1”</source>
+        <translation>Pose von „%1“ ändern</translation>
+    </message>
+    <message>
+        <source>The pose of “%1” was changed. %2</source>
+        <translation>Die Pose von „%1“ wurde geändert. %2</translation>
     </message>
 </context>
 <context>
@@ -6022,10 +6022,6 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Koordinatensystem umbenennen</translation>
     </message>
     <message>
-        <source>Enter frame numerically</source>
-        <translation>Koordinatensystem numerisch eingeben</translation>
-    </message>
-    <message>
         <source>Duplicate frame</source>
         <translation>Koordinatensystem duplizieren</translation>
     </message>
@@ -6048,6 +6044,10 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     <message>
         <source>Create frame</source>
         <translation>Koordinatensystem erstellen</translation>
+    </message>
+    <message>
+        <source>Edit frame values</source>
+        <translation>Werte des Koordinatensystems bearbeiten</translation>
     </message>
 </context>
 <context>

@@ -5726,14 +5726,6 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Set the position of “%1”</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>“%1” was set numerically. %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Duplicate “%1”</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5750,6 +5742,14 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>Delete frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the pose of “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pose of “%1” was changed. %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6018,10 +6018,6 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Enter frame numerically</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Duplicate frame</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6043,6 +6039,10 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
     </message>
     <message>
         <source>Create frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edit frame values</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

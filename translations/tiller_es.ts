@@ -5729,14 +5729,6 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>«%1» retocado</translation>
     </message>
     <message>
-        <source>Set the position of “%1”</source>
-        <translation>Fijar la posición de «%1»</translation>
-    </message>
-    <message>
-        <source>“%1” was set numerically. %2</source>
-        <translation>«%1» se fijó numéricamente. %2</translation>
-    </message>
-    <message>
         <source>Duplicate “%1”</source>
         <translation>Duplicar «%1»</translation>
     </message>
@@ -5754,6 +5746,14 @@ Vacíe la búsqueda para verlo todo.</translation>
     <message>
         <source>Delete frame</source>
         <translation>Eliminar sistema</translation>
+    </message>
+    <message>
+        <source>Change the pose of “%1”</source>
+        <translation>Cambiar la pose de «%1»</translation>
+    </message>
+    <message>
+        <source>The pose of “%1” was changed. %2</source>
+        <translation>Se cambió la pose de «%1». %2</translation>
     </message>
 </context>
 <context>
@@ -6022,10 +6022,6 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>Renombrar sistema</translation>
     </message>
     <message>
-        <source>Enter frame numerically</source>
-        <translation>Introducir sistema numéricamente</translation>
-    </message>
-    <message>
         <source>Duplicate frame</source>
         <translation>Duplicar sistema</translation>
     </message>
@@ -6048,6 +6044,10 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
     <message>
         <source>Create frame</source>
         <translation>Crear sistema</translation>
+    </message>
+    <message>
+        <source>Edit frame values</source>
+        <translation>Editar los valores del sistema</translation>
     </message>
 </context>
 <context>

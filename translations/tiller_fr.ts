@@ -5729,14 +5729,6 @@ Videz la recherche pour tout voir.</translation>
         <translation>« %1 » retouché</translation>
     </message>
     <message>
-        <source>Set the position of “%1”</source>
-        <translation>Définir la position de « %1 »</translation>
-    </message>
-    <message>
-        <source>“%1” was set numerically. %2</source>
-        <translation>« %1 » a été défini numériquement. %2</translation>
-    </message>
-    <message>
         <source>Duplicate “%1”</source>
         <translation>Dupliquer « %1 »</translation>
     </message>
@@ -5754,6 +5746,14 @@ Videz la recherche pour tout voir.</translation>
     <message>
         <source>Delete frame</source>
         <translation>Supprimer le repère</translation>
+    </message>
+    <message>
+        <source>Change the pose of “%1”</source>
+        <translation>Modifier la pose de « %1 »</translation>
+    </message>
+    <message>
+        <source>The pose of “%1” was changed. %2</source>
+        <translation>La pose de « %1 » a été modifiée. %2</translation>
     </message>
 </context>
 <context>
@@ -6022,10 +6022,6 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>Renommer le repère</translation>
     </message>
     <message>
-        <source>Enter frame numerically</source>
-        <translation>Saisir le repère numériquement</translation>
-    </message>
-    <message>
         <source>Duplicate frame</source>
         <translation>Dupliquer le repère</translation>
     </message>
@@ -6048,6 +6044,10 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
     <message>
         <source>Create frame</source>
         <translation>Créer le repère</translation>
+    </message>
+    <message>
+        <source>Edit frame values</source>
+        <translation>Modifier les valeurs du repère</translation>
     </message>
 </context>
 <context>

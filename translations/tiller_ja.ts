@@ -5722,14 +5722,6 @@ Clear the search to see everything.</source>
         <translation>「%1」を修正教示しました</translation>
     </message>
     <message>
-        <source>Set the position of “%1”</source>
-        <translation>「%1」の位置を設定</translation>
-    </message>
-    <message>
-        <source>“%1” was set numerically. %2</source>
-        <translation>「%1」を数値で設定しました。%2</translation>
-    </message>
-    <message>
         <source>Duplicate “%1”</source>
         <translation>「%1」を複製</translation>
     </message>
@@ -5746,6 +5738,14 @@ Clear the search to see everything.</source>
     <message>
         <source>Delete frame</source>
         <translation>座標系を削除</translation>
+    </message>
+    <message>
+        <source>Change the pose of “%1”</source>
+        <translation>「%1」の姿勢を変更</translation>
+    </message>
+    <message>
+        <source>The pose of “%1” was changed. %2</source>
+        <translation>「%1」の姿勢を変更しました。%2</translation>
     </message>
 </context>
 <context>
@@ -6014,10 +6014,6 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>座標系の名前を変更</translation>
     </message>
     <message>
-        <source>Enter frame numerically</source>
-        <translation>座標系を数値で入力</translation>
-    </message>
-    <message>
         <source>Duplicate frame</source>
         <translation>座標系を複製</translation>
     </message>
@@ -6040,6 +6036,10 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
     <message>
         <source>Create frame</source>
         <translation>座標系を作成</translation>
+    </message>
+    <message>
+        <source>Edit frame values</source>
+        <translation>座標系の数値を編集</translation>
     </message>
 </context>
 <context>

@@ -5722,14 +5722,6 @@ Clear the search to see everything.</source>
         <translation>已修正示教“%1”</translation>
     </message>
     <message>
-        <source>Set the position of “%1”</source>
-        <translation>设定“%1”的位置</translation>
-    </message>
-    <message>
-        <source>“%1” was set numerically. %2</source>
-        <translation>“%1”已用数值设定。%2</translation>
-    </message>
-    <message>
         <source>Duplicate “%1”</source>
         <translation>复制“%1”</translation>
     </message>
@@ -5746,6 +5738,14 @@ Clear the search to see everything.</source>
     <message>
         <source>Delete frame</source>
         <translation>删除坐标系</translation>
+    </message>
+    <message>
+        <source>Change the pose of “%1”</source>
+        <translation>更改“%1”的位姿</translation>
+    </message>
+    <message>
+        <source>The pose of “%1” was changed. %2</source>
+        <translation>“%1”的位姿已更改。%2</translation>
     </message>
 </context>
 <context>
@@ -6014,10 +6014,6 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>重命名坐标系</translation>
     </message>
     <message>
-        <source>Enter frame numerically</source>
-        <translation>以数值输入坐标系</translation>
-    </message>
-    <message>
         <source>Duplicate frame</source>
         <translation>复制坐标系</translation>
     </message>
@@ -6040,6 +6036,10 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
     <message>
         <source>Create frame</source>
         <translation>创建坐标系</translation>
+    </message>
+    <message>
+        <source>Edit frame values</source>
+        <translation>编辑坐标系数值</translation>
     </message>
 </context>
 <context>

@@ -108,8 +108,8 @@ QString FrameEditing::move(const QUuid& id, const Pose& T_base_frame, const QStr
 
 void FrameEditing::place(const project::Frame& frame, const Pose& T_base_frame) {
     // Show only a log entry, because a notice would be distracting while the user edits numbers.
-    const QString moved = move(frame.id, T_base_frame, tr("Set the position of “%1”").arg(frame.name));
-    journal_.add(Severity::Info, tr("“%1” was set numerically. %2").arg(frame.name, moved));
+    const QString moved = move(frame.id, T_base_frame, tr("Change the pose of “%1”").arg(frame.name));
+    journal_.add(Severity::Info, tr("The pose of “%1” was changed. %2").arg(frame.name, moved));
 }
 
 void FrameEditing::duplicate(const project::Frame& frame) {

@@ -311,8 +311,8 @@ void FramesTab::buildActions() {
     menu->addAction(here(with(addCommand("rename", tr("Rename frame"), QKeySequence(Qt::Key_F2),
                                          [this] { table_->renameCurrent(); }),
                               "s")));
-    menu->addAction(here(with(
-        addCommand("edit", tr("Enter frame numerically"), {}, [this] { details_->editValues(); }), "s")));
+    menu->addAction(
+        here(with(addCommand("edit", tr("Edit frame values"), {}, [this] { details_->editValues(); }), "s")));
     menu->addAction(
         here(with(addCommand("duplicate", tr("Duplicate frame"), QKeySequence(Qt::CTRL | Qt::Key_D),
                              [this] { withCurrent(&FrameEditing::duplicate); }),
