@@ -1486,10 +1486,6 @@
         <translation>Läuft</translation>
     </message>
     <message>
-        <source>Brakes are released. The arm is at standstill.</source>
-        <translation>Die Bremsen sind gelöst. Der Arm steht still.</translation>
-    </message>
-    <message>
         <source>Updating firmware</source>
         <translation>Firmware-Update</translation>
     </message>
@@ -1518,10 +1514,6 @@
         <translation>Schutzstopp</translation>
     </message>
     <message>
-        <source>The controller stopped the arm. Find the cause, then unlock the protective stop (after 5 s).</source>
-        <translation>Die Steuerung hat den Arm gestoppt. Finden Sie die Ursache, dann entriegeln Sie (nach 5 s).</translation>
-    </message>
-    <message>
         <source>Recovery</source>
         <translation>Wiederherstellung</translation>
     </message>
@@ -1542,16 +1534,8 @@
         <translation>System-Not-Halt</translation>
     </message>
     <message>
-        <source>The cell&apos;s emergency stop is pressed. Release it, then power on and release the brakes.</source>
-        <translation>Der Not-Halt der Zelle ist gedrückt. Lösen Sie ihn, dann schalten Sie ein und lösen die Bremsen.</translation>
-    </message>
-    <message>
         <source>Emergency stop</source>
         <translation>Not-Halt</translation>
-    </message>
-    <message>
-        <source>The emergency stop button of the robot is pressed. Twist it clockwise to release it, then power on and release the brakes.</source>
-        <translation>Der Not-Halt-Taster des Roboters ist gedrückt. Drehen Sie ihn im Uhrzeigersinn, um ihn zu entriegeln, dann schalten Sie ein und lösen die Bremsen.</translation>
     </message>
     <message>
         <source>Safety violation</source>
@@ -1614,10 +1598,6 @@
         <translation>IMMI-Not-Halt</translation>
     </message>
     <message>
-        <source>The moulding machine&apos;s emergency stop is pressed. Release it, then power on and release the brakes.</source>
-        <translation>Der Not-Halt der Spritzgießmaschine ist gedrückt. Lösen Sie ihn, dann schalten Sie ein und lösen die Bremsen.</translation>
-    </message>
-    <message>
         <source>IMMI safeguard stop</source>
         <translation>IMMI-Safeguard-Stopp</translation>
     </message>
@@ -1652,10 +1632,6 @@
     <message>
         <source>PROFIsafe emergency stop</source>
         <translation>PROFIsafe-Not-Halt</translation>
-    </message>
-    <message>
-        <source>The PROFIsafe controller requests an emergency stop. Clear the request on that controller, then power on and release the brakes.</source>
-        <translation>Die PROFIsafe-Steuerung fordert einen Not-Halt an. Heben Sie ihn dort auf, schalten Sie dann ein und lösen Sie die Bremsen.</translation>
     </message>
     <message>
         <source>Safety API stop</source>
@@ -1732,6 +1708,30 @@
     <message>
         <source>Unknown program state %1. See the teach pendant.</source>
         <translation>Unbekannter Programmzustand %1. Sehen Sie auf das Teach-Pendant.</translation>
+    </message>
+    <message>
+        <source>The brakes are released. The arm is at standstill.</source>
+        <translation>Die Bremsen sind gelöst. Der Arm steht still.</translation>
+    </message>
+    <message>
+        <source>The controller stopped the arm. Find the cause, wait 5 s, then unlock the protective stop.</source>
+        <translation>Die Steuerung hat den Arm gestoppt. Finden Sie die Ursache, warten Sie 5 s und entriegeln Sie dann den Schutzstopp.</translation>
+    </message>
+    <message>
+        <source>The cell&apos;s emergency stop is pressed. Release it, then power on the arm and release the brakes.</source>
+        <translation>Der Not-Halt der Zelle ist gedrückt. Lösen Sie ihn, dann schalten Sie ein und lösen die Bremsen.</translation>
+    </message>
+    <message>
+        <source>The emergency stop button of the robot is pressed. Twist it clockwise to release it, then power on the arm and release the brakes.</source>
+        <translation>Der Not-Halt-Taster des Roboters ist gedrückt. Drehen Sie ihn im Uhrzeigersinn, um ihn zu entriegeln, dann schalten Sie ein und lösen die Bremsen.</translation>
+    </message>
+    <message>
+        <source>The moulding machine&apos;s emergency stop is pressed. Release it, then power on the arm and release the brakes.</source>
+        <translation>Der Not-Halt der Spritzgießmaschine ist gedrückt. Lösen Sie ihn, dann schalten Sie ein und lösen die Bremsen.</translation>
+    </message>
+    <message>
+        <source>The PROFIsafe controller requests an emergency stop. Clear the request on that controller, then power on the arm and release the brakes.</source>
+        <translation>Die PROFIsafe-Steuerung fordert einen Not-Halt an. Heben Sie ihn dort auf, schalten Sie dann ein und lösen Sie die Bremsen.</translation>
     </message>
 </context>
 <context>
@@ -4808,10 +4808,6 @@
         <translation>Roboter- oder Sicherheitsmodus geändert</translation>
     </message>
     <message>
-        <source>PC is going to sleep</source>
-        <translation>PC wechselt in den Ruhezustand</translation>
-    </message>
-    <message>
         <source>connection lost</source>
         <translation>Verbindung verloren</translation>
     </message>
@@ -4912,12 +4908,16 @@
         <translation>nicht gemessen: keine Daten während des Stopps</translation>
     </message>
     <message>
-        <source>the robot did not receive the stop</source>
-        <translation>der Roboter hat den Stopp nicht erhalten</translation>
-    </message>
-    <message>
         <source>not measured: another program is moving the arm</source>
         <translation>nicht gemessen: ein anderes Programm bewegt den Arm</translation>
+    </message>
+    <message>
+        <source>the PC is going to sleep</source>
+        <translation>der PC wechselt in den Ruhezustand</translation>
+    </message>
+    <message>
+        <source>the robot did not receive the stop command</source>
+        <translation>der Roboter hat den Stoppbefehl nicht erhalten</translation>
     </message>
 </context>
 <context>
@@ -7301,8 +7301,8 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>„%1“</translation>
     </message>
     <message>
-        <source>The position of “%1” is unknown because its frame is not in the project. Enter its position, exclude it, or delete it on the Cell page</source>
-        <translation>Die Position von „%1“ ist unbekannt, weil ihr Koordinatensystem nicht im Projekt ist. Geben Sie die Position auf der Seite „Zelle“ ein, schließen Sie das Objekt aus oder löschen Sie es dort</translation>
+        <source>The position of “%1” is unknown because its frame is not in the project. Enter its position, turn off its collision check, or delete it on the Cell page</source>
+        <translation>Die Position von „%1“ ist unbekannt, weil ihr Koordinatensystem nicht im Projekt ist. Geben Sie die Position auf der Seite „Zelle“ ein, schalten Sie die Kollisionsprüfung des Objekts aus oder löschen Sie es dort</translation>
     </message>
 </context>
 <context>

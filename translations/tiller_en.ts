@@ -1486,10 +1486,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Brakes are released. The arm is at standstill.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Updating firmware</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1518,10 +1514,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The controller stopped the arm. Find the cause, then unlock the protective stop (after 5 s).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Recovery</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1542,15 +1534,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The cell&apos;s emergency stop is pressed. Release it, then power on and release the brakes.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Emergency stop</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The emergency stop button of the robot is pressed. Twist it clockwise to release it, then power on and release the brakes.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1614,10 +1598,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The moulding machine&apos;s emergency stop is pressed. Release it, then power on and release the brakes.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>IMMI safeguard stop</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1651,10 +1631,6 @@
     </message>
     <message>
         <source>PROFIsafe emergency stop</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The PROFIsafe controller requests an emergency stop. Clear the request on that controller, then power on and release the brakes.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1731,6 +1707,30 @@
     </message>
     <message>
         <source>Unknown program state %1. See the teach pendant.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The brakes are released. The arm is at standstill.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The controller stopped the arm. Find the cause, wait 5 s, then unlock the protective stop.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cell&apos;s emergency stop is pressed. Release it, then power on the arm and release the brakes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The emergency stop button of the robot is pressed. Twist it clockwise to release it, then power on the arm and release the brakes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The moulding machine&apos;s emergency stop is pressed. Release it, then power on the arm and release the brakes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The PROFIsafe controller requests an emergency stop. Clear the request on that controller, then power on the arm and release the brakes.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4808,10 +4808,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>PC is going to sleep</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>connection lost</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4912,11 +4908,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the robot did not receive the stop</source>
+        <source>not measured: another program is moving the arm</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>not measured: another program is moving the arm</source>
+        <source>the PC is going to sleep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the robot did not receive the stop command</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7294,7 +7294,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The position of “%1” is unknown because its frame is not in the project. Enter its position, exclude it, or delete it on the Cell page</source>
+        <source>The position of “%1” is unknown because its frame is not in the project. Enter its position, turn off its collision check, or delete it on the Cell page</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -1486,10 +1486,6 @@
         <translation>En marcha</translation>
     </message>
     <message>
-        <source>Brakes are released. The arm is at standstill.</source>
-        <translation>Los frenos están liberados. El brazo está en reposo.</translation>
-    </message>
-    <message>
         <source>Updating firmware</source>
         <translation>Actualizando firmware</translation>
     </message>
@@ -1518,10 +1514,6 @@
         <translation>Parada de protección</translation>
     </message>
     <message>
-        <source>The controller stopped the arm. Find the cause, then unlock the protective stop (after 5 s).</source>
-        <translation>El controlador detuvo el brazo. Averigüe la causa y después desbloquee (tras 5 s).</translation>
-    </message>
-    <message>
         <source>Recovery</source>
         <translation>Recuperación</translation>
     </message>
@@ -1542,16 +1534,8 @@
         <translation>Parada de emergencia del sistema</translation>
     </message>
     <message>
-        <source>The cell&apos;s emergency stop is pressed. Release it, then power on and release the brakes.</source>
-        <translation>La parada de emergencia de la célula está pulsada. Suéltela, después encienda y libere los frenos.</translation>
-    </message>
-    <message>
         <source>Emergency stop</source>
         <translation>Parada de emergencia</translation>
-    </message>
-    <message>
-        <source>The emergency stop button of the robot is pressed. Twist it clockwise to release it, then power on and release the brakes.</source>
-        <translation>El botón de parada de emergencia del robot está pulsado. Gírelo en sentido horario para soltarlo, después encienda y libere los frenos.</translation>
     </message>
     <message>
         <source>Safety violation</source>
@@ -1614,10 +1598,6 @@
         <translation>Parada de emergencia IMMI</translation>
     </message>
     <message>
-        <source>The moulding machine&apos;s emergency stop is pressed. Release it, then power on and release the brakes.</source>
-        <translation>La parada de emergencia de la inyectora está pulsada. Suéltela, después encienda y libere los frenos.</translation>
-    </message>
-    <message>
         <source>IMMI safeguard stop</source>
         <translation>Parada de salvaguarda IMMI</translation>
     </message>
@@ -1652,10 +1632,6 @@
     <message>
         <source>PROFIsafe emergency stop</source>
         <translation>Parada de emergencia PROFIsafe</translation>
-    </message>
-    <message>
-        <source>The PROFIsafe controller requests an emergency stop. Clear the request on that controller, then power on and release the brakes.</source>
-        <translation>El controlador PROFIsafe solicita una parada de emergencia. Anúlela allí, después encienda y libere los frenos.</translation>
     </message>
     <message>
         <source>Safety API stop</source>
@@ -1732,6 +1708,30 @@
     <message>
         <source>Unknown program state %1. See the teach pendant.</source>
         <translation>Estado de programa desconocido %1. Mire la consola portátil.</translation>
+    </message>
+    <message>
+        <source>The brakes are released. The arm is at standstill.</source>
+        <translation>Los frenos están liberados. El brazo está en reposo.</translation>
+    </message>
+    <message>
+        <source>The controller stopped the arm. Find the cause, wait 5 s, then unlock the protective stop.</source>
+        <translation>El controlador detuvo el brazo. Averigüe la causa, espere 5 s y desbloquee la parada de protección.</translation>
+    </message>
+    <message>
+        <source>The cell&apos;s emergency stop is pressed. Release it, then power on the arm and release the brakes.</source>
+        <translation>La parada de emergencia de la célula está pulsada. Suéltela, después encienda y libere los frenos.</translation>
+    </message>
+    <message>
+        <source>The emergency stop button of the robot is pressed. Twist it clockwise to release it, then power on the arm and release the brakes.</source>
+        <translation>El botón de parada de emergencia del robot está pulsado. Gírelo en sentido horario para soltarlo, después encienda y libere los frenos.</translation>
+    </message>
+    <message>
+        <source>The moulding machine&apos;s emergency stop is pressed. Release it, then power on the arm and release the brakes.</source>
+        <translation>La parada de emergencia de la inyectora está pulsada. Suéltela, después encienda y libere los frenos.</translation>
+    </message>
+    <message>
+        <source>The PROFIsafe controller requests an emergency stop. Clear the request on that controller, then power on the arm and release the brakes.</source>
+        <translation>El controlador PROFIsafe solicita una parada de emergencia. Anúlela allí, después encienda y libere los frenos.</translation>
     </message>
 </context>
 <context>
@@ -4808,10 +4808,6 @@
         <translation>cambió el modo del robot o de seguridad</translation>
     </message>
     <message>
-        <source>PC is going to sleep</source>
-        <translation>el PC entra en suspensión</translation>
-    </message>
-    <message>
         <source>connection lost</source>
         <translation>enlace perdido</translation>
     </message>
@@ -4912,12 +4908,16 @@
         <translation>no medido: sin datos durante la parada</translation>
     </message>
     <message>
-        <source>the robot did not receive the stop</source>
-        <translation>el robot no ha recibido la parada</translation>
-    </message>
-    <message>
         <source>not measured: another program is moving the arm</source>
         <translation>no medido: otro programa mueve el brazo</translation>
+    </message>
+    <message>
+        <source>the PC is going to sleep</source>
+        <translation>el PC entra en suspensión</translation>
+    </message>
+    <message>
+        <source>the robot did not receive the stop command</source>
+        <translation>el robot no ha recibido la orden de parada</translation>
     </message>
 </context>
 <context>
@@ -7301,8 +7301,8 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>«%1»</translation>
     </message>
     <message>
-        <source>The position of “%1” is unknown because its frame is not in the project. Enter its position, exclude it, or delete it on the Cell page</source>
-        <translation>La posición de «%1» es desconocida porque su sistema de coordenadas no está en el proyecto. Introduzca la posición, excluya el objeto o elimínelo en la página Celda</translation>
+        <source>The position of “%1” is unknown because its frame is not in the project. Enter its position, turn off its collision check, or delete it on the Cell page</source>
+        <translation>La posición de «%1» es desconocida porque su sistema de coordenadas no está en el proyecto. Introduzca la posición, desactive la comprobación de colisiones del objeto o elimínelo en la página Celda</translation>
     </message>
 </context>
 <context>

@@ -1486,10 +1486,6 @@
         <translation>En marche</translation>
     </message>
     <message>
-        <source>Brakes are released. The arm is at standstill.</source>
-        <translation>Les freins sont desserrés. Le bras est à l’arrêt.</translation>
-    </message>
-    <message>
         <source>Updating firmware</source>
         <translation>Mise à jour du firmware</translation>
     </message>
@@ -1518,10 +1514,6 @@
         <translation>Arrêt de protection</translation>
     </message>
     <message>
-        <source>The controller stopped the arm. Find the cause, then unlock the protective stop (after 5 s).</source>
-        <translation>Le contrôleur a arrêté le bras. Trouvez la cause, puis déverrouillez (après 5 s).</translation>
-    </message>
-    <message>
         <source>Recovery</source>
         <translation>Récupération</translation>
     </message>
@@ -1542,16 +1534,8 @@
         <translation>Arrêt d’urgence système</translation>
     </message>
     <message>
-        <source>The cell&apos;s emergency stop is pressed. Release it, then power on and release the brakes.</source>
-        <translation>L’arrêt d’urgence de la cellule est enfoncé. Relâchez-le, puis mettez sous tension et desserrez les freins.</translation>
-    </message>
-    <message>
         <source>Emergency stop</source>
         <translation>Arrêt d’urgence</translation>
-    </message>
-    <message>
-        <source>The emergency stop button of the robot is pressed. Twist it clockwise to release it, then power on and release the brakes.</source>
-        <translation>Le bouton d’arrêt d’urgence du robot est enfoncé. Tournez-le dans le sens horaire pour le déverrouiller, puis mettez sous tension et desserrez les freins.</translation>
     </message>
     <message>
         <source>Safety violation</source>
@@ -1614,10 +1598,6 @@
         <translation>Arrêt d’urgence IMMI</translation>
     </message>
     <message>
-        <source>The moulding machine&apos;s emergency stop is pressed. Release it, then power on and release the brakes.</source>
-        <translation>L’arrêt d’urgence de la presse à injecter est enfoncé. Relâchez-le, puis mettez sous tension et desserrez les freins.</translation>
-    </message>
-    <message>
         <source>IMMI safeguard stop</source>
         <translation>Arrêt de sauvegarde IMMI</translation>
     </message>
@@ -1652,10 +1632,6 @@
     <message>
         <source>PROFIsafe emergency stop</source>
         <translation>Arrêt d’urgence PROFIsafe</translation>
-    </message>
-    <message>
-        <source>The PROFIsafe controller requests an emergency stop. Clear the request on that controller, then power on and release the brakes.</source>
-        <translation>Le contrôleur PROFIsafe demande un arrêt d’urgence. Annulez la demande sur ce contrôleur, puis mettez sous tension et desserrez les freins.</translation>
     </message>
     <message>
         <source>Safety API stop</source>
@@ -1732,6 +1708,30 @@
     <message>
         <source>Unknown program state %1. See the teach pendant.</source>
         <translation>État de programme inconnu %1. Consultez le pupitre.</translation>
+    </message>
+    <message>
+        <source>The brakes are released. The arm is at standstill.</source>
+        <translation>Les freins sont desserrés. Le bras est à l’arrêt.</translation>
+    </message>
+    <message>
+        <source>The controller stopped the arm. Find the cause, wait 5 s, then unlock the protective stop.</source>
+        <translation>Le contrôleur a arrêté le bras. Trouvez la cause, attendez 5 s, puis déverrouillez l’arrêt de protection.</translation>
+    </message>
+    <message>
+        <source>The cell&apos;s emergency stop is pressed. Release it, then power on the arm and release the brakes.</source>
+        <translation>L’arrêt d’urgence de la cellule est enfoncé. Relâchez-le, puis mettez sous tension et desserrez les freins.</translation>
+    </message>
+    <message>
+        <source>The emergency stop button of the robot is pressed. Twist it clockwise to release it, then power on the arm and release the brakes.</source>
+        <translation>Le bouton d’arrêt d’urgence du robot est enfoncé. Tournez-le dans le sens horaire pour le déverrouiller, puis mettez sous tension et desserrez les freins.</translation>
+    </message>
+    <message>
+        <source>The moulding machine&apos;s emergency stop is pressed. Release it, then power on the arm and release the brakes.</source>
+        <translation>L’arrêt d’urgence de la presse à injecter est enfoncé. Relâchez-le, puis mettez sous tension et desserrez les freins.</translation>
+    </message>
+    <message>
+        <source>The PROFIsafe controller requests an emergency stop. Clear the request on that controller, then power on the arm and release the brakes.</source>
+        <translation>Le contrôleur PROFIsafe demande un arrêt d’urgence. Annulez la demande sur ce contrôleur, puis mettez sous tension et desserrez les freins.</translation>
     </message>
 </context>
 <context>
@@ -4808,10 +4808,6 @@
         <translation>mode du robot ou de sécurité changé</translation>
     </message>
     <message>
-        <source>PC is going to sleep</source>
-        <translation>le PC se met en veille</translation>
-    </message>
-    <message>
         <source>connection lost</source>
         <translation>liaison perdue</translation>
     </message>
@@ -4912,12 +4908,16 @@
         <translation>non mesuré : aucune donnée pendant l’arrêt</translation>
     </message>
     <message>
-        <source>the robot did not receive the stop</source>
-        <translation>le robot n’a pas reçu l’arrêt</translation>
-    </message>
-    <message>
         <source>not measured: another program is moving the arm</source>
         <translation>non mesuré : un autre programme déplace le bras</translation>
+    </message>
+    <message>
+        <source>the PC is going to sleep</source>
+        <translation>le PC se met en veille</translation>
+    </message>
+    <message>
+        <source>the robot did not receive the stop command</source>
+        <translation>le robot n’a pas reçu la commande d’arrêt</translation>
     </message>
 </context>
 <context>
@@ -7301,8 +7301,8 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>« %1 »</translation>
     </message>
     <message>
-        <source>The position of “%1” is unknown because its frame is not in the project. Enter its position, exclude it, or delete it on the Cell page</source>
-        <translation>La position de « %1 » est inconnue car son repère n’est pas dans le projet. Saisissez la position, excluez l’objet ou supprimez-le sur la page Cellule</translation>
+        <source>The position of “%1” is unknown because its frame is not in the project. Enter its position, turn off its collision check, or delete it on the Cell page</source>
+        <translation>La position de « %1 » est inconnue car son repère n’est pas dans le projet. Saisissez la position, désactivez la vérification des collisions de l’objet ou supprimez-le sur la page Cellule</translation>
     </message>
 </context>
 <context>

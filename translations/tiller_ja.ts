@@ -1486,10 +1486,6 @@
         <translation>稼働中</translation>
     </message>
     <message>
-        <source>Brakes are released. The arm is at standstill.</source>
-        <translation>ブレーキは解除され、アームは静止しています。</translation>
-    </message>
-    <message>
         <source>Updating firmware</source>
         <translation>ファームウェア更新中</translation>
     </message>
@@ -1518,10 +1514,6 @@
         <translation>保護停止</translation>
     </message>
     <message>
-        <source>The controller stopped the arm. Find the cause, then unlock the protective stop (after 5 s).</source>
-        <translation>コントローラーがアームを止めました。原因を調べてからロックを解除してください（5 秒後）。</translation>
-    </message>
-    <message>
         <source>Recovery</source>
         <translation>リカバリー</translation>
     </message>
@@ -1542,16 +1534,8 @@
         <translation>システム非常停止</translation>
     </message>
     <message>
-        <source>The cell&apos;s emergency stop is pressed. Release it, then power on and release the brakes.</source>
-        <translation>セルの非常停止が押されています。解除してから電源を入れ、ブレーキを解除してください。</translation>
-    </message>
-    <message>
         <source>Emergency stop</source>
         <translation>非常停止</translation>
-    </message>
-    <message>
-        <source>The emergency stop button of the robot is pressed. Twist it clockwise to release it, then power on and release the brakes.</source>
-        <translation>ロボットの非常停止ボタンが押されています。時計回りに回して解除してから電源を入れ、ブレーキを解除してください。</translation>
     </message>
     <message>
         <source>Safety violation</source>
@@ -1614,10 +1598,6 @@
         <translation>IMMI 非常停止</translation>
     </message>
     <message>
-        <source>The moulding machine&apos;s emergency stop is pressed. Release it, then power on and release the brakes.</source>
-        <translation>成形機の非常停止が押されています。解除してから電源を入れ、ブレーキを解除してください。</translation>
-    </message>
-    <message>
         <source>IMMI safeguard stop</source>
         <translation>IMMI 安全防護停止</translation>
     </message>
@@ -1652,10 +1632,6 @@
     <message>
         <source>PROFIsafe emergency stop</source>
         <translation>PROFIsafe 非常停止</translation>
-    </message>
-    <message>
-        <source>The PROFIsafe controller requests an emergency stop. Clear the request on that controller, then power on and release the brakes.</source>
-        <translation>PROFIsafe コントローラーが非常停止を要求しています。そちらで解除してから電源を入れ、ブレーキを解除してください。</translation>
     </message>
     <message>
         <source>Safety API stop</source>
@@ -1732,6 +1708,30 @@
     <message>
         <source>Unknown program state %1. See the teach pendant.</source>
         <translation>不明なプログラム状態 %1。ティーチペンダントを見てください。</translation>
+    </message>
+    <message>
+        <source>The brakes are released. The arm is at standstill.</source>
+        <translation>ブレーキは解除され、アームは静止しています。</translation>
+    </message>
+    <message>
+        <source>The controller stopped the arm. Find the cause, wait 5 s, then unlock the protective stop.</source>
+        <translation>コントローラーがアームを止めました。原因を調べ、5 秒待ってから保護停止のロックを解除してください。</translation>
+    </message>
+    <message>
+        <source>The cell&apos;s emergency stop is pressed. Release it, then power on the arm and release the brakes.</source>
+        <translation>セルの非常停止が押されています。解除してから電源を入れ、ブレーキを解除してください。</translation>
+    </message>
+    <message>
+        <source>The emergency stop button of the robot is pressed. Twist it clockwise to release it, then power on the arm and release the brakes.</source>
+        <translation>ロボットの非常停止ボタンが押されています。時計回りに回して解除してから電源を入れ、ブレーキを解除してください。</translation>
+    </message>
+    <message>
+        <source>The moulding machine&apos;s emergency stop is pressed. Release it, then power on the arm and release the brakes.</source>
+        <translation>成形機の非常停止が押されています。解除してから電源を入れ、ブレーキを解除してください。</translation>
+    </message>
+    <message>
+        <source>The PROFIsafe controller requests an emergency stop. Clear the request on that controller, then power on the arm and release the brakes.</source>
+        <translation>PROFIsafe コントローラーが非常停止を要求しています。そちらで解除してから電源を入れ、ブレーキを解除してください。</translation>
     </message>
 </context>
 <context>
@@ -4806,10 +4806,6 @@
         <translation>ロボットか安全のモードが変わった</translation>
     </message>
     <message>
-        <source>PC is going to sleep</source>
-        <translation>PC がスリープ</translation>
-    </message>
-    <message>
         <source>connection lost</source>
         <translation>接続切断</translation>
     </message>
@@ -4910,12 +4906,16 @@
         <translation>測定なし: 停止中のデータがありません</translation>
     </message>
     <message>
-        <source>the robot did not receive the stop</source>
-        <translation>ロボットが停止指令を受信していません</translation>
-    </message>
-    <message>
         <source>not measured: another program is moving the arm</source>
         <translation>測定なし: 別のプログラムがアームを動かしています</translation>
+    </message>
+    <message>
+        <source>the PC is going to sleep</source>
+        <translation>PC がスリープ</translation>
+    </message>
+    <message>
+        <source>the robot did not receive the stop command</source>
+        <translation>ロボットが停止指令を受信していません</translation>
     </message>
 </context>
 <context>
@@ -7292,8 +7292,8 @@ Right-click or press F2 to rename it.</source>
         <translation>「%1」</translation>
     </message>
     <message>
-        <source>The position of “%1” is unknown because its frame is not in the project. Enter its position, exclude it, or delete it on the Cell page</source>
-        <translation>「%1」の座標系がプロジェクトにないため、位置が不明です。セルページで位置を入力するか、対象外にするか、削除してください</translation>
+        <source>The position of “%1” is unknown because its frame is not in the project. Enter its position, turn off its collision check, or delete it on the Cell page</source>
+        <translation>「%1」の座標系がプロジェクトにないため、位置が不明です。セルページで位置を入力するか、衝突確認をオフにするか、削除してください</translation>
     </message>
 </context>
 <context>

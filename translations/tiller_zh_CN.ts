@@ -1486,10 +1486,6 @@
         <translation>运行</translation>
     </message>
     <message>
-        <source>Brakes are released. The arm is at standstill.</source>
-        <translation>制动器已松开。机械臂静止。</translation>
-    </message>
-    <message>
         <source>Updating firmware</source>
         <translation>更新固件</translation>
     </message>
@@ -1518,10 +1514,6 @@
         <translation>保护性停止</translation>
     </message>
     <message>
-        <source>The controller stopped the arm. Find the cause, then unlock the protective stop (after 5 s).</source>
-        <translation>控制器停止了机械臂。找出原因，然后解锁（5 s 后）。</translation>
-    </message>
-    <message>
         <source>Recovery</source>
         <translation>恢复</translation>
     </message>
@@ -1542,16 +1534,8 @@
         <translation>系统紧急停止</translation>
     </message>
     <message>
-        <source>The cell&apos;s emergency stop is pressed. Release it, then power on and release the brakes.</source>
-        <translation>单元的紧急停止被按下。松开它，然后上电并松开制动器。</translation>
-    </message>
-    <message>
         <source>Emergency stop</source>
         <translation>紧急停止</translation>
-    </message>
-    <message>
-        <source>The emergency stop button of the robot is pressed. Twist it clockwise to release it, then power on and release the brakes.</source>
-        <translation>机器人的紧急停止按钮被按下。顺时针旋转以松开，然后上电并松开制动器。</translation>
     </message>
     <message>
         <source>Safety violation</source>
@@ -1614,10 +1598,6 @@
         <translation>IMMI 紧急停止</translation>
     </message>
     <message>
-        <source>The moulding machine&apos;s emergency stop is pressed. Release it, then power on and release the brakes.</source>
-        <translation>注塑机的紧急停止被按下。松开它，然后上电并松开制动器。</translation>
-    </message>
-    <message>
         <source>IMMI safeguard stop</source>
         <translation>IMMI 防护停止</translation>
     </message>
@@ -1652,10 +1632,6 @@
     <message>
         <source>PROFIsafe emergency stop</source>
         <translation>PROFIsafe 紧急停止</translation>
-    </message>
-    <message>
-        <source>The PROFIsafe controller requests an emergency stop. Clear the request on that controller, then power on and release the brakes.</source>
-        <translation>PROFIsafe 控制器请求紧急停止。请在该控制器上解除请求，然后上电并松开制动器。</translation>
     </message>
     <message>
         <source>Safety API stop</source>
@@ -1732,6 +1708,30 @@
     <message>
         <source>Unknown program state %1. See the teach pendant.</source>
         <translation>未知程序状态 %1。请查看示教器。</translation>
+    </message>
+    <message>
+        <source>The brakes are released. The arm is at standstill.</source>
+        <translation>制动器已松开。机械臂静止。</translation>
+    </message>
+    <message>
+        <source>The controller stopped the arm. Find the cause, wait 5 s, then unlock the protective stop.</source>
+        <translation>控制器停止了机械臂。找出原因，等待 5 s，然后解锁保护性停止。</translation>
+    </message>
+    <message>
+        <source>The cell&apos;s emergency stop is pressed. Release it, then power on the arm and release the brakes.</source>
+        <translation>单元的紧急停止被按下。松开它，然后上电并松开制动器。</translation>
+    </message>
+    <message>
+        <source>The emergency stop button of the robot is pressed. Twist it clockwise to release it, then power on the arm and release the brakes.</source>
+        <translation>机器人的紧急停止按钮被按下。顺时针旋转以松开，然后上电并松开制动器。</translation>
+    </message>
+    <message>
+        <source>The moulding machine&apos;s emergency stop is pressed. Release it, then power on the arm and release the brakes.</source>
+        <translation>注塑机的紧急停止被按下。松开它，然后上电并松开制动器。</translation>
+    </message>
+    <message>
+        <source>The PROFIsafe controller requests an emergency stop. Clear the request on that controller, then power on the arm and release the brakes.</source>
+        <translation>PROFIsafe 控制器请求紧急停止。请在该控制器上解除请求，然后上电并松开制动器。</translation>
     </message>
 </context>
 <context>
@@ -4806,10 +4806,6 @@
         <translation>机器人或安全模式改变</translation>
     </message>
     <message>
-        <source>PC is going to sleep</source>
-        <translation>PC 将休眠</translation>
-    </message>
-    <message>
         <source>connection lost</source>
         <translation>连接中断</translation>
     </message>
@@ -4910,12 +4906,16 @@
         <translation>未测量：停止期间无数据</translation>
     </message>
     <message>
-        <source>the robot did not receive the stop</source>
-        <translation>机器人未收到停止指令</translation>
-    </message>
-    <message>
         <source>not measured: another program is moving the arm</source>
         <translation>未测量：另一个程序正在移动机械臂</translation>
+    </message>
+    <message>
+        <source>the PC is going to sleep</source>
+        <translation>PC 将休眠</translation>
+    </message>
+    <message>
+        <source>the robot did not receive the stop command</source>
+        <translation>机器人未收到停止指令</translation>
     </message>
 </context>
 <context>
@@ -7292,8 +7292,8 @@ Right-click or press F2 to rename it.</source>
         <translation>“%1”</translation>
     </message>
     <message>
-        <source>The position of “%1” is unknown because its frame is not in the project. Enter its position, exclude it, or delete it on the Cell page</source>
-        <translation>“%1”的位置未知，因为其坐标系不在项目中。请在单元页面上输入位置、将其排除或删除</translation>
+        <source>The position of “%1” is unknown because its frame is not in the project. Enter its position, turn off its collision check, or delete it on the Cell page</source>
+        <translation>“%1”的位置未知，因为其坐标系不在项目中。请在单元页面上输入位置、关闭其碰撞检查或将其删除</translation>
     </message>
 </context>
 <context>

@@ -50,7 +50,7 @@ constexpr auto kRobotModes = std::to_array<Row<RobotMode>>({
          "ModeWords",
          "The arm is being moved by hand with its brakes released. Release the Freedrive button.")},
     {RobotMode::Running, QT_TRANSLATE_NOOP("ModeWords", "Running"),
-     QT_TRANSLATE_NOOP("ModeWords", "Brakes are released. The arm is at standstill.")},
+     QT_TRANSLATE_NOOP("ModeWords", "The brakes are released. The arm is at standstill.")},
     {RobotMode::UpdatingFirmware, QT_TRANSLATE_NOOP("ModeWords", "Updating firmware"),
      QT_TRANSLATE_NOOP(
          "ModeWords",
@@ -65,7 +65,7 @@ constexpr auto kSafety = std::to_array<Row<SafetyStatus>>({
     {SafetyMode::ProtectiveStop, QT_TRANSLATE_NOOP("ModeWords", "Protective stop"),
      QT_TRANSLATE_NOOP(
          "ModeWords",
-         "The controller stopped the arm. Find the cause, then unlock the protective stop (after 5 s).")},
+         "The controller stopped the arm. Find the cause, wait 5 s, then unlock the protective stop.")},
     {SafetyMode::Recovery, QT_TRANSLATE_NOOP("ModeWords", "Recovery"),
      QT_TRANSLATE_NOOP(
          "ModeWords",
@@ -77,11 +77,11 @@ constexpr auto kSafety = std::to_array<Row<SafetyStatus>>({
     {SafetyMode::SystemEmergencyStop, QT_TRANSLATE_NOOP("ModeWords", "System emergency stop"),
      QT_TRANSLATE_NOOP(
          "ModeWords",
-         "The cell's emergency stop is pressed. Release it, then power on and release the brakes.")},
+         "The cell's emergency stop is pressed. Release it, then power on the arm and release the brakes.")},
     {SafetyMode::RobotEmergencyStop, QT_TRANSLATE_NOOP("ModeWords", "Emergency stop"),
      QT_TRANSLATE_NOOP("ModeWords",
                        "The emergency stop button of the robot is pressed. Twist it clockwise to release it, "
-                       "then power on and release the brakes.")},
+                       "then power on the arm and release the brakes.")},
     {SafetyMode::Violation, QT_TRANSLATE_NOOP("ModeWords", "Safety violation"),
      QT_TRANSLATE_NOOP(
          "ModeWords",
@@ -107,8 +107,8 @@ constexpr auto kSafety = std::to_array<Row<SafetyStatus>>({
     {SafetyMode::ImmiEmergencyStop, QT_TRANSLATE_NOOP("ModeWords", "IMMI emergency stop"),
      QT_TRANSLATE_NOOP(
          "ModeWords",
-         "The moulding machine's emergency stop is pressed. Release it, then power on and release the "
-         "brakes.")},
+         "The moulding machine's emergency stop is pressed. Release it, then power on the arm and "
+         "release the brakes.")},
     {SafetyMode::ImmiSafeguardStop, QT_TRANSLATE_NOOP("ModeWords", "IMMI safeguard stop"),
      QT_TRANSLATE_NOOP("ModeWords", "The moulding machine's safeguard is open. Close it.")},
     {SafetyMode::ProfisafeWaitingForParameters, QT_TRANSLATE_NOOP("ModeWords", "PROFIsafe waiting"),
@@ -127,7 +127,7 @@ constexpr auto kSafety = std::to_array<Row<SafetyStatus>>({
     {SafetyMode::ProfisafeEmergencyStop, QT_TRANSLATE_NOOP("ModeWords", "PROFIsafe emergency stop"),
      QT_TRANSLATE_NOOP("ModeWords",
                        "The PROFIsafe controller requests an emergency stop. Clear the request on that "
-                       "controller, then power on and release the brakes.")},
+                       "controller, then power on the arm and release the brakes.")},
     {SafetyMode::SafetyApiSafeguardStop, QT_TRANSLATE_NOOP("ModeWords", "Safety API stop"),
      QT_TRANSLATE_NOOP(
          "ModeWords",

@@ -46,7 +46,7 @@ public:
 
     static QString unplaced(const collision::UnplacedObject& object) {
         return tr("The position of “%1” is unknown because its frame is not in the project. Enter its "
-                  "position, exclude it, or delete it on the Cell page")
+                  "position, turn off its collision check, or delete it on the Cell page")
             .arg(object.name);
     }
 

@@ -205,7 +205,7 @@ QString stopCauseText(control::StopCause cause) {
         case StopCause::EventLoopStalled:
             return TextsText::tr("the window did not respond");
         case StopCause::Sleep:
-            return TextsText::tr("PC is going to sleep");
+            return TextsText::tr("the PC is going to sleep");
         case StopCause::LinkLost:
             return TextsText::tr("connection lost");
         case StopCause::LimitReached:
@@ -237,7 +237,7 @@ QString unmeasuredText(control::UnmeasuredStop::Reason reason) {
         case Reason::OtherProgram:
             return TextsText::tr("not measured: another program is moving the arm");
         case Reason::NotStopped:
-            return TextsText::tr("the robot did not receive the stop");
+            return TextsText::tr("the robot did not receive the stop command");
         case Reason::DataGap:
             break;
     }
