@@ -705,10 +705,6 @@
         <translation>das System gewährt diesem Benutzer keine Echtzeitpriorität</translation>
     </message>
     <message>
-        <source>permitted, and used by real-time loops</source>
-        <translation>erlaubt und von Echtzeitschleifen genutzt</translation>
-    </message>
-    <message>
         <source>CPUs may enter deep sleep states, which delay real-time loops</source>
         <translation>CPUs können in tiefe Ruhezustände wechseln; das verzögert Echtzeitschleifen</translation>
     </message>
@@ -817,14 +813,6 @@
         <translation>weder das Dashboard (Port %1) noch die Robot API (Port %2) ist verfügbar</translation>
     </message>
     <message>
-        <source>Enable the dashboard server on the robot under Settings &gt; Security &gt; Services. PolyScope X requires 10.11 or newer for the Robot API.</source>
-        <translation>Aktivieren Sie den Dashboard-Server am Roboter unter Einstellungen &gt; Sicherheit &gt; Dienste. PolyScope X benötigt für die Robot API Version 10.11 oder neuer.</translation>
-    </message>
-    <message>
-        <source>Robot API %1, port %2; popups must be closed on the teach pendant</source>
-        <translation>Robot API %1, Port %2; Popups müssen am Teach-Pendant geschlossen werden</translation>
-    </message>
-    <message>
         <source>the primary interface sends no data about the arm</source>
         <translation>die primäre Schnittstelle sendet keine Daten über den Arm</translation>
     </message>
@@ -897,10 +885,6 @@
         <translation>Register zum Steuern frei</translation>
     </message>
     <message>
-        <source>No fieldbus uses the registers</source>
-        <translation>Kein Feldbus verwendet Register</translation>
-    </message>
-    <message>
         <source>Data rate</source>
         <translation>Datenrate</translation>
     </message>
@@ -909,12 +893,28 @@
         <translation>Echtzeitpriorität auf diesem PC</translation>
     </message>
     <message>
-        <source>Timer wake-ups on this PC</source>
-        <translation>Timer-Aufwachzeiten auf diesem PC</translation>
-    </message>
-    <message>
         <source>TCP and payload</source>
         <translation>TCP und Nutzlast</translation>
+    </message>
+    <message>
+        <source>real-time loops can keep the CPUs out of deep sleep states</source>
+        <translation>Echtzeitschleifen können tiefe Ruhezustände der CPUs verhindern</translation>
+    </message>
+    <message>
+        <source>Enable the dashboard server on the robot under Settings &gt; Security &gt; Services. On PolyScope X, the Robot API requires version 10.11 or newer.</source>
+        <translation>Aktivieren Sie den Dashboard-Server am Roboter unter Einstellungen &gt; Sicherheit &gt; Dienste. PolyScope X benötigt für die Robot API Version 10.11 oder neuer.</translation>
+    </message>
+    <message>
+        <source>Robot API %1, port %2; popups can be closed only on the teach pendant</source>
+        <translation>Robot API %1, Port %2; Popups können nur am Teach-Pendant geschlossen werden</translation>
+    </message>
+    <message>
+        <source>Fieldbus registers free</source>
+        <translation>Feldbusregister frei</translation>
+    </message>
+    <message>
+        <source>Wake-up latency on this PC</source>
+        <translation>Aufwachlatenz auf diesem PC</translation>
     </message>
 </context>
 <context>

@@ -809,14 +809,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Enable the dashboard server on the robot under Settings &gt; Security &gt; Services. PolyScope X requires 10.11 or newer for the Robot API.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Robot API %1, port %2; popups must be closed on the teach pendant</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>the primary interface sends no data about the arm</source>
         <translation type="unfinished"></translation>
     </message>
@@ -889,10 +881,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No fieldbus uses the registers</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Data rate</source>
         <translation type="unfinished"></translation>
     </message>
@@ -905,15 +893,27 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>permitted, and used by real-time loops</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>CPUs may enter deep sleep states, which delay real-time loops</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Timer wake-ups on this PC</source>
+        <source>Enable the dashboard server on the robot under Settings &gt; Security &gt; Services. On PolyScope X, the Robot API requires version 10.11 or newer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robot API %1, port %2; popups can be closed only on the teach pendant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fieldbus registers free</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>real-time loops can keep the CPUs out of deep sleep states</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wake-up latency on this PC</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

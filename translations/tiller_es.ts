@@ -705,10 +705,6 @@
         <translation>el sistema no concede a este usuario prioridad de tiempo real</translation>
     </message>
     <message>
-        <source>permitted, and used by real-time loops</source>
-        <translation>permitida, y usada por los bucles de tiempo real</translation>
-    </message>
-    <message>
         <source>CPUs may enter deep sleep states, which delay real-time loops</source>
         <translation>las CPU pueden entrar en reposo profundo, lo que retrasa los bucles de tiempo real</translation>
     </message>
@@ -817,14 +813,6 @@
         <translation>ni el Dashboard (puerto %1) ni la Robot API (puerto %2) están disponibles</translation>
     </message>
     <message>
-        <source>Enable the dashboard server on the robot under Settings &gt; Security &gt; Services. PolyScope X requires 10.11 or newer for the Robot API.</source>
-        <translation>Active el servidor Dashboard en el robot en Ajustes &gt; Seguridad &gt; Servicios. PolyScope X necesita la versión 10.11 o posterior para la Robot API.</translation>
-    </message>
-    <message>
-        <source>Robot API %1, port %2; popups must be closed on the teach pendant</source>
-        <translation>Robot API %1, puerto %2; las ventanas emergentes se cierran en la consola portátil</translation>
-    </message>
-    <message>
         <source>the primary interface sends no data about the arm</source>
         <translation>la interfaz primaria no envía datos del brazo</translation>
     </message>
@@ -897,10 +885,6 @@
         <translation>Registros para el control libres</translation>
     </message>
     <message>
-        <source>No fieldbus uses the registers</source>
-        <translation>Ningún bus de campo usa registros</translation>
-    </message>
-    <message>
         <source>Data rate</source>
         <translation>Frecuencia de datos</translation>
     </message>
@@ -909,12 +893,28 @@
         <translation>Prioridad de tiempo real en este PC</translation>
     </message>
     <message>
-        <source>Timer wake-ups on this PC</source>
-        <translation>Activaciones del temporizador en este PC</translation>
-    </message>
-    <message>
         <source>TCP and payload</source>
         <translation>TCP y carga útil</translation>
+    </message>
+    <message>
+        <source>real-time loops can keep the CPUs out of deep sleep states</source>
+        <translation>los bucles de tiempo real pueden evitar el reposo profundo de las CPU</translation>
+    </message>
+    <message>
+        <source>Enable the dashboard server on the robot under Settings &gt; Security &gt; Services. On PolyScope X, the Robot API requires version 10.11 or newer.</source>
+        <translation>Active el servidor Dashboard en el robot en Ajustes &gt; Seguridad &gt; Servicios. PolyScope X necesita la versión 10.11 o posterior para la Robot API.</translation>
+    </message>
+    <message>
+        <source>Robot API %1, port %2; popups can be closed only on the teach pendant</source>
+        <translation>Robot API %1, puerto %2; las ventanas emergentes solo se pueden cerrar en la consola portátil</translation>
+    </message>
+    <message>
+        <source>Fieldbus registers free</source>
+        <translation>Registros de bus de campo libres</translation>
+    </message>
+    <message>
+        <source>Wake-up latency on this PC</source>
+        <translation>Latencia de activación en este PC</translation>
     </message>
 </context>
 <context>

@@ -705,10 +705,6 @@
         <translation>le système n’accorde pas à cet utilisateur de priorité temps réel</translation>
     </message>
     <message>
-        <source>permitted, and used by real-time loops</source>
-        <translation>autorisée, et utilisée par les boucles temps réel</translation>
-    </message>
-    <message>
         <source>CPUs may enter deep sleep states, which delay real-time loops</source>
         <translation>les processeurs peuvent entrer en veille profonde, ce qui retarde les boucles temps réel</translation>
     </message>
@@ -817,14 +813,6 @@
         <translation>ni le Dashboard (port %1) ni la Robot API (port %2) ne sont disponibles</translation>
     </message>
     <message>
-        <source>Enable the dashboard server on the robot under Settings &gt; Security &gt; Services. PolyScope X requires 10.11 or newer for the Robot API.</source>
-        <translation>Activez le serveur Dashboard sur le robot sous Réglages &gt; Sécurité &gt; Services. PolyScope X nécessite la version 10.11 ou plus récente pour la Robot API.</translation>
-    </message>
-    <message>
-        <source>Robot API %1, port %2; popups must be closed on the teach pendant</source>
-        <translation>Robot API %1, port %2 ; les messages doivent être fermés sur le pupitre</translation>
-    </message>
-    <message>
         <source>the primary interface sends no data about the arm</source>
         <translation>l’interface primaire n’envoie aucune donnée sur le bras</translation>
     </message>
@@ -897,10 +885,6 @@
         <translation>Registres de commande libres</translation>
     </message>
     <message>
-        <source>No fieldbus uses the registers</source>
-        <translation>Aucun bus de terrain n’utilise de registres</translation>
-    </message>
-    <message>
         <source>Data rate</source>
         <translation>Débit de données</translation>
     </message>
@@ -909,12 +893,28 @@
         <translation>Priorité temps réel sur ce PC</translation>
     </message>
     <message>
-        <source>Timer wake-ups on this PC</source>
-        <translation>Réveils de minuterie sur ce PC</translation>
-    </message>
-    <message>
         <source>TCP and payload</source>
         <translation>TCP et charge utile</translation>
+    </message>
+    <message>
+        <source>real-time loops can keep the CPUs out of deep sleep states</source>
+        <translation>les boucles temps réel peuvent empêcher la veille profonde des processeurs</translation>
+    </message>
+    <message>
+        <source>Enable the dashboard server on the robot under Settings &gt; Security &gt; Services. On PolyScope X, the Robot API requires version 10.11 or newer.</source>
+        <translation>Activez le serveur Dashboard sur le robot sous Réglages &gt; Sécurité &gt; Services. PolyScope X nécessite la version 10.11 ou plus récente pour la Robot API.</translation>
+    </message>
+    <message>
+        <source>Robot API %1, port %2; popups can be closed only on the teach pendant</source>
+        <translation>Robot API %1, port %2 ; les messages ne peuvent être fermés que sur le pupitre</translation>
+    </message>
+    <message>
+        <source>Fieldbus registers free</source>
+        <translation>Registres de bus de terrain libres</translation>
+    </message>
+    <message>
+        <source>Wake-up latency on this PC</source>
+        <translation>Latence de réveil sur ce PC</translation>
     </message>
 </context>
 <context>

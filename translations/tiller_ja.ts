@@ -705,10 +705,6 @@
         <translation>システムはこのユーザーにリアルタイム優先度を許可していません</translation>
     </message>
     <message>
-        <source>permitted, and used by real-time loops</source>
-        <translation>許可済み。リアルタイムループが使用します</translation>
-    </message>
-    <message>
         <source>CPUs may enter deep sleep states, which delay real-time loops</source>
         <translation>CPU が深いスリープ状態に入ることがあり、リアルタイムループが遅れます</translation>
     </message>
@@ -817,14 +813,6 @@
         <translation>ダッシュボード（ポート %1）も Robot API（ポート %2）もありません</translation>
     </message>
     <message>
-        <source>Enable the dashboard server on the robot under Settings &gt; Security &gt; Services. PolyScope X requires 10.11 or newer for the Robot API.</source>
-        <translation>ロボットの「設定 &gt; セキュリティ &gt; サービス」で Dashboard Server を有効にしてください。PolyScope X の Robot API は 10.11 以降が必要です。</translation>
-    </message>
-    <message>
-        <source>Robot API %1, port %2; popups must be closed on the teach pendant</source>
-        <translation>Robot API %1、ポート %2。ポップアップはティーチペンダントで閉じてください</translation>
-    </message>
-    <message>
         <source>the primary interface sends no data about the arm</source>
         <translation>プライマリーインターフェースからアームの情報が得られません</translation>
     </message>
@@ -897,10 +885,6 @@
         <translation>制御用レジスターの空き</translation>
     </message>
     <message>
-        <source>No fieldbus uses the registers</source>
-        <translation>レジスターを使用するフィールドバスなし</translation>
-    </message>
-    <message>
         <source>Data rate</source>
         <translation>データレート</translation>
     </message>
@@ -909,12 +893,28 @@
         <translation>この PC のリアルタイム優先度</translation>
     </message>
     <message>
-        <source>Timer wake-ups on this PC</source>
-        <translation>この PC のタイマー応答</translation>
-    </message>
-    <message>
         <source>TCP and payload</source>
         <translation>TCP とペイロード</translation>
+    </message>
+    <message>
+        <source>real-time loops can keep the CPUs out of deep sleep states</source>
+        <translation>リアルタイムループは CPU の深いスリープ状態を防止できます</translation>
+    </message>
+    <message>
+        <source>Enable the dashboard server on the robot under Settings &gt; Security &gt; Services. On PolyScope X, the Robot API requires version 10.11 or newer.</source>
+        <translation>ロボットの「設定 &gt; セキュリティ &gt; サービス」で Dashboard Server を有効にしてください。PolyScope X の Robot API は 10.11 以降が必要です。</translation>
+    </message>
+    <message>
+        <source>Robot API %1, port %2; popups can be closed only on the teach pendant</source>
+        <translation>Robot API %1、ポート %2。ポップアップを閉じられるのはティーチペンダントだけです</translation>
+    </message>
+    <message>
+        <source>Fieldbus registers free</source>
+        <translation>フィールドバス用レジスターの空き</translation>
+    </message>
+    <message>
+        <source>Wake-up latency on this PC</source>
+        <translation>この PC のウェイクアップ遅延</translation>
     </message>
 </context>
 <context>

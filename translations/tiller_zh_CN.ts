@@ -705,10 +705,6 @@
         <translation>系统未授予此用户实时优先级</translation>
     </message>
     <message>
-        <source>permitted, and used by real-time loops</source>
-        <translation>已允许，由实时循环使用</translation>
-    </message>
-    <message>
         <source>CPUs may enter deep sleep states, which delay real-time loops</source>
         <translation>CPU 可能进入深度睡眠状态，使实时循环延迟</translation>
     </message>
@@ -817,14 +813,6 @@
         <translation>仪表板（端口 %1）和 Robot API（端口 %2）均不可用</translation>
     </message>
     <message>
-        <source>Enable the dashboard server on the robot under Settings &gt; Security &gt; Services. PolyScope X requires 10.11 or newer for the Robot API.</source>
-        <translation>在机器人的“设置 &gt; 安全 &gt; 服务”中打开 Dashboard Server。PolyScope X 的 Robot API 需要 10.11 或更新版本。</translation>
-    </message>
-    <message>
-        <source>Robot API %1, port %2; popups must be closed on the teach pendant</source>
-        <translation>Robot API %1，端口 %2；弹窗须在示教器上关闭</translation>
-    </message>
-    <message>
         <source>the primary interface sends no data about the arm</source>
         <translation>主接口没有提供机械臂的信息</translation>
     </message>
@@ -897,10 +885,6 @@
         <translation>控制寄存器空闲</translation>
     </message>
     <message>
-        <source>No fieldbus uses the registers</source>
-        <translation>没有现场总线使用寄存器</translation>
-    </message>
-    <message>
         <source>Data rate</source>
         <translation>数据速率</translation>
     </message>
@@ -909,12 +893,28 @@
         <translation>本 PC 的实时优先级</translation>
     </message>
     <message>
-        <source>Timer wake-ups on this PC</source>
-        <translation>本 PC 的定时器唤醒</translation>
-    </message>
-    <message>
         <source>TCP and payload</source>
         <translation>TCP 与有效负载</translation>
+    </message>
+    <message>
+        <source>real-time loops can keep the CPUs out of deep sleep states</source>
+        <translation>实时循环可以阻止 CPU 进入深度睡眠状态</translation>
+    </message>
+    <message>
+        <source>Enable the dashboard server on the robot under Settings &gt; Security &gt; Services. On PolyScope X, the Robot API requires version 10.11 or newer.</source>
+        <translation>在机器人的“设置 &gt; 安全 &gt; 服务”中打开 Dashboard Server。PolyScope X 的 Robot API 需要 10.11 或更新版本。</translation>
+    </message>
+    <message>
+        <source>Robot API %1, port %2; popups can be closed only on the teach pendant</source>
+        <translation>Robot API %1，端口 %2；弹窗只能在示教器上关闭</translation>
+    </message>
+    <message>
+        <source>Fieldbus registers free</source>
+        <translation>现场总线寄存器空闲</translation>
+    </message>
+    <message>
+        <source>Wake-up latency on this PC</source>
+        <translation>本 PC 的唤醒延迟</translation>
     </message>
 </context>
 <context>

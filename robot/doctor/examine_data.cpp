@@ -227,7 +227,8 @@ void examineData(Examiner& examiner) {
     // Relevant only with the permission for real-time priority, which is reported first.
     const QString latency = realtime::CpuLatency::advice();
     if (priority.ok() && latency.isEmpty()) {
-        examiner.good(Condition::WakeUpLatency, DoctorText::tr("permitted, and used by real-time loops"));
+        examiner.good(Condition::WakeUpLatency,
+                      DoctorText::tr("real-time loops can keep the CPUs out of deep sleep states"));
     } else if (priority.ok()) {
         examiner.found(Condition::WakeUpLatency, Verdict::Attention, QStringLiteral("latency.none"),
                        DoctorText::tr("CPUs may enter deep sleep states, which delay real-time loops"),

@@ -71,11 +71,11 @@ void examineRobotApi(Examiner& examiner) {
                 .arg(examiner.patient.ports.dashboard)
                 .arg(port),
             DoctorText::tr("Enable the dashboard server on the robot under Settings > Security > Services. "
-                           "PolyScope X requires 10.11 or newer for the Robot API."));
+                           "On PolyScope X, the Robot API requires version 10.11 or newer."));
         return;
     }
     examiner.good(Condition::ServicePort,
-                  DoctorText::tr("Robot API %1, port %2; popups must be closed on the teach pendant")
+                  DoctorText::tr("Robot API %1, port %2; popups can be closed only on the teach pendant")
                       .arg(*version)
                       .arg(port));
     const Result<bool> remote = client.isInRemoteControl(examiner.within(kReplyMs));

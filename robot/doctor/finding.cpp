@@ -28,10 +28,10 @@ constexpr std::array<Row, kConditionCount> kRows = {{
     {"safety", QT_TRANSLATE_NOOP("Doctor", "Safety")},
     {"power", QT_TRANSLATE_NOOP("Doctor", "Power and brakes")},
     {"registers.upper", QT_TRANSLATE_NOOP("Doctor", "Control registers free")},
-    {"registers.lower", QT_TRANSLATE_NOOP("Doctor", "No fieldbus uses the registers")},
+    {"registers.lower", QT_TRANSLATE_NOOP("Doctor", "Fieldbus registers free")},
     {"rate", QT_TRANSLATE_NOOP("Doctor", "Data rate")},
     {"privilege", QT_TRANSLATE_NOOP("Doctor", "Real-time priority on this PC")},
-    {"latency", QT_TRANSLATE_NOOP("Doctor", "Timer wake-ups on this PC")},
+    {"latency", QT_TRANSLATE_NOOP("Doctor", "Wake-up latency on this PC")},
     {"payload", QT_TRANSLATE_NOOP("Doctor", "TCP and payload")},
 }};
 
