@@ -5000,10 +5000,6 @@
         <translation>Hinzufügen</translation>
     </message>
     <message>
-        <source>Add an action after the selected one</source>
-        <translation>Aktion nach der gewählten hinzufügen</translation>
-    </message>
-    <message>
         <source>Remove</source>
         <translation>Entfernen</translation>
     </message>
@@ -5058,6 +5054,10 @@
     <message>
         <source>After this time, the action fails with a message. With 0, the action waits while the button is held, up to one hour.</source>
         <translation>Nach dieser Zeit bricht das Warten mit einer Meldung ab. 0: wartet, solange die Taste gehalten wird, höchstens eine Stunde.</translation>
+    </message>
+    <message>
+        <source>Add an action after the selected action</source>
+        <translation>Aktion nach der gewählten hinzufügen</translation>
     </message>
 </context>
 <context>
@@ -6093,10 +6093,6 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Welche Wegpunkte</translation>
     </message>
     <message>
-        <source>Selects the waypoints of the route, in the order of the list</source>
-        <translation>Wählt die Wegpunkte der Route in der Reihenfolge der Liste</translation>
-    </message>
-    <message>
         <source>From here</source>
         <translation>Von hier</translation>
     </message>
@@ -6150,6 +6146,10 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     <message>
         <source>At %1: %2</source>
         <translation>An %1: %2</translation>
+    </message>
+    <message>
+        <source>Selects the waypoints to run, in list order</source>
+        <translation>Wählt die Wegpunkte der Route in der Reihenfolge der Liste</translation>
     </message>
 </context>
 <context>
@@ -7503,7 +7503,7 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>○ Bahn</translation>
     </message>
     <message>
-        <source>The path of the arm is being recorded. Press the “● REC” button, or select “Stop recording path” in the menu.</source>
+        <source>The path of the arm is being recorded. To stop recording, press “● REC” or select “Stop recording path” in the menu.</source>
         <translation>Die Bahn des Arms wird aufgezeichnet. Zum Beenden drücken Sie „● REC“ oder wählen im Menü „Bahnaufzeichnung beenden“.</translation>
     </message>
 </context>
@@ -7648,10 +7648,6 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Teachen Sie zuerst die drei Ecken und wählen Sie dann für jede Ecke einen Wegpunkt.</translation>
     </message>
     <message>
-        <source>Two corners are identical. Select a different waypoint for one of them.</source>
-        <translation>Zwei Ecken sind identisch. Wählen Sie für eine davon einen anderen Wegpunkt.</translation>
-    </message>
-    <message>
         <source>The layer height is not a number or is out of range. Enter another layer height.</source>
         <translation>Die Lagenhöhe ist keine Zahl oder außerhalb des Bereichs. Geben Sie eine andere Lagenhöhe ein.</translation>
     </message>
@@ -7667,31 +7663,31 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <source>All cells are excluded. Click a cell to include it.</source>
         <translation>Alle Plätze sind ausgeschlossen. Klicken Sie auf einen Platz, um ihn einzuschließen.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n waypoints.</source>
-        <translation>
-            <numerusform>%n Wegpunkt.</numerusform>
-            <numerusform>%n Wegpunkte.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 All of them are within reach.</source>
-        <translation>%1 Alle sind in Reichweite.</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n of them are out of reach and marked.</source>
-        <translation>
-            <numerusform>%n davon ist außer Reichweite und markiert.</numerusform>
-            <numerusform>%n davon sind außer Reichweite und markiert.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>The three corners are on a straight line. Select a different waypoint for one of them.</source>
         <translation>Die drei Ecken liegen auf einer Geraden. Wählen Sie für eine davon einen anderen Wegpunkt.</translation>
+    </message>
+    <message>
+        <source>Two corners are at the same position. Select a different waypoint for one of them.</source>
+        <translation>Zwei Ecken haben dieselbe Position. Wählen Sie für eine davon einen anderen Wegpunkt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints</source>
+        <translation>
+            <numerusform>%n Wegpunkt</numerusform>
+            <numerusform>%n Wegpunkte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, all within reach.</source>
+        <translation>%1, alle in Reichweite.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %n out of reach and marked.</source>
+        <translation>
+            <numerusform>%1, davon %n außer Reichweite und markiert.</numerusform>
+            <numerusform>%1, davon %n außer Reichweite und markiert.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11166,10 +11162,6 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <source>Frames</source>
         <translation>Koordinatensysteme</translation>
     </message>
-    <message>
-        <source>Reference frame of the waypoint. Changing the frame does not move the waypoint. “—”: no frame; joint positions have priority.</source>
-        <translation>Bezugs-Koordinatensystem des Wegpunkts. Die Position im Raum ändert sich nicht. „—“: kein Koordinatensystem, Gelenkpositionen haben Vorrang</translation>
-    </message>
     <message numerus="yes">
         <source>used in %n steps</source>
         <translation>
@@ -11233,6 +11225,10 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <source>TCP %1 from the flange</source>
         <translation>TCP %1 vom Flansch</translation>
     </message>
+    <message>
+        <source>Reference frame of the waypoint. Changing the frame does not move the waypoint. “—” means no frame: the joint positions have priority.</source>
+        <translation>Bezugs-Koordinatensystem des Wegpunkts. Die Position im Raum ändert sich nicht. „—“: kein Koordinatensystem, Gelenkpositionen haben Vorrang</translation>
+    </message>
 </context>
 <context>
     <name>tiller::WaypointDialogs</name>
@@ -11263,10 +11259,6 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Das Muster „%1“ ändern</translation>
     </message>
     <message>
-        <source>Teach the three corners of the pattern and select them first.</source>
-        <translation>Teachen Sie zuerst die drei Ecken des Musters und wählen Sie sie.</translation>
-    </message>
-    <message>
         <source>Create the pattern “%1”</source>
         <translation>Muster „%1“ erstellen</translation>
     </message>
@@ -11285,10 +11277,6 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
     <message>
         <source>Select a waypoint to see its history.</source>
         <translation>Wählen Sie einen Wegpunkt, um seinen Verlauf zu sehen.</translation>
-    </message>
-    <message>
-        <source>The earlier version cannot be restored because its frame was deleted from the project.</source>
-        <translation>Die frühere Version kann nicht wiederhergestellt werden, weil ihr Koordinatensystem aus dem Projekt gelöscht wurde.</translation>
     </message>
     <message>
         <source>Restore an earlier version of “%1”</source>
@@ -11321,10 +11309,6 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>%1 contains no waypoints.</source>
-        <translation>In %1 sind keine Wegpunkte.</translation>
     </message>
     <message>
         <source>waypoint</source>
@@ -11362,6 +11346,18 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
             <numerusform>Die Aktionen an %n Wegpunkt ändern</numerusform>
             <numerusform>Die Aktionen an %n Wegpunkten ändern</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Teach three waypoints at the corners of the pattern first.</source>
+        <translation>Teachen Sie zuerst drei Wegpunkte an den Ecken des Musters.</translation>
+    </message>
+    <message>
+        <source>The earlier version cannot be restored because its frame was deleted from the project. Select a different version.</source>
+        <translation>Die frühere Version kann nicht wiederhergestellt werden, weil ihr Koordinatensystem aus dem Projekt gelöscht wurde. Wählen Sie eine andere Version.</translation>
+    </message>
+    <message>
+        <source>%1 contains no waypoints. Choose another file.</source>
+        <translation>In %1 sind keine Wegpunkte. Wählen Sie eine andere Datei.</translation>
     </message>
 </context>
 <context>
@@ -11607,10 +11603,6 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>„%1“ auf MoveL ändern</translation>
     </message>
     <message>
-        <source>The arm cannot reach this pose. “%1” was not changed.</source>
-        <translation>Der Arm kann diese Pose nicht erreichen. „%1“ wurde nicht geändert.</translation>
-    </message>
-    <message>
         <source>Change the pose of “%1”</source>
         <translation>Die Pose von „%1“ ändern</translation>
     </message>
@@ -11625,14 +11617,6 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
     <message>
         <source>Change the frame of “%1” to %2</source>
         <translation>Koordinatensystem von „%1“ auf %2 ändern</translation>
-    </message>
-    <message>
-        <source>“%1” is not a number.</source>
-        <translation>„%1“ ist keine Zahl.</translation>
-    </message>
-    <message>
-        <source>%1 is outside the range %2 to %3.</source>
-        <translation>%1 liegt außerhalb von %2 bis %3.</translation>
     </message>
     <message>
         <source>Set the blend of “%1”</source>
@@ -11680,6 +11664,18 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
     <message>
         <source>✕ path</source>
         <translation>✕ Bahn</translation>
+    </message>
+    <message>
+        <source>The arm cannot reach this pose, so “%1” was not changed. Enter a different pose.</source>
+        <translation>Der Arm kann diese Pose nicht erreichen. „%1“ wurde nicht geändert. Geben Sie eine andere Pose ein.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number. Enter a number.</source>
+        <translation>„%1“ ist keine Zahl. Geben Sie eine Zahl ein.</translation>
+    </message>
+    <message>
+        <source>%1 is out of range. Enter a value from %2 to %3.</source>
+        <translation>%1 liegt außerhalb des Bereichs. Geben Sie einen Wert von %2 bis %3 ein.</translation>
     </message>
 </context>
 <context>
@@ -12027,10 +12023,6 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Verlauf…</translation>
     </message>
     <message>
-        <source>Pattern…</source>
-        <translation>Muster…</translation>
-    </message>
-    <message>
         <source>Convert pattern to waypoints</source>
         <translation>Muster in Wegpunkte umwandeln</translation>
     </message>
@@ -12065,6 +12057,10 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Create or edit pattern…</source>
+        <translation>Muster erstellen oder ändern…</translation>
     </message>
 </context>
 <context>

@@ -5000,10 +5000,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Add an action after the selected one</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Remove</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5057,6 +5053,10 @@
     </message>
     <message>
         <source>After this time, the action fails with a message. With 0, the action waits while the button is held, up to one hour.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add an action after the selected action</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6096,10 +6096,6 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Selects the waypoints of the route, in the order of the list</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>From here</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6145,6 +6141,10 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
     </message>
     <message>
         <source>At %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Selects the waypoints to run, in list order</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7496,7 +7496,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The path of the arm is being recorded. Press the “● REC” button, or select “Stop recording path” in the menu.</source>
+        <source>The path of the arm is being recorded. To stop recording, press “● REC” or select “Stop recording path” in the menu.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7641,10 +7641,6 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Two corners are identical. Select a different waypoint for one of them.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The layer height is not a number or is out of range. Enter another layer height.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7660,31 +7656,31 @@ Right-click or press F2 to rename it.</source>
         <source>All cells are excluded. Click a cell to include it.</source>
         <translation type="unfinished"></translation>
     </message>
-    <message numerus="yes">
-        <source>%n waypoints.</source>
-        <translation>
-            <numerusform>%n waypoint.</numerusform>
-            <numerusform>%n waypoints.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 All of them are within reach.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>%n of them are out of reach and marked.</source>
-        <translation>
-            <numerusform>%n of them is out of reach and marked.</numerusform>
-            <numerusform>%n of them are out of reach and marked.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>The three corners are on a straight line. Select a different waypoint for one of them.</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two corners are at the same position. Select a different waypoint for one of them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints</source>
+        <translation>
+            <numerusform>%n waypoint</numerusform>
+            <numerusform>%n waypoints</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, all within reach.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %n out of reach and marked.</source>
+        <translation>
+            <numerusform>%1, %n out of reach and marked.</numerusform>
+            <numerusform>%1, %n out of reach and marked.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11140,10 +11136,6 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <source>Frames</source>
         <translation type="unfinished"></translation>
     </message>
-    <message>
-        <source>Reference frame of the waypoint. Changing the frame does not move the waypoint. “—”: no frame; joint positions have priority.</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message numerus="yes">
         <source>used in %n steps</source>
         <translation>
@@ -11215,6 +11207,10 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <source>TCP %1 from the flange</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Reference frame of the waypoint. Changing the frame does not move the waypoint. “—” means no frame: the joint positions have priority.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::WaypointDialogs</name>
@@ -11245,10 +11241,6 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Teach the three corners of the pattern and select them first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Create the pattern “%1”</source>
         <translation type="unfinished"></translation>
     </message>
@@ -11266,10 +11258,6 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
     </message>
     <message>
         <source>Select a waypoint to see its history.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The earlier version cannot be restored because its frame was deleted from the project.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11302,10 +11290,6 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 contains no waypoints.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11344,6 +11328,18 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
             <numerusform>Change the actions at %n waypoint</numerusform>
             <numerusform>Change the actions at %n waypoints</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Teach three waypoints at the corners of the pattern first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The earlier version cannot be restored because its frame was deleted from the project. Select a different version.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 contains no waypoints. Choose another file.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -11601,23 +11597,11 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” is not a number.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 is outside the range %2 to %3.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Set the blend of “%1”</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Set the speed of “%1”</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The arm cannot reach this pose. “%1” was not changed.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11661,6 +11645,18 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
     </message>
     <message>
         <source>✕ path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is not a number. Enter a number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is out of range. Enter a value from %2 to %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm cannot reach this pose, so “%1” was not changed. Enter a different pose.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -12008,10 +12004,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Pattern…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Convert pattern to waypoints</source>
         <translation type="unfinished"></translation>
     </message>
@@ -12045,6 +12037,10 @@ Jog the arm to a position and press “Teach here” (T).</source>
     </message>
     <message>
         <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Create or edit pattern…</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

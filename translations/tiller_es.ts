@@ -5000,10 +5000,6 @@
         <translation>Añadir</translation>
     </message>
     <message>
-        <source>Add an action after the selected one</source>
-        <translation>Añadir una acción después de la seleccionada</translation>
-    </message>
-    <message>
         <source>Remove</source>
         <translation>Quitar</translation>
     </message>
@@ -5058,6 +5054,10 @@
     <message>
         <source>After this time, the action fails with a message. With 0, the action waits while the button is held, up to one hour.</source>
         <translation>Después de este tiempo, la espera falla con un mensaje. 0: espera mientras se mantiene el botón, una hora como máximo.</translation>
+    </message>
+    <message>
+        <source>Add an action after the selected action</source>
+        <translation>Añadir una acción después de la seleccionada</translation>
     </message>
 </context>
 <context>
@@ -6093,10 +6093,6 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>Qué puntos</translation>
     </message>
     <message>
-        <source>Selects the waypoints of the route, in the order of the list</source>
-        <translation>Selecciona los puntos de paso de la ruta, en el orden de la lista</translation>
-    </message>
-    <message>
         <source>From here</source>
         <translation>Desde aquí</translation>
     </message>
@@ -6150,6 +6146,10 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
     <message>
         <source>At %1: %2</source>
         <translation>En %1: %2</translation>
+    </message>
+    <message>
+        <source>Selects the waypoints to run, in list order</source>
+        <translation>Selecciona los puntos de paso de la ruta, en el orden de la lista</translation>
     </message>
 </context>
 <context>
@@ -7503,7 +7503,7 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>○ Ruta</translation>
     </message>
     <message>
-        <source>The path of the arm is being recorded. Press the “● REC” button, or select “Stop recording path” in the menu.</source>
+        <source>The path of the arm is being recorded. To stop recording, press “● REC” or select “Stop recording path” in the menu.</source>
         <translation>Se está grabando la trayectoria del brazo. Para terminar, pulse «● REC» o seleccione el mismo comando en el menú.</translation>
     </message>
 </context>
@@ -7648,10 +7648,6 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Enseñe primero las tres esquinas y seleccione después un punto de paso para cada una.</translation>
     </message>
     <message>
-        <source>Two corners are identical. Select a different waypoint for one of them.</source>
-        <translation>Dos esquinas son idénticas. Seleccione otro punto de paso para una de ellas.</translation>
-    </message>
-    <message>
         <source>The layer height is not a number or is out of range. Enter another layer height.</source>
         <translation>La altura de capa no es un número o está fuera del rango. Introduzca otra altura de capa.</translation>
     </message>
@@ -7667,31 +7663,31 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <source>All cells are excluded. Click a cell to include it.</source>
         <translation>Todas las celdas están excluidas. Haga clic en una celda para incluirla.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n waypoints.</source>
-        <translation>
-            <numerusform>%n punto de paso.</numerusform>
-            <numerusform>%n puntos de paso.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 All of them are within reach.</source>
-        <translation>%1 Todas están al alcance.</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n of them are out of reach and marked.</source>
-        <translation>
-            <numerusform>%n de ellas está fuera de alcance y marcada.</numerusform>
-            <numerusform>%n de ellas están fuera de alcance y marcadas.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>The three corners are on a straight line. Select a different waypoint for one of them.</source>
         <translation>Las tres esquinas están en una recta. Seleccione otro punto de paso para una de ellas.</translation>
+    </message>
+    <message>
+        <source>Two corners are at the same position. Select a different waypoint for one of them.</source>
+        <translation>Dos esquinas están en la misma posición. Seleccione otro punto de paso para una de ellas.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints</source>
+        <translation>
+            <numerusform>%n punto de paso</numerusform>
+            <numerusform>%n puntos de paso</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, all within reach.</source>
+        <translation>%1, todos al alcance.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %n out of reach and marked.</source>
+        <translation>
+            <numerusform>%1, %n fuera de alcance y marcado.</numerusform>
+            <numerusform>%1, %n fuera de alcance y marcados.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11166,10 +11162,6 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <source>Frames</source>
         <translation>Sistemas de coordenadas</translation>
     </message>
-    <message>
-        <source>Reference frame of the waypoint. Changing the frame does not move the waypoint. “—”: no frame; joint positions have priority.</source>
-        <translation>Sistema de referencia del punto de paso. La posición en el espacio no cambia. «—»: sin sistema, las articulaciones tienen prioridad</translation>
-    </message>
     <message numerus="yes">
         <source>used in %n steps</source>
         <translation>
@@ -11233,6 +11225,10 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <source>TCP %1 from the flange</source>
         <translation>TCP a %1 de la brida</translation>
     </message>
+    <message>
+        <source>Reference frame of the waypoint. Changing the frame does not move the waypoint. “—” means no frame: the joint positions have priority.</source>
+        <translation>Sistema de referencia del punto de paso. La posición en el espacio no cambia. «—»: sin sistema, las articulaciones tienen prioridad</translation>
+    </message>
 </context>
 <context>
     <name>tiller::WaypointDialogs</name>
@@ -11263,10 +11259,6 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Cambiar el patrón «%1»</translation>
     </message>
     <message>
-        <source>Teach the three corners of the pattern and select them first.</source>
-        <translation>Enseñe primero las tres esquinas del patrón y selecciónelas.</translation>
-    </message>
-    <message>
         <source>Create the pattern “%1”</source>
         <translation>Crear el patrón «%1»</translation>
     </message>
@@ -11285,10 +11277,6 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
     <message>
         <source>Select a waypoint to see its history.</source>
         <translation>Seleccione un punto para ver su historial.</translation>
-    </message>
-    <message>
-        <source>The earlier version cannot be restored because its frame was deleted from the project.</source>
-        <translation>La versión anterior no se puede restaurar porque su sistema de coordenadas se eliminó del proyecto.</translation>
     </message>
     <message>
         <source>Restore an earlier version of “%1”</source>
@@ -11321,10 +11309,6 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>%1 contains no waypoints.</source>
-        <translation>No hay puntos de paso en %1.</translation>
     </message>
     <message>
         <source>waypoint</source>
@@ -11362,6 +11346,18 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
             <numerusform>Cambiar las acciones en %n punto</numerusform>
             <numerusform>Cambiar las acciones en %n puntos</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Teach three waypoints at the corners of the pattern first.</source>
+        <translation>Enseñe primero tres puntos de paso en las esquinas del patrón.</translation>
+    </message>
+    <message>
+        <source>The earlier version cannot be restored because its frame was deleted from the project. Select a different version.</source>
+        <translation>La versión anterior no se puede restaurar porque su sistema de coordenadas se eliminó del proyecto. Seleccione otra versión.</translation>
+    </message>
+    <message>
+        <source>%1 contains no waypoints. Choose another file.</source>
+        <translation>No hay puntos de paso en %1. Elija otro archivo.</translation>
     </message>
 </context>
 <context>
@@ -11607,10 +11603,6 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Cambiar «%1» a MoveL</translation>
     </message>
     <message>
-        <source>The arm cannot reach this pose. “%1” was not changed.</source>
-        <translation>El brazo no puede alcanzar esta pose. «%1» no se cambió.</translation>
-    </message>
-    <message>
         <source>Change the pose of “%1”</source>
         <translation>Cambiar la pose de «%1»</translation>
     </message>
@@ -11625,14 +11617,6 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
     <message>
         <source>Change the frame of “%1” to %2</source>
         <translation>Cambiar el sistema de «%1» a %2</translation>
-    </message>
-    <message>
-        <source>“%1” is not a number.</source>
-        <translation>«%1» no es un número.</translation>
-    </message>
-    <message>
-        <source>%1 is outside the range %2 to %3.</source>
-        <translation>%1 está fuera de %2 a %3.</translation>
     </message>
     <message>
         <source>Set the blend of “%1”</source>
@@ -11680,6 +11664,18 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
     <message>
         <source>✕ path</source>
         <translation>✕ ruta</translation>
+    </message>
+    <message>
+        <source>The arm cannot reach this pose, so “%1” was not changed. Enter a different pose.</source>
+        <translation>El brazo no puede alcanzar esta pose. «%1» no se cambió. Introduzca otra pose.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number. Enter a number.</source>
+        <translation>«%1» no es un número. Introduzca un número.</translation>
+    </message>
+    <message>
+        <source>%1 is out of range. Enter a value from %2 to %3.</source>
+        <translation>%1 está fuera del intervalo. Introduzca un valor de %2 a %3.</translation>
     </message>
 </context>
 <context>
@@ -12027,10 +12023,6 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Historial…</translation>
     </message>
     <message>
-        <source>Pattern…</source>
-        <translation>Patrón…</translation>
-    </message>
-    <message>
         <source>Convert pattern to waypoints</source>
         <translation>Convertir patrón en puntos de paso</translation>
     </message>
@@ -12065,6 +12057,10 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     <message>
         <source>Close</source>
         <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Create or edit pattern…</source>
+        <translation>Crear o editar patrón…</translation>
     </message>
 </context>
 <context>

@@ -5000,10 +5000,6 @@
         <translation>Ajouter</translation>
     </message>
     <message>
-        <source>Add an action after the selected one</source>
-        <translation>Ajouter une action après celle sélectionnée</translation>
-    </message>
-    <message>
         <source>Remove</source>
         <translation>Retirer</translation>
     </message>
@@ -5058,6 +5054,10 @@
     <message>
         <source>After this time, the action fails with a message. With 0, the action waits while the button is held, up to one hour.</source>
         <translation>Après ce délai, l’attente échoue avec un message. 0 : attend tant que le bouton est maintenu, une heure au plus.</translation>
+    </message>
+    <message>
+        <source>Add an action after the selected action</source>
+        <translation>Ajouter une action après celle sélectionnée</translation>
     </message>
 </context>
 <context>
@@ -6093,10 +6093,6 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>Quels points</translation>
     </message>
     <message>
-        <source>Selects the waypoints of the route, in the order of the list</source>
-        <translation>Choisit les points de l’itinéraire, dans l’ordre de la liste</translation>
-    </message>
-    <message>
         <source>From here</source>
         <translation>D’ici</translation>
     </message>
@@ -6150,6 +6146,10 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
     <message>
         <source>At %1: %2</source>
         <translation>À %1 : %2</translation>
+    </message>
+    <message>
+        <source>Selects the waypoints to run, in list order</source>
+        <translation>Choisit les points de l’itinéraire, dans l’ordre de la liste</translation>
     </message>
 </context>
 <context>
@@ -7503,7 +7503,7 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>○ Trajet</translation>
     </message>
     <message>
-        <source>The path of the arm is being recorded. Press the “● REC” button, or select “Stop recording path” in the menu.</source>
+        <source>The path of the arm is being recorded. To stop recording, press “● REC” or select “Stop recording path” in the menu.</source>
         <translation>La trajectoire du bras est enregistrée. Pour terminer, appuyez sur « ● REC » ou sélectionnez la même commande dans le menu.</translation>
     </message>
 </context>
@@ -7648,10 +7648,6 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Apprenez d’abord les trois coins, puis sélectionnez un point de passage pour chacun.</translation>
     </message>
     <message>
-        <source>Two corners are identical. Select a different waypoint for one of them.</source>
-        <translation>Deux coins sont identiques. Sélectionnez un autre point pour l’un d’eux.</translation>
-    </message>
-    <message>
         <source>The layer height is not a number or is out of range. Enter another layer height.</source>
         <translation>La hauteur de couche n’est pas un nombre ou est hors de la plage. Saisissez une autre hauteur de couche.</translation>
     </message>
@@ -7667,31 +7663,31 @@ Clic droit ou F2 pour renommer.</translation>
         <source>All cells are excluded. Click a cell to include it.</source>
         <translation>Tous les emplacements sont exclus. Cliquez sur un emplacement pour l’inclure.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n waypoints.</source>
-        <translation>
-            <numerusform>%n point de passage.</numerusform>
-            <numerusform>%n points de passage.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 All of them are within reach.</source>
-        <translation>%1 Tous sont à portée.</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n of them are out of reach and marked.</source>
-        <translation>
-            <numerusform>%n d’entre eux est hors de portée et marqué.</numerusform>
-            <numerusform>%n d’entre eux sont hors de portée et marqués.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>The three corners are on a straight line. Select a different waypoint for one of them.</source>
         <translation>Les trois coins sont alignés. Sélectionnez un autre point de passage pour l&apos;un d&apos;eux.</translation>
+    </message>
+    <message>
+        <source>Two corners are at the same position. Select a different waypoint for one of them.</source>
+        <translation>Deux coins sont à la même position. Sélectionnez un autre point pour l’un d’eux.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints</source>
+        <translation>
+            <numerusform>%n point de passage</numerusform>
+            <numerusform>%n points de passage</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, all within reach.</source>
+        <translation>%1, tous à portée.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %n out of reach and marked.</source>
+        <translation>
+            <numerusform>%1, %n hors de portée et marqué.</numerusform>
+            <numerusform>%1, %n hors de portée et marqués.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11166,10 +11162,6 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <source>Frames</source>
         <translation>Repères</translation>
     </message>
-    <message>
-        <source>Reference frame of the waypoint. Changing the frame does not move the waypoint. “—”: no frame; joint positions have priority.</source>
-        <translation>Repère de référence du point de passage. La position dans l’espace ne change pas. « — » : sans repère, les articulations ont priorité</translation>
-    </message>
     <message numerus="yes">
         <source>used in %n steps</source>
         <translation>
@@ -11233,6 +11225,10 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <source>TCP %1 from the flange</source>
         <translation>TCP à %1 de la bride</translation>
     </message>
+    <message>
+        <source>Reference frame of the waypoint. Changing the frame does not move the waypoint. “—” means no frame: the joint positions have priority.</source>
+        <translation>Repère de référence du point de passage. La position dans l’espace ne change pas. « — » : sans repère, les articulations ont priorité</translation>
+    </message>
 </context>
 <context>
     <name>tiller::WaypointDialogs</name>
@@ -11263,10 +11259,6 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Changer le motif « %1 »</translation>
     </message>
     <message>
-        <source>Teach the three corners of the pattern and select them first.</source>
-        <translation>Apprenez d’abord les trois coins du motif, et choisissez-les.</translation>
-    </message>
-    <message>
         <source>Create the pattern “%1”</source>
         <translation>Créer le motif « %1 »</translation>
     </message>
@@ -11285,10 +11277,6 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
     <message>
         <source>Select a waypoint to see its history.</source>
         <translation>Choisissez un point pour voir son historique.</translation>
-    </message>
-    <message>
-        <source>The earlier version cannot be restored because its frame was deleted from the project.</source>
-        <translation>La version antérieure ne peut pas être restaurée, car son repère a été supprimé du projet.</translation>
     </message>
     <message>
         <source>Restore an earlier version of “%1”</source>
@@ -11321,10 +11309,6 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
     <message>
         <source>%1: %2</source>
         <translation>%1 : %2</translation>
-    </message>
-    <message>
-        <source>%1 contains no waypoints.</source>
-        <translation>Il n’y a pas de points dans %1.</translation>
     </message>
     <message>
         <source>waypoint</source>
@@ -11362,6 +11346,18 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
             <numerusform>Modifier les actions à %n point</numerusform>
             <numerusform>Modifier les actions à %n points</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Teach three waypoints at the corners of the pattern first.</source>
+        <translation>Apprenez d’abord trois points de passage aux coins du motif.</translation>
+    </message>
+    <message>
+        <source>The earlier version cannot be restored because its frame was deleted from the project. Select a different version.</source>
+        <translation>La version antérieure ne peut pas être restaurée, car son repère a été supprimé du projet. Sélectionnez une autre version.</translation>
+    </message>
+    <message>
+        <source>%1 contains no waypoints. Choose another file.</source>
+        <translation>Il n’y a pas de points dans %1. Choisissez un autre fichier.</translation>
     </message>
 </context>
 <context>
@@ -11607,10 +11603,6 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Passer « %1 » en MoveL</translation>
     </message>
     <message>
-        <source>The arm cannot reach this pose. “%1” was not changed.</source>
-        <translation>Le bras ne peut pas atteindre cette pose. « %1 » n’a pas été modifié.</translation>
-    </message>
-    <message>
         <source>Change the pose of “%1”</source>
         <translation>Changer la pose de « %1 »</translation>
     </message>
@@ -11625,14 +11617,6 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
     <message>
         <source>Change the frame of “%1” to %2</source>
         <translation>Changer le repère de « %1 » en %2</translation>
-    </message>
-    <message>
-        <source>“%1” is not a number.</source>
-        <translation>« %1 » n’est pas un nombre.</translation>
-    </message>
-    <message>
-        <source>%1 is outside the range %2 to %3.</source>
-        <translation>%1 est hors de %2 à %3.</translation>
     </message>
     <message>
         <source>Set the blend of “%1”</source>
@@ -11680,6 +11664,18 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
     <message>
         <source>✕ path</source>
         <translation>✕ trajet</translation>
+    </message>
+    <message>
+        <source>The arm cannot reach this pose, so “%1” was not changed. Enter a different pose.</source>
+        <translation>Le bras ne peut pas atteindre cette pose. « %1 » n’a pas été modifié. Saisissez une autre pose.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number. Enter a number.</source>
+        <translation>« %1 » n’est pas un nombre. Saisissez un nombre.</translation>
+    </message>
+    <message>
+        <source>%1 is out of range. Enter a value from %2 to %3.</source>
+        <translation>%1 est hors plage. Saisissez une valeur de %2 à %3.</translation>
     </message>
 </context>
 <context>
@@ -12027,10 +12023,6 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Historique…</translation>
     </message>
     <message>
-        <source>Pattern…</source>
-        <translation>Motif…</translation>
-    </message>
-    <message>
         <source>Convert pattern to waypoints</source>
         <translation>Convertir le motif en points de passage</translation>
     </message>
@@ -12065,6 +12057,10 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     <message>
         <source>Close</source>
         <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Create or edit pattern…</source>
+        <translation>Créer ou modifier un motif…</translation>
     </message>
 </context>
 <context>

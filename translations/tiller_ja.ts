@@ -4997,10 +4997,6 @@
         <translation>追加</translation>
     </message>
     <message>
-        <source>Add an action after the selected one</source>
-        <translation>選んだ動作の後に動作を追加</translation>
-    </message>
-    <message>
         <source>Remove</source>
         <translation>削除</translation>
     </message>
@@ -5055,6 +5051,10 @@
     <message>
         <source>After this time, the action fails with a message. With 0, the action waits while the button is held, up to one hour.</source>
         <translation>この時間を過ぎると待機は失敗し、メッセージを表示します。0：ボタンを押している間、最大 1 時間待ちます。</translation>
+    </message>
+    <message>
+        <source>Add an action after the selected action</source>
+        <translation>選んだ動作の後に動作を追加</translation>
     </message>
 </context>
 <context>
@@ -6085,10 +6085,6 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>どのウェイポイント</translation>
     </message>
     <message>
-        <source>Selects the waypoints of the route, in the order of the list</source>
-        <translation>ルートのウェイポイントを一覧の順に選択します</translation>
-    </message>
-    <message>
         <source>From here</source>
         <translation>ここから</translation>
     </message>
@@ -6141,6 +6137,10 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
     <message>
         <source>At %1: %2</source>
         <translation>%1で: %2</translation>
+    </message>
+    <message>
+        <source>Selects the waypoints to run, in list order</source>
+        <translation>ルートのウェイポイントを一覧の順に選択します</translation>
     </message>
 </context>
 <context>
@@ -7493,7 +7493,7 @@ Right-click or press F2 to rename it.</source>
         <translation>○ 経路</translation>
     </message>
     <message>
-        <source>The path of the arm is being recorded. Press the “● REC” button, or select “Stop recording path” in the menu.</source>
+        <source>The path of the arm is being recorded. To stop recording, press “● REC” or select “Stop recording path” in the menu.</source>
         <translation>アームの経路を記録しています。終了するには「● REC」を押すか、メニューで経路記録の停止を選択してください。</translation>
     </message>
 </context>
@@ -7637,10 +7637,6 @@ Right-click or press F2 to rename it.</source>
         <translation>先に三隅を教示し、次に各隅のウェイポイントを選んでください。</translation>
     </message>
     <message>
-        <source>Two corners are identical. Select a different waypoint for one of them.</source>
-        <translation>二つの隅が同じ位置です。一方に別のウェイポイントを選んでください。</translation>
-    </message>
-    <message>
         <source>The layer height is not a number or is out of range. Enter another layer height.</source>
         <translation>層の高さが数値でないか、範囲外です。別の値を入力してください。</translation>
     </message>
@@ -7656,29 +7652,29 @@ Right-click or press F2 to rename it.</source>
         <source>All cells are excluded. Click a cell to include it.</source>
         <translation>すべてのセルが除外されています。セルをクリックして含めてください。</translation>
     </message>
-    <message numerus="yes">
-        <source>%n waypoints.</source>
-        <translation>
-            <numerusform>%n 個のウェイポイント。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 All of them are within reach.</source>
-        <translation>%1 すべて到達可能です。</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n of them are out of reach and marked.</source>
-        <translation>
-            <numerusform>うち %n 個は到達不可で、印を付けました。</numerusform>
-        </translation>
-    </message>
     <message>
         <source>The three corners are on a straight line. Select a different waypoint for one of them.</source>
         <translation>3 つの角が一直線上にあります。いずれかに別のウェイポイントを選択してください。</translation>
+    </message>
+    <message>
+        <source>Two corners are at the same position. Select a different waypoint for one of them.</source>
+        <translation>二つの隅が同じ位置です。一方に別のウェイポイントを選んでください。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints</source>
+        <translation>
+            <numerusform>%n 個のウェイポイント</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, all within reach.</source>
+        <translation>%1、すべて到達可能です。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %n out of reach and marked.</source>
+        <translation>
+            <numerusform>%1、うち %n 個は到達不可で、印を付けました。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11137,10 +11133,6 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <source>Frames</source>
         <translation>座標系</translation>
     </message>
-    <message>
-        <source>Reference frame of the waypoint. Changing the frame does not move the waypoint. “—”: no frame; joint positions have priority.</source>
-        <translation>ウェイポイントの基準座標系。空間での位置は変わりません。「—」：座標系なし、関節位置が優先</translation>
-    </message>
     <message numerus="yes">
         <source>used in %n steps</source>
         <translation>
@@ -11203,6 +11195,10 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <source>TCP %1 from the flange</source>
         <translation>TCP はフランジから %1</translation>
     </message>
+    <message>
+        <source>Reference frame of the waypoint. Changing the frame does not move the waypoint. “—” means no frame: the joint positions have priority.</source>
+        <translation>ウェイポイントの基準座標系。空間での位置は変わりません。「—」：座標系なし、関節位置が優先</translation>
+    </message>
 </context>
 <context>
     <name>tiller::WaypointDialogs</name>
@@ -11231,10 +11227,6 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <translation>パターン「%1」を変更</translation>
     </message>
     <message>
-        <source>Teach the three corners of the pattern and select them first.</source>
-        <translation>先にパターンの三隅を教示し、選択してください。</translation>
-    </message>
-    <message>
         <source>Create the pattern “%1”</source>
         <translation>パターン「%1」を作成</translation>
     </message>
@@ -11253,10 +11245,6 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
     <message>
         <source>Select a waypoint to see its history.</source>
         <translation>履歴を見るウェイポイントを選んでください。</translation>
-    </message>
-    <message>
-        <source>The earlier version cannot be restored because its frame was deleted from the project.</source>
-        <translation>以前の版の座標系がプロジェクトから削除されているため、復元できません。</translation>
     </message>
     <message>
         <source>Restore an earlier version of “%1”</source>
@@ -11291,10 +11279,6 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <translation>%1：%2</translation>
     </message>
     <message>
-        <source>%1 contains no waypoints.</source>
-        <translation>%1 にウェイポイントがありません。</translation>
-    </message>
-    <message>
         <source>waypoint</source>
         <translation>ウェイポイント</translation>
     </message>
@@ -11327,6 +11311,18 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <translation>
             <numerusform>%n個のウェイポイントの動作を変更</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Teach three waypoints at the corners of the pattern first.</source>
+        <translation>先にパターンの隅に三つのウェイポイントを教示してください。</translation>
+    </message>
+    <message>
+        <source>The earlier version cannot be restored because its frame was deleted from the project. Select a different version.</source>
+        <translation>以前の版の座標系がプロジェクトから削除されているため、復元できません。別の版を選択してください。</translation>
+    </message>
+    <message>
+        <source>%1 contains no waypoints. Choose another file.</source>
+        <translation>%1 にウェイポイントがありません。別のファイルを選んでください。</translation>
     </message>
 </context>
 <context>
@@ -11570,10 +11566,6 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <translation>「%1」を MoveL にする</translation>
     </message>
     <message>
-        <source>The arm cannot reach this pose. “%1” was not changed.</source>
-        <translation>アームはこの姿勢に到達できません。「%1」は変更されていません。</translation>
-    </message>
-    <message>
         <source>Change the pose of “%1”</source>
         <translation>「%1」の姿勢を変更</translation>
     </message>
@@ -11588,14 +11580,6 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
     <message>
         <source>Change the frame of “%1” to %2</source>
         <translation>「%1」の座標系を %2 に変更</translation>
-    </message>
-    <message>
-        <source>“%1” is not a number.</source>
-        <translation>「%1」は数ではありません。</translation>
-    </message>
-    <message>
-        <source>%1 is outside the range %2 to %3.</source>
-        <translation>%1 は %2〜%3 の範囲外です。</translation>
     </message>
     <message>
         <source>Set the blend of “%1”</source>
@@ -11642,6 +11626,18 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
     <message>
         <source>✕ path</source>
         <translation>✕ 経路</translation>
+    </message>
+    <message>
+        <source>The arm cannot reach this pose, so “%1” was not changed. Enter a different pose.</source>
+        <translation>アームはこの姿勢に到達できません。「%1」は変更されていません。別の姿勢を入力してください。</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number. Enter a number.</source>
+        <translation>「%1」は数ではありません。数を入力してください。</translation>
+    </message>
+    <message>
+        <source>%1 is out of range. Enter a value from %2 to %3.</source>
+        <translation>%1 は範囲外です。%2〜%3 の値を入力してください。</translation>
     </message>
 </context>
 <context>
@@ -11985,10 +11981,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>履歴…</translation>
     </message>
     <message>
-        <source>Pattern…</source>
-        <translation>パターン…</translation>
-    </message>
-    <message>
         <source>Convert pattern to waypoints</source>
         <translation>パターンをウェイポイントに変換</translation>
     </message>
@@ -12023,6 +12015,10 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>Close</source>
         <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>Create or edit pattern…</source>
+        <translation>パターンを作成または編集…</translation>
     </message>
 </context>
 <context>

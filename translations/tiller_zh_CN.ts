@@ -4997,10 +4997,6 @@
         <translation>添加</translation>
     </message>
     <message>
-        <source>Add an action after the selected one</source>
-        <translation>在所选动作之后添加动作</translation>
-    </message>
-    <message>
         <source>Remove</source>
         <translation>移除</translation>
     </message>
@@ -5055,6 +5051,10 @@
     <message>
         <source>After this time, the action fails with a message. With 0, the action waits while the button is held, up to one hour.</source>
         <translation>超过此时间则等待失败并显示消息。0：按住按钮期间等待，最长一小时。</translation>
+    </message>
+    <message>
+        <source>Add an action after the selected action</source>
+        <translation>在所选动作之后添加动作</translation>
     </message>
 </context>
 <context>
@@ -6085,10 +6085,6 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>哪些路点</translation>
     </message>
     <message>
-        <source>Selects the waypoints of the route, in the order of the list</source>
-        <translation>按列表顺序选择路线的路点</translation>
-    </message>
-    <message>
         <source>From here</source>
         <translation>从此处</translation>
     </message>
@@ -6141,6 +6137,10 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
     <message>
         <source>At %1: %2</source>
         <translation>在 %1：%2</translation>
+    </message>
+    <message>
+        <source>Selects the waypoints to run, in list order</source>
+        <translation>按列表顺序选择路线的路点</translation>
     </message>
 </context>
 <context>
@@ -7493,7 +7493,7 @@ Right-click or press F2 to rename it.</source>
         <translation>○ 路径</translation>
     </message>
     <message>
-        <source>The path of the arm is being recorded. Press the “● REC” button, or select “Stop recording path” in the menu.</source>
+        <source>The path of the arm is being recorded. To stop recording, press “● REC” or select “Stop recording path” in the menu.</source>
         <translation>正在记录机械臂的路径。按“● REC”，或在菜单中选择停止记录路径以结束。</translation>
     </message>
 </context>
@@ -7637,10 +7637,6 @@ Right-click or press F2 to rename it.</source>
         <translation>请先示教三个角，然后为每个角选择路点。</translation>
     </message>
     <message>
-        <source>Two corners are identical. Select a different waypoint for one of them.</source>
-        <translation>两个角是同一位置。请为其中一个选择另一路点。</translation>
-    </message>
-    <message>
         <source>The layer height is not a number or is out of range. Enter another layer height.</source>
         <translation>层高不是数字或超出范围。请输入其他层高。</translation>
     </message>
@@ -7656,29 +7652,29 @@ Right-click or press F2 to rename it.</source>
         <source>All cells are excluded. Click a cell to include it.</source>
         <translation>所有格位均已排除。请单击一个格位以包含它。</translation>
     </message>
-    <message numerus="yes">
-        <source>%n waypoints.</source>
-        <translation>
-            <numerusform>%n 个路点。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 All of them are within reach.</source>
-        <translation>%1 全部可达。</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n of them are out of reach and marked.</source>
-        <translation>
-            <numerusform>其中 %n 个不可达，已标记。</numerusform>
-        </translation>
-    </message>
     <message>
         <source>The three corners are on a straight line. Select a different waypoint for one of them.</source>
         <translation>三个角点在一条直线上。请为其中一个选择其他路点。</translation>
+    </message>
+    <message>
+        <source>Two corners are at the same position. Select a different waypoint for one of them.</source>
+        <translation>两个角是同一位置。请为其中一个选择另一路点。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n waypoints</source>
+        <translation>
+            <numerusform>%n 个路点</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, all within reach.</source>
+        <translation>%1，全部可达。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %n out of reach and marked.</source>
+        <translation>
+            <numerusform>%1，其中 %n 个不可达，已标记。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11137,10 +11133,6 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <source>Frames</source>
         <translation>坐标系</translation>
     </message>
-    <message>
-        <source>Reference frame of the waypoint. Changing the frame does not move the waypoint. “—”: no frame; joint positions have priority.</source>
-        <translation>路点的参考坐标系。空间位置不变。“—”：无坐标系，以关节位置为准</translation>
-    </message>
     <message numerus="yes">
         <source>used in %n steps</source>
         <translation>
@@ -11203,6 +11195,10 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <source>TCP %1 from the flange</source>
         <translation>TCP 距法兰 %1</translation>
     </message>
+    <message>
+        <source>Reference frame of the waypoint. Changing the frame does not move the waypoint. “—” means no frame: the joint positions have priority.</source>
+        <translation>路点的参考坐标系。空间位置不变。“—”：无坐标系，以关节位置为准</translation>
+    </message>
 </context>
 <context>
     <name>tiller::WaypointDialogs</name>
@@ -11231,10 +11227,6 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <translation>更改阵列“%1”</translation>
     </message>
     <message>
-        <source>Teach the three corners of the pattern and select them first.</source>
-        <translation>请先示教阵列的三个角并选择它们。</translation>
-    </message>
-    <message>
         <source>Create the pattern “%1”</source>
         <translation>创建阵列“%1”</translation>
     </message>
@@ -11253,10 +11245,6 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
     <message>
         <source>Select a waypoint to see its history.</source>
         <translation>选择路点以查看其历史。</translation>
-    </message>
-    <message>
-        <source>The earlier version cannot be restored because its frame was deleted from the project.</source>
-        <translation>无法恢复早期版本，因为其坐标系已从项目中删除。</translation>
     </message>
     <message>
         <source>Restore an earlier version of “%1”</source>
@@ -11291,10 +11279,6 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <translation>%1：%2</translation>
     </message>
     <message>
-        <source>%1 contains no waypoints.</source>
-        <translation>%1 中没有路点。</translation>
-    </message>
-    <message>
         <source>waypoint</source>
         <translation>路点</translation>
     </message>
@@ -11327,6 +11311,18 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <translation>
             <numerusform>更改 %n 个路点处的动作</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Teach three waypoints at the corners of the pattern first.</source>
+        <translation>请先在阵列的角上示教三个路点。</translation>
+    </message>
+    <message>
+        <source>The earlier version cannot be restored because its frame was deleted from the project. Select a different version.</source>
+        <translation>无法恢复早期版本，因为其坐标系已从项目中删除。请选择其他版本。</translation>
+    </message>
+    <message>
+        <source>%1 contains no waypoints. Choose another file.</source>
+        <translation>%1 中没有路点。请选择其他文件。</translation>
     </message>
 </context>
 <context>
@@ -11570,10 +11566,6 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <translation>将“%1”改为 MoveL</translation>
     </message>
     <message>
-        <source>The arm cannot reach this pose. “%1” was not changed.</source>
-        <translation>机械臂无法到达此位姿。“%1”没有更改。</translation>
-    </message>
-    <message>
         <source>Change the pose of “%1”</source>
         <translation>更改“%1”的位姿</translation>
     </message>
@@ -11588,14 +11580,6 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
     <message>
         <source>Change the frame of “%1” to %2</source>
         <translation>将“%1”的坐标系改为 %2</translation>
-    </message>
-    <message>
-        <source>“%1” is not a number.</source>
-        <translation>“%1”不是数字。</translation>
-    </message>
-    <message>
-        <source>%1 is outside the range %2 to %3.</source>
-        <translation>%1 超出 %2 至 %3。</translation>
     </message>
     <message>
         <source>Set the blend of “%1”</source>
@@ -11642,6 +11626,18 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
     <message>
         <source>✕ path</source>
         <translation>✕ 路径</translation>
+    </message>
+    <message>
+        <source>The arm cannot reach this pose, so “%1” was not changed. Enter a different pose.</source>
+        <translation>机械臂无法到达此位姿。“%1”没有更改。请输入其他位姿。</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number. Enter a number.</source>
+        <translation>“%1”不是数字。请输入数字。</translation>
+    </message>
+    <message>
+        <source>%1 is out of range. Enter a value from %2 to %3.</source>
+        <translation>%1 超出范围。请输入 %2 至 %3 之间的值。</translation>
     </message>
 </context>
 <context>
@@ -11985,10 +11981,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>历史…</translation>
     </message>
     <message>
-        <source>Pattern…</source>
-        <translation>阵列…</translation>
-    </message>
-    <message>
         <source>Convert pattern to waypoints</source>
         <translation>将阵列转换为路点</translation>
     </message>
@@ -12023,6 +12015,10 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>Close</source>
         <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Create or edit pattern…</source>
+        <translation>创建或编辑阵列…</translation>
     </message>
 </context>
 <context>

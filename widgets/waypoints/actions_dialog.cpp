@@ -95,7 +95,7 @@ QWidget* ActionsDialog::buildKeys() {
     auto* layout = new QVBoxLayout(keys);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(
-        addKey("add", tr("Add"), tr("Add an action after the selected one"), [this] { add(); }));
+        addKey("add", tr("Add"), tr("Add an action after the selected action"), [this] { add(); }));
     remove_ = addKey("remove", tr("Remove"), tr("Remove the selected action"), [this] { remove(); });
     up_ = addKey("up", tr("Up"), tr("Move the selected action up"), [this] { move(-1); });
     down_ = addKey("down", tr("Down"), tr("Move the selected action down"), [this] { move(1); });

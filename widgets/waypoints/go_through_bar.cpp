@@ -51,7 +51,7 @@ GoThroughBar::GoThroughBar(MotionPort port, HoldPolicy& policy, ActionPort actio
     scope_->setObjectName(QStringLiteral("waypoint.routeScope"));
     scope_->setAccessibleName(tr("Route waypoints"));
     scope_->view()->setAccessibleName(tr("Waypoints"));
-    scope_->setToolTip(tr("Selects the waypoints of the route, in the order of the list"));
+    scope_->setToolTip(tr("Selects the waypoints to run, in list order"));
     scope_->addItems({tr("From here"), tr("Selection"), tr("All")});
     scope_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     layout->addWidget(scope_);

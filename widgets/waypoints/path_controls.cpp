@@ -96,7 +96,7 @@ void PathControls::toggle() {
         recorder_.start();
         if (recorder_.isRecording()) {
             Q_EMIT reported(
-                tr("The path of the arm is being recorded. Press the “● REC” button, or select “Stop "
+                tr("The path of the arm is being recorded. To stop recording, press “● REC” or select “Stop "
                    "recording path” in the menu."));
         }
     }

@@ -198,7 +198,7 @@ QString PatternDialog::problem() const {
     const Eigen::Vector3d& origin = pattern_.first.pose.position;
     if ((pattern_.columns > 1 && (pattern_.columnEnd - origin).norm() < kMinSide) ||
         (pattern_.rows > 1 && (pattern_.rowEnd - origin).norm() < kMinSide)) {
-        return tr("Two corners are identical. Select a different waypoint for one of them.");
+        return tr("Two corners are at the same position. Select a different waypoint for one of them.");
     }
     const Eigen::Vector3d alongRow = pattern_.columnEnd - origin;
     const Eigen::Vector3d acrossRows = pattern_.rowEnd - origin;
@@ -243,10 +243,9 @@ void PatternDialog::refresh() {
     for (const project::Waypoint& point : points) {
         far += project::reach(document_.robot(), point, document_.frames()).ok() ? 0 : 1;
     }
-    const QString count = tr("%n waypoints.", nullptr, static_cast<int>(points.size()));
-    feedback_->setText(
-        far == 0 ? tr("%1 All of them are within reach.").arg(count)
-                 : tr("%1 %2").arg(count, tr("%n of them are out of reach and marked.", nullptr, far)));
+    const QString count = tr("%n waypoints", nullptr, static_cast<int>(points.size()));
+    feedback_->setText(far == 0 ? tr("%1, all within reach.").arg(count)
+                                : tr("%1, %n out of reach and marked.", nullptr, far).arg(count));
 }
 
 void PatternDialog::accept() {

@@ -59,8 +59,8 @@ WaypointDetails::WaypointDetails(ProjectDocument& document, WaypointModel& model
     frame_->setAccessibleName(tr("Waypoint frame"));
     frame_->view()->setAccessibleName(tr("Frames"));
     frame_->setToolTip(
-        tr("Reference frame of the waypoint. Changing the frame does not move the waypoint. “—”: no frame; "
-           "joint positions have priority."));
+        tr("Reference frame of the waypoint. Changing the frame does not move the waypoint. “—” means no "
+           "frame: the joint positions have priority."));
     frame_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     frame_->setMinimumContentsLength(5);
     connect(frame_, &QComboBox::activated, this, [this](int choice) {

@@ -121,7 +121,7 @@ void WaypointDialogs::pattern() {
         corners.append(point.id);
     }
     if (document_.waypoints().isEmpty()) {
-        Q_EMIT refused(tr("Teach the three corners of the pattern and select them first."), {});
+        Q_EMIT refused(tr("Teach three waypoints at the corners of the pattern first."), {});
         return;
     }
     PatternDialog dialog(document_, corners, table_.window());
@@ -159,9 +159,9 @@ void WaypointDialogs::history() {
     if (dialog.exec() == QDialog::Accepted && !point.history.isEmpty()) {
         const project::Waypoint earlier = dialog.chosen();
         if (!document_.frames().pose(earlier.frame)) {
-            Q_EMIT refused(
-                tr("The earlier version cannot be restored because its frame was deleted from the project."),
-                {});
+            Q_EMIT refused(tr("The earlier version cannot be restored because its frame was deleted from the "
+                              "project. Select a different version."),
+                           {});
             return;
         }
         document_.changeWaypoint(document_.waypoints().indexOf(point.id), earlier,
@@ -218,9 +218,10 @@ void WaypointDialogs::importFrom(const QString& path) {
         }
     }
     if (error.code != ErrorCode::None || imported.waypoints.empty()) {
-        Q_EMIT refused(tr("Import failed"), error.code == ErrorCode::None
-                                                ? tr("%1 contains no waypoints.").arg(name)
-                                                : tr("%1: %2").arg(name, error.context));
+        Q_EMIT refused(tr("Import failed"),
+                       error.code == ErrorCode::None
+                           ? tr("%1 contains no waypoints. Choose another file.").arg(name)
+                           : tr("%1: %2").arg(name, error.context));
         return;
     }
     project::WaypointList names = document_.waypoints();

@@ -363,7 +363,9 @@ void WaypointModel::setPose(int row, const Pose& pose) {
         const auto moved =
             q ? project::taughtAt(point, *q, *place, point.tcpOffset, document_.frames()) : std::nullopt;
         if (!moved) {
-            Q_EMIT editRefused(tr("The arm cannot reach this pose. “%1” was not changed.").arg(point.name));
+            Q_EMIT editRefused(
+                tr("The arm cannot reach this pose, so “%1” was not changed. Enter a different pose.")
+                    .arg(point.name));
             return;
         }
         point = *moved;
@@ -421,7 +423,7 @@ bool WaypointModel::setNumber(int row, int column, const QString& text) {
     }
     const std::optional<double> figure = leadingNumber(text);
     if (!figure) {
-        Q_EMIT editRefused(tr("“%1” is not a number.").arg(text));
+        Q_EMIT editRefused(tr("“%1” is not a number. Enter a number.").arg(text));
         return false;
     }
     const bool turns = column == Speed && point.move == project::MoveKind::Joint;
@@ -438,8 +440,8 @@ bool WaypointModel::setNumber(int row, int column, const QString& text) {
                    : column == Blend ? format::shortLength(bound)
                                      : format::speed(bound);
         };
-        Q_EMIT editRefused(
-            tr("%1 is outside the range %2 to %3.").arg(shown(value), shown(least), shown(most)));
+        Q_EMIT editRefused(tr("%1 is out of range. Enter a value from %2 to %3.")
+                               .arg(shown(value), shown(least), shown(most)));
         return false;
     }
     if (column == Blend) {

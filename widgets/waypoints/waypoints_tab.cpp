@@ -609,8 +609,8 @@ void WaypointsTab::buildActions() {
     addTo(files, addCommand("waypoint.action.export", tr("Export waypoints…"), {},
                             [this] { dialogs_->exportFile(); }));
     QMenu* pattern = addMenu("waypoint.menu.pattern", tr("Pattern"));
-    addTo(pattern,
-          addCommand("waypoint.action.pattern", tr("Pattern…"), {}, [this] { dialogs_->pattern(); }));
+    addTo(pattern, addCommand("waypoint.action.pattern", tr("Create or edit pattern…"), {},
+                              [this] { dialogs_->pattern(); }));
     addTo(pattern, onSelected(addCommand("waypoint.action.dissolve", tr("Convert pattern to waypoints"), {},
                                          [this] { dialogs_->dissolvePattern(); })));
     addTo(pattern,
