@@ -5136,12 +5136,12 @@ F2: Umbenennen, Umschalt+F2: Skalieren, oder Rechtsklick.</translation>
         <translation>Tastatur scharf schalten</translation>
     </message>
     <message>
-        <source>Arrow keys move X and Y, PgUp and PgDn move Z; with Alt, they rotate. 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click or wait 30 s.</source>
+        <source>The arrow keys jog along X and Y, PgUp and PgDn along Z; with Alt, these keys rotate. 1 to 6 with + and − jog a joint. Space and Esc stop the arm. To disarm the keyboard, click this button or wait 30 s.</source>
         <translation>Pfeiltasten bewegen X und Y, Bild auf und Bild ab bewegen Z; mit Alt drehen sie. 1 bis 6 mit + und − bewegen ein Gelenk. Leertaste und Esc stoppen. Zum Entschärfen klicken oder 30 s warten.</translation>
     </message>
     <message>
-        <source>While the keyboard is armed, the arrow keys move the arm as long as they are held. A border surrounds the window.</source>
-        <translation>Bei scharfer Tastatur bewegen die Pfeiltasten den Arm, solange sie gehalten werden. Ein Rahmen umgibt das Fenster.</translation>
+        <source>While the keyboard is armed, holding an arrow key moves the arm. A border around the window shows that the keyboard is armed.</source>
+        <translation>Bei scharfer Tastatur bewegen die Pfeiltasten den Arm, solange sie gehalten werden. Ein Rahmen um das Fenster zeigt an, dass die Tastatur scharf ist.</translation>
     </message>
 </context>
 <context>
@@ -5548,10 +5548,6 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie „Ecke hi
         <translation>Bewegung</translation>
     </message>
     <message>
-        <source>Armed keyboard (Ctrl+J): arrows: X and Y; PgUp, PgDn: Z; with Alt: rotation; 1 to 6 with + and −: joints; Home: home; End: align; Backspace: back; F: Freedrive; Ctrl: slower; Shift: faster. Space and Esc stop.</source>
-        <translation>Scharfe Tastatur (Strg+J): Pfeiltasten: X und Y; Bild auf, Bild ab: Z; mit Alt: Drehung; 1 bis 6 mit + und −: Gelenke; Pos1: Home; Ende: Ausrichten; Rücktaste: Zurück; F: Freedrive; Strg: langsamer; Umschalt: schneller. Leertaste und Esc stoppen.</translation>
-    </message>
-    <message>
         <source>Close</source>
         <translation>Schließen</translation>
     </message>
@@ -5570,6 +5566,10 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie „Ecke hi
     <message>
         <source>none (neutral)</source>
         <translation>keine (neutral)</translation>
+    </message>
+    <message>
+        <source>With the keyboard armed (Ctrl+J): arrow keys for X and Y; PgUp and PgDn for Z; Alt with these keys for rotation; 1 to 6 with + and − for joints; Home for the home position; End to align; Backspace to move back; F for Freedrive; Ctrl for slower; Shift for faster. Space and Esc stop the arm.</source>
+        <translation>Scharfe Tastatur (Strg+J): Pfeiltasten: X und Y; Bild auf, Bild ab: Z; mit Alt: Drehung; 1 bis 6 mit + und −: Gelenke; Pos1: Home; Ende: Ausrichten; Rücktaste: Zurück; F: Freedrive; Strg: langsamer; Umschalt: schneller. Leertaste und Esc stoppen.</translation>
     </message>
 </context>
 <context>

@@ -5135,11 +5135,11 @@ Press F2 to rename it or Shift+F2 to scale it, or right-click.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Arrow keys move X and Y, PgUp and PgDn move Z; with Alt, they rotate. 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click or wait 30 s.</source>
+        <source>The arrow keys jog along X and Y, PgUp and PgDn along Z; with Alt, these keys rotate. 1 to 6 with + and − jog a joint. Space and Esc stop the arm. To disarm the keyboard, click this button or wait 30 s.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>While the keyboard is armed, the arrow keys move the arm as long as they are held. A border surrounds the window.</source>
+        <source>While the keyboard is armed, holding an arrow key moves the arm. A border around the window shows that the keyboard is armed.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5546,10 +5546,6 @@ Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Armed keyboard (Ctrl+J): arrows: X and Y; PgUp, PgDn: Z; with Alt: rotation; 1 to 6 with + and −: joints; Home: home; End: align; Backspace: back; F: Freedrive; Ctrl: slower; Shift: faster. Space and Esc stop.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Close</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5567,6 +5563,10 @@ Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
     </message>
     <message>
         <source>none (neutral)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With the keyboard armed (Ctrl+J): arrow keys for X and Y; PgUp and PgDn for Z; Alt with these keys for rotation; 1 to 6 with + and − for joints; Home for the home position; End to align; Backspace to move back; F for Freedrive; Ctrl for slower; Shift for faster. Space and Esc stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

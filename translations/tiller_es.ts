@@ -5136,12 +5136,12 @@ F2 para renombrar, Mayús+F2 para escalar, o clic derecho.</translation>
         <translation>Armar teclado</translation>
     </message>
     <message>
-        <source>Arrow keys move X and Y, PgUp and PgDn move Z; with Alt, they rotate. 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click or wait 30 s.</source>
+        <source>The arrow keys jog along X and Y, PgUp and PgDn along Z; with Alt, these keys rotate. 1 to 6 with + and − jog a joint. Space and Esc stop the arm. To disarm the keyboard, click this button or wait 30 s.</source>
         <translation>Las flechas mueven X e Y, RePág y AvPág mueven Z; con Alt giran. 1 a 6 con + y − mueven una articulación. Espacio y Esc detienen. Para desarmar, haga clic o espere 30 s.</translation>
     </message>
     <message>
-        <source>While the keyboard is armed, the arrow keys move the arm as long as they are held. A border surrounds the window.</source>
-        <translation>Con el teclado armado, las flechas mueven el brazo mientras se mantienen pulsadas. Un marco rodea la ventana.</translation>
+        <source>While the keyboard is armed, holding an arrow key moves the arm. A border around the window shows that the keyboard is armed.</source>
+        <translation>Con el teclado armado, las flechas mueven el brazo mientras se mantienen pulsadas. Un marco alrededor de la ventana indica que el teclado está armado.</translation>
     </message>
 </context>
 <context>
@@ -5548,10 +5548,6 @@ Mueva el TCP a una esquina de un obstáculo y pulse «Esquina aquí».</translat
         <translation>Movimiento</translation>
     </message>
     <message>
-        <source>Armed keyboard (Ctrl+J): arrows: X and Y; PgUp, PgDn: Z; with Alt: rotation; 1 to 6 with + and −: joints; Home: home; End: align; Backspace: back; F: Freedrive; Ctrl: slower; Shift: faster. Space and Esc stop.</source>
-        <translation>Teclado armado (Ctrl+J): flechas: X e Y; RePág, AvPág: Z; con Alt: giro; 1 a 6 con + y −: articulaciones; Inicio: a inicio; Fin: alinear; Retroceso: atrás; F: movimiento libre; Ctrl: más lento; Mayús: más rápido. Espacio y Esc detienen.</translation>
-    </message>
-    <message>
         <source>Close</source>
         <translation>Cerrar</translation>
     </message>
@@ -5570,6 +5566,10 @@ Mueva el TCP a una esquina de un obstáculo y pulse «Esquina aquí».</translat
     <message>
         <source>none (neutral)</source>
         <translation>ninguno (neutro)</translation>
+    </message>
+    <message>
+        <source>With the keyboard armed (Ctrl+J): arrow keys for X and Y; PgUp and PgDn for Z; Alt with these keys for rotation; 1 to 6 with + and − for joints; Home for the home position; End to align; Backspace to move back; F for Freedrive; Ctrl for slower; Shift for faster. Space and Esc stop the arm.</source>
+        <translation>Teclado armado (Ctrl+J): flechas: X e Y; RePág, AvPág: Z; con Alt: giro; 1 a 6 con + y −: articulaciones; Inicio: a inicio; Fin: alinear; Retroceso: atrás; F: movimiento libre; Ctrl: más lento; Mayús: más rápido. Espacio y Esc detienen.</translation>
     </message>
 </context>
 <context>

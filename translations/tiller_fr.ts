@@ -5136,12 +5136,12 @@ F2 pour renommer, Maj+F2 pour mettre à l’échelle, ou clic droit.</translatio
         <translation>Armer le clavier</translation>
     </message>
     <message>
-        <source>Arrow keys move X and Y, PgUp and PgDn move Z; with Alt, they rotate. 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click or wait 30 s.</source>
+        <source>The arrow keys jog along X and Y, PgUp and PgDn along Z; with Alt, these keys rotate. 1 to 6 with + and − jog a joint. Space and Esc stop the arm. To disarm the keyboard, click this button or wait 30 s.</source>
         <translation>Les flèches déplacent X et Y, Pg préc et Pg suiv déplacent Z ; avec Alt, elles tournent. 1 à 6 avec + et − déplacent une articulation. Espace et Échap arrêtent. Pour désarmer, cliquez ou attendez 30 s.</translation>
     </message>
     <message>
-        <source>While the keyboard is armed, the arrow keys move the arm as long as they are held. A border surrounds the window.</source>
-        <translation>Clavier armé, les flèches déplacent le bras tant qu’elles sont maintenues. Un cadre entoure la fenêtre.</translation>
+        <source>While the keyboard is armed, holding an arrow key moves the arm. A border around the window shows that the keyboard is armed.</source>
+        <translation>Clavier armé, les flèches déplacent le bras tant qu’elles sont maintenues. Un cadre autour de la fenêtre indique que le clavier est armé.</translation>
     </message>
 </context>
 <context>
@@ -5548,10 +5548,6 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur « Coin ici ».</transla
         <translation>Mouvement</translation>
     </message>
     <message>
-        <source>Armed keyboard (Ctrl+J): arrows: X and Y; PgUp, PgDn: Z; with Alt: rotation; 1 to 6 with + and −: joints; Home: home; End: align; Backspace: back; F: Freedrive; Ctrl: slower; Shift: faster. Space and Esc stop.</source>
-        <translation>Clavier armé (Ctrl+J) : flèches : X et Y ; Pg préc, Pg suiv : Z ; avec Alt : rotation ; 1 à 6 avec + et − : articulations ; Début : origine ; Fin : aligner ; Retour arrière : retour ; F : Freedrive ; Ctrl : plus lent ; Maj : plus rapide. Espace et Échap arrêtent.</translation>
-    </message>
-    <message>
         <source>Close</source>
         <translation>Fermer</translation>
     </message>
@@ -5570,6 +5566,10 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur « Coin ici ».</transla
     <message>
         <source>none (neutral)</source>
         <translation>aucun (neutre)</translation>
+    </message>
+    <message>
+        <source>With the keyboard armed (Ctrl+J): arrow keys for X and Y; PgUp and PgDn for Z; Alt with these keys for rotation; 1 to 6 with + and − for joints; Home for the home position; End to align; Backspace to move back; F for Freedrive; Ctrl for slower; Shift for faster. Space and Esc stop the arm.</source>
+        <translation>Clavier armé (Ctrl+J) : flèches : X et Y ; Pg préc, Pg suiv : Z ; avec Alt : rotation ; 1 à 6 avec + et − : articulations ; Début : origine ; Fin : aligner ; Retour arrière : retour ; F : Freedrive ; Ctrl : plus lent ; Maj : plus rapide. Espace et Échap arrêtent.</translation>
     </message>
 </context>
 <context>

@@ -5133,12 +5133,12 @@ F2 で名前変更、Shift+F2 でスケール、または右クリック。</tra
         <translation>キーボードを有効に</translation>
     </message>
     <message>
-        <source>Arrow keys move X and Y, PgUp and PgDn move Z; with Alt, they rotate. 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click or wait 30 s.</source>
+        <source>The arrow keys jog along X and Y, PgUp and PgDn along Z; with Alt, these keys rotate. 1 to 6 with + and − jog a joint. Space and Esc stop the arm. To disarm the keyboard, click this button or wait 30 s.</source>
         <translation>矢印は X と Y、PgUp と PgDn は Z、Alt で回転、1〜6 と + − で関節が動きます。Space と Esc で停止。クリックするか 30 秒待つとキーボードは無効になります。</translation>
     </message>
     <message>
-        <source>While the keyboard is armed, the arrow keys move the arm as long as they are held. A border surrounds the window.</source>
-        <translation>キーボードが有効な間、押している矢印キーがアームを動かします。ウィンドウは枠で囲まれます。</translation>
+        <source>While the keyboard is armed, holding an arrow key moves the arm. A border around the window shows that the keyboard is armed.</source>
+        <translation>キーボードが有効な間、押している矢印キーがアームを動かします。ウィンドウの枠は、キーボードが有効であることを示します。</translation>
     </message>
 </context>
 <context>
@@ -5545,10 +5545,6 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
         <translation>動作</translation>
     </message>
     <message>
-        <source>Armed keyboard (Ctrl+J): arrows: X and Y; PgUp, PgDn: Z; with Alt: rotation; 1 to 6 with + and −: joints; Home: home; End: align; Backspace: back; F: Freedrive; Ctrl: slower; Shift: faster. Space and Esc stop.</source>
-        <translation>キーボード（有効な間、Ctrl+J）：矢印：X と Y、PgUp、PgDn：Z、Alt 併用：回転、1〜6 と + −：関節、Home：ホーム、End：整列、Backspace：戻る、F：フリードライブ、Ctrl：遅く、Shift：速く。Space と Esc で停止。</translation>
-    </message>
-    <message>
         <source>Close</source>
         <translation>閉じる</translation>
     </message>
@@ -5567,6 +5563,10 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
     <message>
         <source>none (neutral)</source>
         <translation>なし（中立）</translation>
+    </message>
+    <message>
+        <source>With the keyboard armed (Ctrl+J): arrow keys for X and Y; PgUp and PgDn for Z; Alt with these keys for rotation; 1 to 6 with + and − for joints; Home for the home position; End to align; Backspace to move back; F for Freedrive; Ctrl for slower; Shift for faster. Space and Esc stop the arm.</source>
+        <translation>キーボード（有効な間、Ctrl+J）：矢印：X と Y、PgUp、PgDn：Z、Alt 併用：回転、1〜6 と + −：関節、Home：ホーム、End：整列、Backspace：戻る、F：フリードライブ、Ctrl：遅く、Shift：速く。Space と Esc で停止。</translation>
     </message>
 </context>
 <context>

@@ -5133,12 +5133,12 @@ Press F2 to rename it or Shift+F2 to scale it, or right-click.</source>
         <translation>启用键盘</translation>
     </message>
     <message>
-        <source>Arrow keys move X and Y, PgUp and PgDn move Z; with Alt, they rotate. 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click or wait 30 s.</source>
+        <source>The arrow keys jog along X and Y, PgUp and PgDn along Z; with Alt, these keys rotate. 1 to 6 with + and − jog a joint. Space and Esc stop the arm. To disarm the keyboard, click this button or wait 30 s.</source>
         <translation>方向键移动 X 和 Y，PgUp 和 PgDn 移动 Z；加 Alt 旋转。1 至 6 加 + 和 − 转动关节。Space 和 Esc 停止。点击或等待 30 秒可停用键盘。</translation>
     </message>
     <message>
-        <source>While the keyboard is armed, the arrow keys move the arm as long as they are held. A border surrounds the window.</source>
-        <translation>键盘启用后，按住方向键时移动机械臂。窗口四周出现边框。</translation>
+        <source>While the keyboard is armed, holding an arrow key moves the arm. A border around the window shows that the keyboard is armed.</source>
+        <translation>键盘启用后，按住方向键时移动机械臂。窗口四周的边框表示键盘已启用。</translation>
     </message>
 </context>
 <context>
@@ -5545,10 +5545,6 @@ Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation>运动</translation>
     </message>
     <message>
-        <source>Armed keyboard (Ctrl+J): arrows: X and Y; PgUp, PgDn: Z; with Alt: rotation; 1 to 6 with + and −: joints; Home: home; End: align; Backspace: back; F: Freedrive; Ctrl: slower; Shift: faster. Space and Esc stop.</source>
-        <translation>键盘（启用时，Ctrl+J）：方向键：X 和 Y；PgUp、PgDn：Z；加 Alt：旋转；1 至 6 加 + 和 −：关节；Home：原位；End：对齐；Backspace：返回；F：自由驱动；Ctrl：更慢；Shift：更快。Space 和 Esc 停止。</translation>
-    </message>
-    <message>
         <source>Close</source>
         <translation>关闭</translation>
     </message>
@@ -5567,6 +5563,10 @@ Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
     <message>
         <source>none (neutral)</source>
         <translation>无（中立）</translation>
+    </message>
+    <message>
+        <source>With the keyboard armed (Ctrl+J): arrow keys for X and Y; PgUp and PgDn for Z; Alt with these keys for rotation; 1 to 6 with + and − for joints; Home for the home position; End to align; Backspace to move back; F for Freedrive; Ctrl for slower; Shift for faster. Space and Esc stop the arm.</source>
+        <translation>键盘（启用时，Ctrl+J）：方向键：X 和 Y；PgUp、PgDn：Z；加 Alt：旋转；1 至 6 加 + 和 −：关节；Home：原位；End：对齐；Backspace：返回；F：自由驱动；Ctrl：更慢；Shift：更快。Space 和 Esc 停止。</translation>
     </message>
 </context>
 <context>

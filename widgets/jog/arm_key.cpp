@@ -41,10 +41,11 @@ void ArmKey::setArmed(bool armed) {
     setText(armed ? tr("Keyboard armed") : tr("Arm keyboard"));
     setAccessibleName(text());
     setToolTip(!lock_.isEmpty() ? lock_
-               : armed ? tr("Arrow keys move X and Y, PgUp and PgDn move Z; with Alt, they rotate. 1 to 6 "
-                            "with + and − move a joint. Space and Esc stop. To disarm, click or wait 30 s.")
-                       : tr("While the keyboard is armed, the arrow keys move the arm as long as they are "
-                            "held. A border surrounds the window."));
+               : armed ? tr("The arrow keys jog along X and Y, PgUp and PgDn along Z; with Alt, these keys "
+                            "rotate. 1 to 6 with + and − jog a joint. Space and Esc stop the arm. To disarm "
+                            "the keyboard, click this button or wait 30 s.")
+                       : tr("While the keyboard is armed, holding an arrow key moves the arm. A border "
+                            "around the window shows that the keyboard is armed."));
 }
 
 QSize ArmKey::sizeHint() const {

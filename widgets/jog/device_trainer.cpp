@@ -158,10 +158,10 @@ DeviceTrainer::DeviceTrainer(DeviceJog& devices, std::function<JogSelection()> s
     boxes->addWidget(dominant_);
     boxes->addWidget(use_);
     layout->addLayout(boxes);
-    auto* keyboard =
-        new QLabel(tr("Armed keyboard (Ctrl+J): arrows: X and Y; PgUp, PgDn: Z; with Alt: rotation; 1 to 6 "
-                      "with + and −: joints; Home: home; End: align; Backspace: back; F: Freedrive; Ctrl: "
-                      "slower; Shift: faster. Space and Esc stop."));
+    auto* keyboard = new QLabel(tr(
+        "With the keyboard armed (Ctrl+J): arrow keys for X and Y; PgUp and PgDn for Z; Alt with these keys "
+        "for rotation; 1 to 6 with + and − for joints; Home for the home position; End to align; Backspace "
+        "to move back; F for Freedrive; Ctrl for slower; Shift for faster. Space and Esc stop the arm."));
     keyboard->setWordWrap(true);
     keyboard->setProperty("role", "secondary");
     layout->addWidget(keyboard);
