@@ -5087,12 +5087,6 @@
         <translation>%1 setzen</translation>
     </message>
     <message>
-        <source>%1: %2
-Press F2 to rename it or Shift+F2 to scale it, or right-click.</source>
-        <translation>%1: %2
-F2: Umbenennen, Umschalt+F2: Skalieren, oder Rechtsklick.</translation>
-    </message>
-    <message>
         <source>Rename…</source>
         <translation>Umbenennen…</translation>
     </message>
@@ -5123,6 +5117,12 @@ F2: Umbenennen, Umschalt+F2: Skalieren, oder Rechtsklick.</translation>
     <message>
         <source>Unit</source>
         <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>%1: %2
+To rename or scale the signal, right-click it, or press F2 or Shift+F2.</source>
+        <translation>%1: %2
+F2: Umbenennen, Umschalt+F2: Skalieren, oder Rechtsklick.</translation>
     </message>
 </context>
 <context>
@@ -6210,10 +6210,6 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Bewegen</translation>
     </message>
     <message>
-        <source>Move the fingers to this opening</source>
-        <translation>Die Finger auf diese Öffnung bewegen</translation>
-    </message>
-    <message>
         <source>Gripper</source>
         <translation>Greifer</translation>
     </message>
@@ -6274,28 +6270,12 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Vorgeschlagene Aktion</translation>
     </message>
     <message>
-        <source>Closes</source>
-        <translation>Schließt</translation>
-    </message>
-    <message>
-        <source>Opens</source>
-        <translation>Öffnet</translation>
-    </message>
-    <message>
         <source>State</source>
         <translation>Zustand</translation>
     </message>
     <message>
         <source>Opening</source>
         <translation>Öffnung</translation>
-    </message>
-    <message>
-        <source>Holds</source>
-        <translation>Hält</translation>
-    </message>
-    <message>
-        <source>Go to</source>
-        <translation>Auf</translation>
     </message>
     <message>
         <source>Speed</source>
@@ -6328,14 +6308,6 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     <message>
         <source>%1 (speed %2, force %3)</source>
         <translation>%1 (Geschwindigkeit %2, Kraft %3)</translation>
-    </message>
-    <message>
-        <source>Connect to a robot first. The gripper is stored for each robot.</source>
-        <translation>Verbinden Sie sich zuerst mit einem Roboter: Der Greifer wird für jeden Roboter gespeichert.</translation>
-    </message>
-    <message>
-        <source>No data from the robot.</source>
-        <translation>Keine Daten vom Roboter.</translation>
     </message>
     <message>
         <source>Please wait…</source>
@@ -6378,18 +6350,6 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>während der Bewegung unbekannt</translation>
     </message>
     <message>
-        <source>object, outer grip</source>
-        <translation>Objekt, Außengriff</translation>
-    </message>
-    <message>
-        <source>object, inner grip</source>
-        <translation>Objekt, Innengriff</translation>
-    </message>
-    <message>
-        <source>nothing</source>
-        <translation>nichts</translation>
-    </message>
-    <message>
         <source>The gripper is not available with this port offset. Use a smaller port offset.</source>
         <translation>Der Greifer ist mit diesem Port-Versatz nicht verfügbar. Verwenden Sie einen kleineren Port-Versatz.</translation>
     </message>
@@ -6406,10 +6366,6 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Der Greifer ist aktiv.</translation>
     </message>
     <message>
-        <source>Stopping the arm does not change the gripper: it keeps its grip.</source>
-        <translation>Das Stoppen des Arms ändert den Greifer nicht: Er hält weiter.</translation>
-    </message>
-    <message>
         <source>The fingers open and close once and drop any gripped object. Keep your fingers clear of the gripper.</source>
         <translation>Die Finger öffnen und schließen einmal und lassen ein gegriffenes Objekt fallen. Halten Sie Ihre Finger vom Greifer fern.</translation>
     </message>
@@ -6422,20 +6378,64 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Schließt den Greifer. Halten Sie Ihre Finger fern.</translation>
     </message>
     <message>
-        <source>Moves the fingers to this opening.</source>
-        <translation>Bewegt die Finger auf diese Öffnung.</translation>
-    </message>
-    <message>
-        <source>Speed or force is out of range. Enter 0 to 100 %.</source>
-        <translation>Geschwindigkeit oder Kraft liegt außerhalb des Bereichs. Geben Sie 0 bis 100 % ein.</translation>
-    </message>
-    <message>
         <source>The gripper did not execute the command. Check that no other program controls the gripper, then try again.</source>
         <translation>Der Greifer hat den Befehl nicht ausgeführt. Prüfen Sie, dass kein anderes Programm den Greifer steuert, und versuchen Sie es erneut.</translation>
     </message>
     <message>
         <source>Gripper: stop</source>
         <translation>Greifer: anhalten</translation>
+    </message>
+    <message>
+        <source>Move the fingers to the target opening</source>
+        <translation>Die Finger auf die Zielöffnung bewegen</translation>
+    </message>
+    <message>
+        <source>Closed by</source>
+        <translation>Schließt</translation>
+    </message>
+    <message>
+        <source>Opened by</source>
+        <translation>Öffnet</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>Objekt</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Connect to a robot first. Tiller stores the gripper selection for each robot.</source>
+        <translation>Verbinden Sie sich zuerst mit einem Roboter. Tiller speichert die Auswahl des Greifers für jeden Roboter.</translation>
+    </message>
+    <message>
+        <source>The robot is not sending data. Wait for data, or reconnect.</source>
+        <translation>Der Roboter sendet keine Daten. Warten Sie auf Daten oder verbinden Sie neu.</translation>
+    </message>
+    <message>
+        <source>external grip</source>
+        <translation>Außengriff</translation>
+    </message>
+    <message>
+        <source>internal grip</source>
+        <translation>Innengriff</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keines</translation>
+    </message>
+    <message>
+        <source>Stopping the arm does not open the gripper.</source>
+        <translation>Das Stoppen des Arms öffnet den Greifer nicht.</translation>
+    </message>
+    <message>
+        <source>Moves the fingers to the target opening.</source>
+        <translation>Bewegt die Finger auf die Zielöffnung.</translation>
+    </message>
+    <message>
+        <source>Speed or force is out of range. Enter a value from 0 to 100 %.</source>
+        <translation>Geschwindigkeit oder Kraft liegt außerhalb des Bereichs. Geben Sie 0 bis 100 % ein.</translation>
     </message>
 </context>
 <context>
@@ -6644,18 +6644,6 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>%1, veraltet</translation>
     </message>
     <message>
-        <source>
-The output cannot be switched while the robot sends no data.</source>
-        <translation>
-Der Ausgang kann nicht geschaltet werden, solange der Roboter keine Daten sendet.</translation>
-    </message>
-    <message>
-        <source>
-Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</source>
-        <translation>
-Klicken schaltet: %1. P: Impuls. Rechtsklick: Impuls oder Umbenennen.</translation>
-    </message>
-    <message>
         <source>Pulse</source>
         <translation>Puls</translation>
     </message>
@@ -6673,7 +6661,19 @@ Klicken schaltet: %1. P: Impuls. Rechtsklick: Impuls oder Umbenennen.</translati
     </message>
     <message>
         <source>
-Right-click or press F2 to rename it.</source>
+The output cannot be switched while the robot is not sending data.</source>
+        <translation>
+Der Ausgang kann nicht geschaltet werden, solange der Roboter keine Daten sendet.</translation>
+    </message>
+    <message>
+        <source>
+Click to switch the output %1. Press P to pulse it. Right-click to pulse or rename it.</source>
+        <translation>
+Klicken schaltet: %1. P: Impuls. Rechtsklick: Impuls oder Umbenennen.</translation>
+    </message>
+    <message>
+        <source>
+Right-click or press F2 to rename the input.</source>
         <translation>
 Zum Umbenennen rechts klicken oder F2 drücken.</translation>
     </message>
@@ -6740,20 +6740,12 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Der Roboter hat %1 nicht bestätigt</translation>
     </message>
     <message>
-        <source>Another program or the installation may control the output.</source>
-        <translation>Möglicherweise steuert ihn ein anderes Programm oder die Installation.</translation>
-    </message>
-    <message>
         <source>Analog</source>
         <translation>Analog</translation>
     </message>
     <message>
         <source>General purpose registers</source>
         <translation>Allgemeine Register</translation>
-    </message>
-    <message>
-        <source>No data from the robot.</source>
-        <translation>Keine Daten vom Roboter.</translation>
     </message>
     <message>
         <source>Replay is active. Press “Back to live” first.</source>
@@ -6778,6 +6770,14 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
     <message>
         <source>on</source>
         <translation>ein</translation>
+    </message>
+    <message>
+        <source>Another program or the installation may control the output. Check both, then switch the output again.</source>
+        <translation>Möglicherweise steuert ihn ein anderes Programm oder die Installation. Prüfen Sie beides und schalten Sie den Ausgang dann erneut.</translation>
+    </message>
+    <message>
+        <source>The robot is not sending data. Wait for data, or reconnect.</source>
+        <translation>Der Roboter sendet keine Daten. Warten Sie auf Daten oder verbinden Sie neu.</translation>
     </message>
 </context>
 <context>

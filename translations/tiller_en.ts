@@ -5087,11 +5087,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: %2
-Press F2 to rename it or Shift+F2 to scale it, or right-click.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Rename…</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5121,6 +5116,11 @@ Press F2 to rename it or Shift+F2 to scale it, or right-click.</source>
     </message>
     <message>
         <source>Unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2
+To rename or scale the signal, right-click it, or press F2 or Shift+F2.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6206,10 +6206,6 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Move the fingers to this opening</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Gripper</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6270,27 +6266,11 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Closes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Opens</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>State</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Opening</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Holds</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Go to</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6323,14 +6303,6 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
     </message>
     <message>
         <source>%1 (speed %2, force %3)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Connect to a robot first. The gripper is stored for each robot.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No data from the robot.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6374,18 +6346,6 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>object, outer grip</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>object, inner grip</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>nothing</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The gripper is not available with this port offset. Use a smaller port offset.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6402,10 +6362,6 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Stopping the arm does not change the gripper: it keeps its grip.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The fingers open and close once and drop any gripped object. Keep your fingers clear of the gripper.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6418,19 +6374,63 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Moves the fingers to this opening.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Speed or force is out of range. Enter 0 to 100 %.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The gripper did not execute the command. Check that no other program controls the gripper, then try again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Gripper: stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the fingers to the target opening</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closed by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opened by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connect to a robot first. Tiller stores the gripper selection for each robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot is not sending data. Wait for data, or reconnect.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>external grip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>internal grip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopping the arm does not open the gripper.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves the fingers to the target opening.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed or force is out of range. Enter a value from 0 to 100 %.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6640,16 +6640,6 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>
-The output cannot be switched while the robot sends no data.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>
-Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Pulse</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6667,7 +6657,17 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
     </message>
     <message>
         <source>
-Right-click or press F2 to rename it.</source>
+The output cannot be switched while the robot is not sending data.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>
+Click to switch the output %1. Press P to pulse it. Right-click to pulse or rename it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>
+Right-click or press F2 to rename the input.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6733,19 +6733,11 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No data from the robot.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Press the Tab key to select a row on the I/O tab first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The robot did not confirm %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Another program or the installation may control the output.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6770,6 +6762,14 @@ Right-click or press F2 to rename it.</source>
     </message>
     <message>
         <source>on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot is not sending data. Wait for data, or reconnect.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another program or the installation may control the output. Check both, then switch the output again.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

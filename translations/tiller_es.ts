@@ -5087,12 +5087,6 @@
         <translation>Fijar %1</translation>
     </message>
     <message>
-        <source>%1: %2
-Press F2 to rename it or Shift+F2 to scale it, or right-click.</source>
-        <translation>%1: %2
-F2 para renombrar, Mayús+F2 para escalar, o clic derecho.</translation>
-    </message>
-    <message>
         <source>Rename…</source>
         <translation>Renombrar…</translation>
     </message>
@@ -5123,6 +5117,12 @@ F2 para renombrar, Mayús+F2 para escalar, o clic derecho.</translation>
     <message>
         <source>Unit</source>
         <translation>Unidad</translation>
+    </message>
+    <message>
+        <source>%1: %2
+To rename or scale the signal, right-click it, or press F2 or Shift+F2.</source>
+        <translation>%1: %2
+F2 para renombrar, Mayús+F2 para escalar, o clic derecho.</translation>
     </message>
 </context>
 <context>
@@ -6210,10 +6210,6 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>Mover</translation>
     </message>
     <message>
-        <source>Move the fingers to this opening</source>
-        <translation>Mover los dedos a esta apertura</translation>
-    </message>
-    <message>
         <source>Gripper</source>
         <translation>Pinza</translation>
     </message>
@@ -6274,28 +6270,12 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>Acción sugerida</translation>
     </message>
     <message>
-        <source>Closes</source>
-        <translation>Cierra</translation>
-    </message>
-    <message>
-        <source>Opens</source>
-        <translation>Abre</translation>
-    </message>
-    <message>
         <source>State</source>
         <translation>Estado</translation>
     </message>
     <message>
         <source>Opening</source>
         <translation>Apertura</translation>
-    </message>
-    <message>
-        <source>Holds</source>
-        <translation>Sujeta</translation>
-    </message>
-    <message>
-        <source>Go to</source>
-        <translation>Ir a</translation>
     </message>
     <message>
         <source>Speed</source>
@@ -6328,14 +6308,6 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
     <message>
         <source>%1 (speed %2, force %3)</source>
         <translation>%1 (velocidad %2, fuerza %3)</translation>
-    </message>
-    <message>
-        <source>Connect to a robot first. The gripper is stored for each robot.</source>
-        <translation>Conéctese primero a un robot: la pinza se guarda para cada robot.</translation>
-    </message>
-    <message>
-        <source>No data from the robot.</source>
-        <translation>Sin datos del robot.</translation>
     </message>
     <message>
         <source>Please wait…</source>
@@ -6378,18 +6350,6 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>desconocido durante el movimiento</translation>
     </message>
     <message>
-        <source>object, outer grip</source>
-        <translation>objeto, agarre exterior</translation>
-    </message>
-    <message>
-        <source>object, inner grip</source>
-        <translation>objeto, agarre interior</translation>
-    </message>
-    <message>
-        <source>nothing</source>
-        <translation>nada</translation>
-    </message>
-    <message>
         <source>The gripper is not available with this port offset. Use a smaller port offset.</source>
         <translation>La pinza no está disponible con este desplazamiento de puerto. Use un desplazamiento menor.</translation>
     </message>
@@ -6406,10 +6366,6 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>La pinza está activa.</translation>
     </message>
     <message>
-        <source>Stopping the arm does not change the gripper: it keeps its grip.</source>
-        <translation>Detener el brazo no cambia la pinza: mantiene el agarre.</translation>
-    </message>
-    <message>
         <source>The fingers open and close once and drop any gripped object. Keep your fingers clear of the gripper.</source>
         <translation>Los dedos se abren y se cierran una vez y sueltan el objeto agarrado. Mantenga los dedos lejos de la pinza.</translation>
     </message>
@@ -6422,20 +6378,64 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>Cierra la pinza. Mantenga los dedos lejos de ella.</translation>
     </message>
     <message>
-        <source>Moves the fingers to this opening.</source>
-        <translation>Mueve los dedos a esta apertura.</translation>
-    </message>
-    <message>
-        <source>Speed or force is out of range. Enter 0 to 100 %.</source>
-        <translation>La velocidad o la fuerza está fuera del intervalo. Introduzca de 0 a 100 %.</translation>
-    </message>
-    <message>
         <source>The gripper did not execute the command. Check that no other program controls the gripper, then try again.</source>
         <translation>La pinza no ejecutó la orden. Compruebe que ningún otro programa controla la pinza e inténtelo de nuevo.</translation>
     </message>
     <message>
         <source>Gripper: stop</source>
         <translation>Pinza: parar</translation>
+    </message>
+    <message>
+        <source>Move the fingers to the target opening</source>
+        <translation>Mover los dedos a la apertura de destino</translation>
+    </message>
+    <message>
+        <source>Closed by</source>
+        <translation>Cierra</translation>
+    </message>
+    <message>
+        <source>Opened by</source>
+        <translation>Abre</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>Objeto</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Destino</translation>
+    </message>
+    <message>
+        <source>Connect to a robot first. Tiller stores the gripper selection for each robot.</source>
+        <translation>Conéctese primero a un robot. Tiller guarda la selección de la pinza para cada robot.</translation>
+    </message>
+    <message>
+        <source>The robot is not sending data. Wait for data, or reconnect.</source>
+        <translation>El robot no envía datos. Espere los datos o vuelva a conectarse.</translation>
+    </message>
+    <message>
+        <source>external grip</source>
+        <translation>agarre exterior</translation>
+    </message>
+    <message>
+        <source>internal grip</source>
+        <translation>agarre interior</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguno</translation>
+    </message>
+    <message>
+        <source>Stopping the arm does not open the gripper.</source>
+        <translation>Detener el brazo no abre la pinza.</translation>
+    </message>
+    <message>
+        <source>Moves the fingers to the target opening.</source>
+        <translation>Mueve los dedos a la apertura de destino.</translation>
+    </message>
+    <message>
+        <source>Speed or force is out of range. Enter a value from 0 to 100 %.</source>
+        <translation>La velocidad o la fuerza está fuera del intervalo. Introduzca de 0 a 100 %.</translation>
     </message>
 </context>
 <context>
@@ -6644,18 +6644,6 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>%1, sin actualizar</translation>
     </message>
     <message>
-        <source>
-The output cannot be switched while the robot sends no data.</source>
-        <translation>
-La salida no se puede conmutar mientras el robot no envía datos.</translation>
-    </message>
-    <message>
-        <source>
-Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</source>
-        <translation>
-Clic para conmutar: %1. Pulse P para un impulso. Clic derecho para un impulso o renombrar.</translation>
-    </message>
-    <message>
         <source>Pulse</source>
         <translation>Pulso</translation>
     </message>
@@ -6673,7 +6661,19 @@ Clic para conmutar: %1. Pulse P para un impulso. Clic derecho para un impulso o 
     </message>
     <message>
         <source>
-Right-click or press F2 to rename it.</source>
+The output cannot be switched while the robot is not sending data.</source>
+        <translation>
+La salida no se puede conmutar mientras el robot no envía datos.</translation>
+    </message>
+    <message>
+        <source>
+Click to switch the output %1. Press P to pulse it. Right-click to pulse or rename it.</source>
+        <translation>
+Clic para conmutar: %1. Pulse P para un impulso. Clic derecho para un impulso o renombrar.</translation>
+    </message>
+    <message>
+        <source>
+Right-click or press F2 to rename the input.</source>
         <translation>
 Para renombrar, haga clic derecho o pulse F2.</translation>
     </message>
@@ -6740,20 +6740,12 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>El robot no confirmó %1</translation>
     </message>
     <message>
-        <source>Another program or the installation may control the output.</source>
-        <translation>Puede que la controle otro programa o la instalación.</translation>
-    </message>
-    <message>
         <source>Analog</source>
         <translation>Analógicas</translation>
     </message>
     <message>
         <source>General purpose registers</source>
         <translation>Registros de uso general</translation>
-    </message>
-    <message>
-        <source>No data from the robot.</source>
-        <translation>Sin datos del robot.</translation>
     </message>
     <message>
         <source>Replay is active. Press “Back to live” first.</source>
@@ -6778,6 +6770,14 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
     <message>
         <source>on</source>
         <translation>activada</translation>
+    </message>
+    <message>
+        <source>Another program or the installation may control the output. Check both, then switch the output again.</source>
+        <translation>Puede que la controle otro programa o la instalación. Compruebe ambos y vuelva a conmutar la salida.</translation>
+    </message>
+    <message>
+        <source>The robot is not sending data. Wait for data, or reconnect.</source>
+        <translation>El robot no envía datos. Espere los datos o vuelva a conectarse.</translation>
     </message>
 </context>
 <context>

@@ -5087,12 +5087,6 @@
         <translation>Régler %1</translation>
     </message>
     <message>
-        <source>%1: %2
-Press F2 to rename it or Shift+F2 to scale it, or right-click.</source>
-        <translation>%1 : %2
-F2 pour renommer, Maj+F2 pour mettre à l’échelle, ou clic droit.</translation>
-    </message>
-    <message>
         <source>Rename…</source>
         <translation>Renommer…</translation>
     </message>
@@ -5123,6 +5117,12 @@ F2 pour renommer, Maj+F2 pour mettre à l’échelle, ou clic droit.</translatio
     <message>
         <source>Unit</source>
         <translation>Unité</translation>
+    </message>
+    <message>
+        <source>%1: %2
+To rename or scale the signal, right-click it, or press F2 or Shift+F2.</source>
+        <translation>%1 : %2
+F2 pour renommer, Maj+F2 pour mettre à l’échelle, ou clic droit.</translation>
     </message>
 </context>
 <context>
@@ -6210,10 +6210,6 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>Bouger</translation>
     </message>
     <message>
-        <source>Move the fingers to this opening</source>
-        <translation>Amener les doigts à cette ouverture</translation>
-    </message>
-    <message>
         <source>Gripper</source>
         <translation>Pince</translation>
     </message>
@@ -6274,28 +6270,12 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>Action suggérée</translation>
     </message>
     <message>
-        <source>Closes</source>
-        <translation>Ferme</translation>
-    </message>
-    <message>
-        <source>Opens</source>
-        <translation>Ouvre</translation>
-    </message>
-    <message>
         <source>State</source>
         <translation>État</translation>
     </message>
     <message>
         <source>Opening</source>
         <translation>Ouverture</translation>
-    </message>
-    <message>
-        <source>Holds</source>
-        <translation>Tient</translation>
-    </message>
-    <message>
-        <source>Go to</source>
-        <translation>Aller à</translation>
     </message>
     <message>
         <source>Speed</source>
@@ -6328,14 +6308,6 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
     <message>
         <source>%1 (speed %2, force %3)</source>
         <translation>%1 (vitesse %2, force %3)</translation>
-    </message>
-    <message>
-        <source>Connect to a robot first. The gripper is stored for each robot.</source>
-        <translation>Connectez-vous d’abord à un robot : la pince est enregistrée pour chaque robot.</translation>
-    </message>
-    <message>
-        <source>No data from the robot.</source>
-        <translation>Pas de données du robot.</translation>
     </message>
     <message>
         <source>Please wait…</source>
@@ -6378,18 +6350,6 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>inconnu pendant le mouvement</translation>
     </message>
     <message>
-        <source>object, outer grip</source>
-        <translation>objet, prise extérieure</translation>
-    </message>
-    <message>
-        <source>object, inner grip</source>
-        <translation>objet, prise intérieure</translation>
-    </message>
-    <message>
-        <source>nothing</source>
-        <translation>rien</translation>
-    </message>
-    <message>
         <source>The gripper is not available with this port offset. Use a smaller port offset.</source>
         <translation>La pince n’est pas disponible avec ce décalage de port. Utilisez un décalage plus petit.</translation>
     </message>
@@ -6406,10 +6366,6 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>La pince est active.</translation>
     </message>
     <message>
-        <source>Stopping the arm does not change the gripper: it keeps its grip.</source>
-        <translation>L’arrêt du bras ne change pas la pince : elle maintient sa prise.</translation>
-    </message>
-    <message>
         <source>The fingers open and close once and drop any gripped object. Keep your fingers clear of the gripper.</source>
         <translation>Les doigts s’ouvrent et se ferment une fois et lâchent tout objet saisi. Éloignez vos doigts de la pince.</translation>
     </message>
@@ -6422,20 +6378,64 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>Ferme la pince. Éloignez vos doigts.</translation>
     </message>
     <message>
-        <source>Moves the fingers to this opening.</source>
-        <translation>Déplace les doigts à cette ouverture.</translation>
-    </message>
-    <message>
-        <source>Speed or force is out of range. Enter 0 to 100 %.</source>
-        <translation>La vitesse ou la force est hors plage. Saisissez 0 à 100 %.</translation>
-    </message>
-    <message>
         <source>The gripper did not execute the command. Check that no other program controls the gripper, then try again.</source>
         <translation>La pince n’a pas exécuté la commande. Vérifiez qu’aucun autre programme ne commande la pince, puis réessayez.</translation>
     </message>
     <message>
         <source>Gripper: stop</source>
         <translation>Pince : arrêter</translation>
+    </message>
+    <message>
+        <source>Move the fingers to the target opening</source>
+        <translation>Amener les doigts à l’ouverture cible</translation>
+    </message>
+    <message>
+        <source>Closed by</source>
+        <translation>Ferme</translation>
+    </message>
+    <message>
+        <source>Opened by</source>
+        <translation>Ouvre</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>Objet</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Cible</translation>
+    </message>
+    <message>
+        <source>Connect to a robot first. Tiller stores the gripper selection for each robot.</source>
+        <translation>Connectez-vous d’abord à un robot. Tiller enregistre le choix de la pince pour chaque robot.</translation>
+    </message>
+    <message>
+        <source>The robot is not sending data. Wait for data, or reconnect.</source>
+        <translation>Le robot n’envoie pas de données. Attendez des données ou reconnectez-vous.</translation>
+    </message>
+    <message>
+        <source>external grip</source>
+        <translation>prise extérieure</translation>
+    </message>
+    <message>
+        <source>internal grip</source>
+        <translation>prise intérieure</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <source>Stopping the arm does not open the gripper.</source>
+        <translation>L’arrêt du bras n’ouvre pas la pince.</translation>
+    </message>
+    <message>
+        <source>Moves the fingers to the target opening.</source>
+        <translation>Déplace les doigts à l’ouverture cible.</translation>
+    </message>
+    <message>
+        <source>Speed or force is out of range. Enter a value from 0 to 100 %.</source>
+        <translation>La vitesse ou la force est hors plage. Saisissez 0 à 100 %.</translation>
     </message>
 </context>
 <context>
@@ -6644,18 +6644,6 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>%1, périmé</translation>
     </message>
     <message>
-        <source>
-The output cannot be switched while the robot sends no data.</source>
-        <translation>
-La sortie ne peut pas être commutée tant que le robot n’envoie pas de données.</translation>
-    </message>
-    <message>
-        <source>
-Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</source>
-        <translation>
-Cliquez pour commuter : %1. P pour une impulsion. Clic droit pour une impulsion ou renommer.</translation>
-    </message>
-    <message>
         <source>Pulse</source>
         <translation>Impulsion</translation>
     </message>
@@ -6673,7 +6661,19 @@ Cliquez pour commuter : %1. P pour une impulsion. Clic droit pour une impulsion 
     </message>
     <message>
         <source>
-Right-click or press F2 to rename it.</source>
+The output cannot be switched while the robot is not sending data.</source>
+        <translation>
+La sortie ne peut pas être commutée tant que le robot n’envoie pas de données.</translation>
+    </message>
+    <message>
+        <source>
+Click to switch the output %1. Press P to pulse it. Right-click to pulse or rename it.</source>
+        <translation>
+Cliquez pour commuter : %1. P pour une impulsion. Clic droit pour une impulsion ou renommer.</translation>
+    </message>
+    <message>
+        <source>
+Right-click or press F2 to rename the input.</source>
         <translation>
 Clic droit ou F2 pour renommer.</translation>
     </message>
@@ -6740,20 +6740,12 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Le robot n’a pas confirmé %1</translation>
     </message>
     <message>
-        <source>Another program or the installation may control the output.</source>
-        <translation>Un autre programme ou l’installation la commande peut-être.</translation>
-    </message>
-    <message>
         <source>Analog</source>
         <translation>Analogiques</translation>
     </message>
     <message>
         <source>General purpose registers</source>
         <translation>Registres généraux</translation>
-    </message>
-    <message>
-        <source>No data from the robot.</source>
-        <translation>Pas de données du robot.</translation>
     </message>
     <message>
         <source>Replay is active. Press “Back to live” first.</source>
@@ -6778,6 +6770,14 @@ Clic droit ou F2 pour renommer.</translation>
     <message>
         <source>on</source>
         <translation>activée</translation>
+    </message>
+    <message>
+        <source>Another program or the installation may control the output. Check both, then switch the output again.</source>
+        <translation>Un autre programme ou l’installation la commande peut-être. Vérifiez les deux, puis commutez à nouveau la sortie.</translation>
+    </message>
+    <message>
+        <source>The robot is not sending data. Wait for data, or reconnect.</source>
+        <translation>Le robot n’envoie pas de données. Attendez des données ou reconnectez-vous.</translation>
     </message>
 </context>
 <context>

@@ -5084,12 +5084,6 @@
         <translation>%1 を設定</translation>
     </message>
     <message>
-        <source>%1: %2
-Press F2 to rename it or Shift+F2 to scale it, or right-click.</source>
-        <translation>%1：%2
-F2 で名前変更、Shift+F2 でスケール、または右クリック。</translation>
-    </message>
-    <message>
         <source>Rename…</source>
         <translation>名前を変更…</translation>
     </message>
@@ -5120,6 +5114,12 @@ F2 で名前変更、Shift+F2 でスケール、または右クリック。</tra
     <message>
         <source>Unit</source>
         <translation>単位</translation>
+    </message>
+    <message>
+        <source>%1: %2
+To rename or scale the signal, right-click it, or press F2 or Shift+F2.</source>
+        <translation>%1：%2
+F2 で名前変更、Shift+F2 でスケール、または右クリック。</translation>
     </message>
 </context>
 <context>
@@ -6201,10 +6201,6 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>動かす</translation>
     </message>
     <message>
-        <source>Move the fingers to this opening</source>
-        <translation>指をこの開きへ動かす</translation>
-    </message>
-    <message>
         <source>Gripper</source>
         <translation>グリッパー</translation>
     </message>
@@ -6265,28 +6261,12 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>推奨される対処</translation>
     </message>
     <message>
-        <source>Closes</source>
-        <translation>閉じる</translation>
-    </message>
-    <message>
-        <source>Opens</source>
-        <translation>開く</translation>
-    </message>
-    <message>
         <source>State</source>
         <translation>状態</translation>
     </message>
     <message>
         <source>Opening</source>
         <translation>開き</translation>
-    </message>
-    <message>
-        <source>Holds</source>
-        <translation>把持</translation>
-    </message>
-    <message>
-        <source>Go to</source>
-        <translation>目標</translation>
     </message>
     <message>
         <source>Speed</source>
@@ -6319,14 +6299,6 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
     <message>
         <source>%1 (speed %2, force %3)</source>
         <translation>%1（速度 %2、力 %3）</translation>
-    </message>
-    <message>
-        <source>Connect to a robot first. The gripper is stored for each robot.</source>
-        <translation>先にロボットに接続してください：グリッパーはロボットごとに保存されます。</translation>
-    </message>
-    <message>
-        <source>No data from the robot.</source>
-        <translation>ロボットからのデータなし。</translation>
     </message>
     <message>
         <source>Please wait…</source>
@@ -6369,18 +6341,6 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>動作中は不明</translation>
     </message>
     <message>
-        <source>object, outer grip</source>
-        <translation>物体、外側把持</translation>
-    </message>
-    <message>
-        <source>object, inner grip</source>
-        <translation>物体、内側把持</translation>
-    </message>
-    <message>
-        <source>nothing</source>
-        <translation>なし</translation>
-    </message>
-    <message>
         <source>The gripper is not available with this port offset. Use a smaller port offset.</source>
         <translation>このポートオフセットではグリッパーを使えません。より小さいポートオフセットを使ってください。</translation>
     </message>
@@ -6397,10 +6357,6 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>グリッパーは有効です。</translation>
     </message>
     <message>
-        <source>Stopping the arm does not change the gripper: it keeps its grip.</source>
-        <translation>アームが停止してもグリッパーはそのままです：つかみ続けます。</translation>
-    </message>
-    <message>
         <source>The fingers open and close once and drop any gripped object. Keep your fingers clear of the gripper.</source>
         <translation>グリッパーの指が一度開閉し、つかんだ物体は落ちます。手の指を近づけないでください。</translation>
     </message>
@@ -6413,20 +6369,64 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>グリッパーを閉じます。指を近づけないでください。</translation>
     </message>
     <message>
-        <source>Moves the fingers to this opening.</source>
-        <translation>指をこの開度へ動かします。</translation>
-    </message>
-    <message>
-        <source>Speed or force is out of range. Enter 0 to 100 %.</source>
-        <translation>速度または力が範囲外です。0～100 % を入力してください。</translation>
-    </message>
-    <message>
         <source>The gripper did not execute the command. Check that no other program controls the gripper, then try again.</source>
         <translation>グリッパーが指令を実行しませんでした。別のプログラムがグリッパーを制御していないことを確認し、もう一度試してください。</translation>
     </message>
     <message>
         <source>Gripper: stop</source>
         <translation>グリッパー：停止</translation>
+    </message>
+    <message>
+        <source>Move the fingers to the target opening</source>
+        <translation>指を目標開度へ動かす</translation>
+    </message>
+    <message>
+        <source>Closed by</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>Opened by</source>
+        <translation>開く</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>物体</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>目標</translation>
+    </message>
+    <message>
+        <source>Connect to a robot first. Tiller stores the gripper selection for each robot.</source>
+        <translation>先にロボットに接続してください。Tiller はグリッパーの選択をロボットごとに保存します。</translation>
+    </message>
+    <message>
+        <source>The robot is not sending data. Wait for data, or reconnect.</source>
+        <translation>ロボットがデータを送信していません。データを待つか、再接続してください。</translation>
+    </message>
+    <message>
+        <source>external grip</source>
+        <translation>外側把持</translation>
+    </message>
+    <message>
+        <source>internal grip</source>
+        <translation>内側把持</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>Stopping the arm does not open the gripper.</source>
+        <translation>アームが停止してもグリッパーは開きません。</translation>
+    </message>
+    <message>
+        <source>Moves the fingers to the target opening.</source>
+        <translation>指を目標開度へ動かします。</translation>
+    </message>
+    <message>
+        <source>Speed or force is out of range. Enter a value from 0 to 100 %.</source>
+        <translation>速度または力が範囲外です。0～100 % を入力してください。</translation>
     </message>
 </context>
 <context>
@@ -6635,18 +6635,6 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>%1、更新なし</translation>
     </message>
     <message>
-        <source>
-The output cannot be switched while the robot sends no data.</source>
-        <translation>
-ロボットのデータが届かない間、出力は切り替えられません。</translation>
-    </message>
-    <message>
-        <source>
-Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</source>
-        <translation>
-クリックで切替：%1。P：パルス。右クリック：パルス、名前変更。</translation>
-    </message>
-    <message>
         <source>Pulse</source>
         <translation>パルス</translation>
     </message>
@@ -6664,7 +6652,19 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
     </message>
     <message>
         <source>
-Right-click or press F2 to rename it.</source>
+The output cannot be switched while the robot is not sending data.</source>
+        <translation>
+ロボットのデータが届かない間、出力は切り替えられません。</translation>
+    </message>
+    <message>
+        <source>
+Click to switch the output %1. Press P to pulse it. Right-click to pulse or rename it.</source>
+        <translation>
+クリックで切替：%1。P：パルス。右クリック：パルス、名前変更。</translation>
+    </message>
+    <message>
+        <source>
+Right-click or press F2 to rename the input.</source>
         <translation>
 右クリックまたは F2 で名前を変更します。</translation>
     </message>
@@ -6731,20 +6731,12 @@ Right-click or press F2 to rename it.</source>
         <translation>ロボットが %1 を確認しませんでした</translation>
     </message>
     <message>
-        <source>Another program or the installation may control the output.</source>
-        <translation>別のプログラムかインストールが使っている可能性があります。</translation>
-    </message>
-    <message>
         <source>Analog</source>
         <translation>アナログ</translation>
     </message>
     <message>
         <source>General purpose registers</source>
         <translation>汎用レジスター</translation>
-    </message>
-    <message>
-        <source>No data from the robot.</source>
-        <translation>ロボットからのデータなし。</translation>
     </message>
     <message>
         <source>Replay is active. Press “Back to live” first.</source>
@@ -6769,6 +6761,14 @@ Right-click or press F2 to rename it.</source>
     <message>
         <source>on</source>
         <translation>オン</translation>
+    </message>
+    <message>
+        <source>Another program or the installation may control the output. Check both, then switch the output again.</source>
+        <translation>別のプログラムかインストールが使っている可能性があります。両方を確認してから、もう一度出力を切り替えてください。</translation>
+    </message>
+    <message>
+        <source>The robot is not sending data. Wait for data, or reconnect.</source>
+        <translation>ロボットがデータを送信していません。データを待つか、再接続してください。</translation>
     </message>
 </context>
 <context>

@@ -5084,12 +5084,6 @@
         <translation>设定 %1</translation>
     </message>
     <message>
-        <source>%1: %2
-Press F2 to rename it or Shift+F2 to scale it, or right-click.</source>
-        <translation>%1：%2
-按 F2 重命名，Shift+F2 缩放，或右键单击。</translation>
-    </message>
-    <message>
         <source>Rename…</source>
         <translation>重命名…</translation>
     </message>
@@ -5120,6 +5114,12 @@ Press F2 to rename it or Shift+F2 to scale it, or right-click.</source>
     <message>
         <source>Unit</source>
         <translation>单位</translation>
+    </message>
+    <message>
+        <source>%1: %2
+To rename or scale the signal, right-click it, or press F2 or Shift+F2.</source>
+        <translation>%1：%2
+按 F2 重命名，Shift+F2 缩放，或右键单击。</translation>
     </message>
 </context>
 <context>
@@ -6201,10 +6201,6 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>移动</translation>
     </message>
     <message>
-        <source>Move the fingers to this opening</source>
-        <translation>把手指移到此开度</translation>
-    </message>
-    <message>
         <source>Gripper</source>
         <translation>夹爪</translation>
     </message>
@@ -6265,28 +6261,12 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>建议的操作</translation>
     </message>
     <message>
-        <source>Closes</source>
-        <translation>关闭</translation>
-    </message>
-    <message>
-        <source>Opens</source>
-        <translation>打开</translation>
-    </message>
-    <message>
         <source>State</source>
         <translation>状态</translation>
     </message>
     <message>
         <source>Opening</source>
         <translation>开度</translation>
-    </message>
-    <message>
-        <source>Holds</source>
-        <translation>夹持</translation>
-    </message>
-    <message>
-        <source>Go to</source>
-        <translation>目标</translation>
     </message>
     <message>
         <source>Speed</source>
@@ -6319,14 +6299,6 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
     <message>
         <source>%1 (speed %2, force %3)</source>
         <translation>%1（速度 %2，力 %3）</translation>
-    </message>
-    <message>
-        <source>Connect to a robot first. The gripper is stored for each robot.</source>
-        <translation>请先连接机器人：夹爪按机器人分别保存。</translation>
-    </message>
-    <message>
-        <source>No data from the robot.</source>
-        <translation>没有来自机器人的数据。</translation>
     </message>
     <message>
         <source>Please wait…</source>
@@ -6369,18 +6341,6 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>移动时未知</translation>
     </message>
     <message>
-        <source>object, outer grip</source>
-        <translation>物体，外夹</translation>
-    </message>
-    <message>
-        <source>object, inner grip</source>
-        <translation>物体，内夹</translation>
-    </message>
-    <message>
-        <source>nothing</source>
-        <translation>无</translation>
-    </message>
-    <message>
         <source>The gripper is not available with this port offset. Use a smaller port offset.</source>
         <translation>使用此端口偏移时夹爪不可用。请使用较小的端口偏移。</translation>
     </message>
@@ -6397,10 +6357,6 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>夹爪已激活。</translation>
     </message>
     <message>
-        <source>Stopping the arm does not change the gripper: it keeps its grip.</source>
-        <translation>机械臂停止时夹爪保持原样：继续夹持。</translation>
-    </message>
-    <message>
         <source>The fingers open and close once and drop any gripped object. Keep your fingers clear of the gripper.</source>
         <translation>手指开合一次；所夹物体会掉落。手指请勿放入夹爪。</translation>
     </message>
@@ -6413,20 +6369,64 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>关闭夹爪。手指请勿放入。</translation>
     </message>
     <message>
-        <source>Moves the fingers to this opening.</source>
-        <translation>将手指移到此开度。</translation>
-    </message>
-    <message>
-        <source>Speed or force is out of range. Enter 0 to 100 %.</source>
-        <translation>速度或力超出范围。请输入 0 到 100 %。</translation>
-    </message>
-    <message>
         <source>The gripper did not execute the command. Check that no other program controls the gripper, then try again.</source>
         <translation>夹爪未执行命令。请确认没有其他程序控制夹爪，然后重试。</translation>
     </message>
     <message>
         <source>Gripper: stop</source>
         <translation>夹爪：停止</translation>
+    </message>
+    <message>
+        <source>Move the fingers to the target opening</source>
+        <translation>把手指移到目标开度</translation>
+    </message>
+    <message>
+        <source>Closed by</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Opened by</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>物体</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>Connect to a robot first. Tiller stores the gripper selection for each robot.</source>
+        <translation>请先连接机器人。Tiller 按机器人分别保存夹爪选择。</translation>
+    </message>
+    <message>
+        <source>The robot is not sending data. Wait for data, or reconnect.</source>
+        <translation>机器人没有发送数据。请等待数据，或重新连接。</translation>
+    </message>
+    <message>
+        <source>external grip</source>
+        <translation>外夹</translation>
+    </message>
+    <message>
+        <source>internal grip</source>
+        <translation>内夹</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Stopping the arm does not open the gripper.</source>
+        <translation>机械臂停止时夹爪不会张开。</translation>
+    </message>
+    <message>
+        <source>Moves the fingers to the target opening.</source>
+        <translation>将手指移到目标开度。</translation>
+    </message>
+    <message>
+        <source>Speed or force is out of range. Enter a value from 0 to 100 %.</source>
+        <translation>速度或力超出范围。请输入 0 到 100 %。</translation>
     </message>
 </context>
 <context>
@@ -6635,18 +6635,6 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>%1，已过时</translation>
     </message>
     <message>
-        <source>
-The output cannot be switched while the robot sends no data.</source>
-        <translation>
-没有来自机器人的数据时无法切换输出。</translation>
-    </message>
-    <message>
-        <source>
-Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</source>
-        <translation>
-点击切换：%1。P：脉冲。右键：脉冲、重命名。</translation>
-    </message>
-    <message>
         <source>Pulse</source>
         <translation>脉冲</translation>
     </message>
@@ -6664,7 +6652,19 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
     </message>
     <message>
         <source>
-Right-click or press F2 to rename it.</source>
+The output cannot be switched while the robot is not sending data.</source>
+        <translation>
+没有来自机器人的数据时无法切换输出。</translation>
+    </message>
+    <message>
+        <source>
+Click to switch the output %1. Press P to pulse it. Right-click to pulse or rename it.</source>
+        <translation>
+点击切换：%1。P：脉冲。右键：脉冲、重命名。</translation>
+    </message>
+    <message>
+        <source>
+Right-click or press F2 to rename the input.</source>
         <translation>
 右键单击或按 F2 重命名。</translation>
     </message>
@@ -6731,20 +6731,12 @@ Right-click or press F2 to rename it.</source>
         <translation>机器人没有确认 %1</translation>
     </message>
     <message>
-        <source>Another program or the installation may control the output.</source>
-        <translation>可能由其他程序或安装设置控制。</translation>
-    </message>
-    <message>
         <source>Analog</source>
         <translation>模拟量</translation>
     </message>
     <message>
         <source>General purpose registers</source>
         <translation>通用寄存器</translation>
-    </message>
-    <message>
-        <source>No data from the robot.</source>
-        <translation>没有来自机器人的数据。</translation>
     </message>
     <message>
         <source>Replay is active. Press “Back to live” first.</source>
@@ -6769,6 +6761,14 @@ Right-click or press F2 to rename it.</source>
     <message>
         <source>on</source>
         <translation>开</translation>
+    </message>
+    <message>
+        <source>Another program or the installation may control the output. Check both, then switch the output again.</source>
+        <translation>可能由其他程序或安装设置控制。请检查两者，然后重新切换输出。</translation>
+    </message>
+    <message>
+        <source>The robot is not sending data. Wait for data, or reconnect.</source>
+        <translation>机器人没有发送数据。请等待数据，或重新连接。</translation>
     </message>
 </context>
 <context>

@@ -138,7 +138,7 @@ private Q_SLOTS:
         QVERIFY(!key("gripper.activate").isEnabled());
         QVERIFY(wasSaid("Gripper: activate"));
         QVERIFY(wasSaid("The gripper is active"));
-        QVERIFY(key("gripper.close").toolTip().contains("keeps its grip"));
+        QVERIFY(key("gripper.close").toolTip().contains("does not open the gripper"));
     }
 
     void gripperOpensClosesAndReportsHeldObjects() {
@@ -146,13 +146,13 @@ private Q_SLOTS:
         activate();
         click("gripper.close");
         QVERIFY(until([this] { return text("gripper.opening") == "0.0 mm"; }));
-        QVERIFY(until([this] { return text("gripper.holds") == "nothing"; }));
+        QVERIFY(until([this] { return text("gripper.holds") == "none"; }));
         QVERIFY2(wasSaid("Gripper: close (speed 50 %, force 20 %)"), qPrintable(said_.join('\n')));
         click("gripper.open");
         QVERIFY(until([this] { return text("gripper.opening") == "85.0 mm"; }));
         QVERIFY(cell().robot.inject("gripper-object 120").ok());
         click("gripper.close");
-        QVERIFY(until([this] { return text("gripper.holds").contains("object"); }));
+        QVERIFY(until([this] { return text("gripper.holds") == "external grip"; }));
         QCOMPARE(text("gripper.opening"), QString("41.2 mm"));
         QVERIFY(until([this] { return wasSaid("The gripper holds an object (41.2 mm open)"); }));
         // A stop of the arm does not affect the gripper.
@@ -160,11 +160,11 @@ private Q_SLOTS:
         cell().robot.protectiveStop();
         cell().advanceMs(500);
         QTest::qWait(300);
-        QVERIFY(text("gripper.holds").contains("object"));
+        QVERIFY(text("gripper.holds") == "external grip");
         // The gripper can still be opened, just as an output can still be switched.
         click("gripper.open");
         QVERIFY(until([this] { return text("gripper.opening") == "85.0 mm"; }));
-        QVERIFY(until([this] { return text("gripper.holds") == "nothing"; }));
+        QVERIFY(until([this] { return text("gripper.holds") == "none"; }));
     }
 
     void anEnteredOpeningIsAppliedOnClick() {
@@ -219,7 +219,7 @@ private Q_SLOTS:
         auto peer = std::make_unique<RawPeer>([&gripper](RawPeer::Link& link) { gripper.serve(link); });
         panel().setAddress("127.0.0.1", peer->port());
         choose(kTwoF85);
-        QVERIFY(until([this] { return text("gripper.holds").contains("object"); }));
+        QVERIFY(until([this] { return text("gripper.holds") == "external grip"; }));
         QVERIFY(until([this] { return key("gripper.open").isEnabled(); }));
         peer.reset();
         QVERIFY(until([this] { return text("gripper.state") == "unknown"; }));
@@ -246,7 +246,7 @@ private Q_SLOTS:
         tab->output(3)->click();
         QVERIFY(until([this] { return output(3); }));
         gripper.mute = false;
-        QVERIFY(until([this] { return text("gripper.holds").contains("object"); }));
+        QVERIFY(until([this] { return text("gripper.holds") == "external grip"; }));
         QVERIFY(until([this] { return wasSaid("The gripper responds again"); }));
     }
 
@@ -357,7 +357,8 @@ private Q_SLOTS:
         // Time advances without data.
         bench_->clock.advanceNs(400 * kNsPerMs);
         QVERIFY(untilReal([this] { return !key("gripper.close").isEnabled(); }));
-        QCOMPARE(key("gripper.close").toolTip(), QString("No data from the robot."));
+        QCOMPARE(key("gripper.close").toolTip(),
+                 QString("The robot is not sending data. Wait for data, or reconnect."));
         QTest::mouseClick(&key("gripper.close"), Qt::LeftButton);
         bench_->clock.advanceNs(1500 * kNsPerMs);
         QVERIFY(untilReal([this] { return text("gripper.state") == "unknown"; }));

@@ -158,7 +158,7 @@ QString AnalogRow::valueText() const {
 void AnalogRow::describe() {
     setAccessibleName(name_.isEmpty() ? terminal_ : QStringLiteral("%1, %2").arg(terminal_, name_));
     setAccessibleDescription(valueLabel_->text());
-    setToolTip(tr("%1: %2\nPress F2 to rename it or Shift+F2 to scale it, or right-click.")
+    setToolTip(tr("%1: %2\nTo rename or scale the signal, right-click it, or press F2 or Shift+F2.")
                    .arg(accessibleName(), valueLabel_->text()));
 }
 

@@ -111,7 +111,7 @@ GripperPanel::GripperPanel(RobotSession& session, QWidget* parent)
     , activate_(key(tr("Activate"), QStringLiteral("gripper.activate"), tr("Activate the gripper")))
     , open_(key(tr("Open"), QStringLiteral("gripper.open"), tr("Open the gripper")))
     , close_(key(tr("Close"), QStringLiteral("gripper.close"), tr("Close the gripper")))
-    , move_(key(tr("Move"), QStringLiteral("gripper.move"), tr("Move the fingers to this opening")))
+    , move_(key(tr("Move"), QStringLiteral("gripper.move"), tr("Move the fingers to the target opening")))
     , position_(new DecimalSpinBox)
     , speed_(new DecimalSpinBox)
     , force_(new DecimalSpinBox)
@@ -218,15 +218,15 @@ void GripperPanel::build() {
     grid->setColumnStretch(1, 1);
     QVector<QWidget*> always;
     addRow(grid, tr("Gripper"), kind_, always);
-    addRow(grid, tr("Closes"), closeOutput_, ofOutputs_);
-    addRow(grid, tr("Opens"), openOutput_, ofTwoOutputs_);
+    addRow(grid, tr("Closed by"), closeOutput_, ofOutputs_);
+    addRow(grid, tr("Opened by"), openOutput_, ofTwoOutputs_);
     addRow(grid, tr("State"), stateText_, ofAny_);
     addRow(grid, tr("Opening"), openingText_, ofRobotiq_);
-    addRow(grid, tr("Holds"), holdsText_, ofRobotiq_);
+    addRow(grid, tr("Object"), holdsText_, ofRobotiq_);
     QWidget* keys = buildKeys();
     grid->addWidget(keys, grid->rowCount(), 0, 1, 3);
     ofAny_.append(keys);
-    addRow(grid, tr("Go to"), position_, ofRobotiq_, move_);
+    addRow(grid, tr("Target"), position_, ofRobotiq_, move_);
     addRow(grid, tr("Speed"), speed_, ofRobotiq_);
     addRow(grid, tr("Force"), force_, ofRobotiq_);
     lines->addLayout(grid);
@@ -456,7 +456,7 @@ QString GripperPanel::robotiqObstacle() const {
     }
     // If a box contains invalid input, the previous value would be sent.
     return speed_->isRefused() || force_->isRefused()
-               ? tr("Speed or force is out of range. Enter 0 to 100 %.")
+               ? tr("Speed or force is out of range. Enter a value from 0 to 100 %.")
                : QString();
 }
 
@@ -498,10 +498,10 @@ void GripperPanel::setHand(bool close) {
 
 QString GripperPanel::obstacleOfLink() const {
     if (robot_.isEmpty()) {
-        return tr("Connect to a robot first. The gripper is stored for each robot.");
+        return tr("Connect to a robot first. Tiller stores the gripper selection for each robot.");
     }
     if (state_.link != LinkState::Live) {
-        return tr("No data from the robot.");
+        return tr("The robot is not sending data. Wait for data, or reconnect.");
     }
     if (state_.monitorOnly) {
         return texts::monitorOnlyObstacle();
@@ -546,9 +546,9 @@ void GripperPanel::refreshRobotiq() {
     setText(openingText_, opening);
     setText(holdsText_, !settled || !now->goTo                         ? tr("unknown")
                         : now->object == RobotiqObject::Moving         ? tr("unknown while moving")
-                        : now->object == RobotiqObject::StoppedClosing ? tr("object, outer grip")
-                        : now->object == RobotiqObject::StoppedOpening ? tr("object, inner grip")
-                                                                       : tr("nothing"));
+                        : now->object == RobotiqObject::StoppedClosing ? tr("external grip")
+                        : now->object == RobotiqObject::StoppedOpening ? tr("internal grip")
+                                                                       : tr("none"));
     const QString link = obstacleOfLink();
     const QString fault = robotiq_.faultText();
     const bool noPort = io::kRobotiqPort + state_.portOffset > kMaxTcpPort && !address_;
@@ -585,14 +585,14 @@ void GripperPanel::refreshOutputs() {
 }
 
 void GripperPanel::setObstacles(const QString& moving, const QString& activating) {
-    const QString stays = tr("Stopping the arm does not change the gripper: it keeps its grip.");
+    const QString stays = tr("Stopping the arm does not open the gripper.");
     const auto tip = [&stays](const QString& what) { return what + QLatin1Char('\n') + stays; };
     setObstacle(activate_, activating,
                 tr("The fingers open and close once and drop any gripped object. Keep your fingers clear of "
                    "the gripper."));
     setObstacle(open_, moving, tip(tr("Opens the gripper and releases the object.")));
     setObstacle(close_, moving, tip(tr("Closes the gripper. Keep your fingers clear of the gripper.")));
-    setObstacle(move_, moving, tip(tr("Moves the fingers to this opening.")));
+    setObstacle(move_, moving, tip(tr("Moves the fingers to the target opening.")));
 }
 
 void GripperPanel::say(const QString& text, const char* role) {

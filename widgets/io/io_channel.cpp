@@ -103,13 +103,13 @@ void IoChannel::describe() {
                                                                 : stateWord());
     QString tip = QStringLiteral("%1: %2").arg(accessibleName(), accessibleDescription());
     if (output_) {
-        tip += stale_ ? tr("\nThe output cannot be switched while the robot sends no data.")
-               : !obstacle_.isEmpty()
-                   ? QLatin1Char('\n') + obstacle_
-                   : tr("\nClick to switch it %1. Press P to pulse it. Right-click to pulse or rename it.")
-                         .arg(state_ == State::On ? tr("off") : tr("on"));
+        tip += stale_ ? tr("\nThe output cannot be switched while the robot is not sending data.")
+               : !obstacle_.isEmpty() ? QLatin1Char('\n') + obstacle_
+                                      : tr("\nClick to switch the output %1. Press P to pulse it. "
+                                           "Right-click to pulse or rename it.")
+                                            .arg(state_ == State::On ? tr("off") : tr("on"));
     } else {
-        tip += tr("\nRight-click or press F2 to rename it.");
+        tip += tr("\nRight-click or press F2 to rename the input.");
     }
     setToolTip(tip);
 }

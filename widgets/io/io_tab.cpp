@@ -304,7 +304,8 @@ void IoTab::refresh() {
             pending = false;
             notice_->show(NoticeBar::Kind::Warning,
                           {.title = tr("The robot did not confirm %1").arg(out->accessibleName()),
-                           .text = tr("Another program or the installation may control the output."),
+                           .text = tr("Another program or the installation may control the output. Check "
+                                      "both, then switch the output again."),
                            .cause = QLatin1String(kUnconfirmed)});
             unconfirmed_ = {channel, wanted};
         } else if (unconfirmed_.first == channel && (stale || unconfirmed_.second == on)) {
@@ -426,10 +427,11 @@ void IoTab::refreshAnalog(bool known, bool stale) {
                                              stale);
         analogOutputs_[channel]->setValue(robot.analogOutput(channel), domain(2 + channel),
                                           !std::isnan(robot.analogOutput(channel)), stale);
-        analogOutputs_[channel]->setObstacle(replay_ ? tr("Replay is active. Press “Back to live” first.")
-                                             : state_.monitorOnly ? texts::monitorOnlyObstacle()
-                                             : stale              ? tr("No data from the robot.")
-                                                                  : session_.outputs().holders().analog);
+        analogOutputs_[channel]->setObstacle(
+            replay_              ? tr("Replay is active. Press “Back to live” first.")
+            : state_.monitorOnly ? texts::monitorOnlyObstacle()
+            : stale              ? tr("The robot is not sending data. Wait for data, or reconnect.")
+                                 : session_.outputs().holders().analog);
     }
     registers_->show(robot, stale);
 }
