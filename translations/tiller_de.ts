@@ -6566,10 +6566,6 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
 <context>
     <name>tiller::ImportReport</name>
     <message>
-        <source>Import of “%1”</source>
-        <translation>Import von „%1“</translation>
-    </message>
-    <message>
         <source>Steps: %1. Kept as URScript text: %2. Not imported: %3. New waypoints: %4.</source>
         <translation>Schritte: %1. Als URScript-Text übernommen: %2. Nicht importiert: %3. Neue Wegpunkte: %4.</translation>
     </message>
@@ -6588,6 +6584,10 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     <message>
         <source>Result</source>
         <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Import report for “%1”</source>
+        <translation>Importbericht für „%1“</translation>
     </message>
 </context>
 <context>
@@ -9368,10 +9368,6 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Prüfung abbrechen</translation>
     </message>
     <message>
-        <source>Simulating stops…</source>
-        <translation>Stopps werden simuliert…</translation>
-    </message>
-    <message>
         <source>In simulation, the program can continue after a stop in %1 of %2 steps.</source>
         <translation>In der Simulation kann das Programm nach einem Stopp in %1 von %2 Schritten fortgesetzt werden.</translation>
     </message>
@@ -9382,10 +9378,6 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     <message>
         <source>⚠ The program cannot pause before this step.</source>
         <translation>⚠ Das Programm kann vor diesem Schritt nicht pausieren.</translation>
-    </message>
-    <message>
-        <source>⚠ Correct the program first.</source>
-        <translation>⚠ Korrigieren Sie zuerst das Programm.</translation>
     </message>
     <message>
         <source>New breakpoints take effect at the next start.</source>
@@ -9402,14 +9394,6 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     <message>
         <source>Program “%1” deleted. Ctrl+Z restores it.</source>
         <translation>Programm „%1“ gelöscht. Strg+Z stellt es wieder her.</translation>
-    </message>
-    <message>
-        <source>Outputs were changed after the stop, so the program cannot continue. Run it from its beginning.</source>
-        <translation>Ausgänge wurden nach dem Anhalten geändert. Das Programm kann nicht fortgesetzt werden. Starten Sie es am Anfang.</translation>
-    </message>
-    <message>
-        <source>The program was changed after the stop, so it cannot continue. Run it from its beginning.</source>
-        <translation>Das Programm wurde nach dem Anhalten geändert und kann nicht fortgesetzt werden. Starten Sie es am Anfang.</translation>
     </message>
     <message>
         <source>Import program…</source>
@@ -9447,24 +9431,40 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <source>Simulated: the program takes %1 s. No problems found. Not run: %2.</source>
         <translation>Simuliert: Das Programm dauert %1 s. Keine Probleme gefunden. Nicht ausgeführt: %2.</translation>
     </message>
+    <message>
+        <source>Not checked: %1.</source>
+        <translation>Nicht geprüft: %1.</translation>
+    </message>
+    <message>
+        <source>Checking recoverability…</source>
+        <translation>Fortsetzbarkeit wird geprüft…</translation>
+    </message>
+    <message>
+        <source>⚠ Correct the problems in the program first.</source>
+        <translation>⚠ Korrigieren Sie zuerst das Programm.</translation>
+    </message>
+    <message>
+        <source>Outputs were changed after the stop, so the program cannot continue. Run the program from the beginning.</source>
+        <translation>Ausgänge wurden nach dem Anhalten geändert. Das Programm kann nicht fortgesetzt werden. Starten Sie es am Anfang.</translation>
+    </message>
+    <message>
+        <source>The program was changed after the stop, so it cannot continue. Run the program from the beginning.</source>
+        <translation>Das Programm wurde nach dem Anhalten geändert und kann nicht fortgesetzt werden. Starten Sie es am Anfang.</translation>
+    </message>
     <message numerus="yes">
-        <source>%n step(s) changed with the project. Press “Preview” to simulate the program.</source>
+        <source>%n step(s) changed because the project changed. Press “Preview” to simulate the program.</source>
         <translation>
             <numerusform>%n Schritt hat sich mit dem Projekt geändert. Drücken Sie „Vorschau“, um das Programm zu simulieren.</numerusform>
             <numerusform>%n Schritte haben sich mit dem Projekt geändert. Drücken Sie „Vorschau“, um das Programm zu simulieren.</numerusform>
         </translation>
     </message>
     <message>
-        <source>Paused before step %1 (%2) at the maximum hold time. Hold “Continue (hold)” to continue.</source>
+        <source>Paused before step %1 (%2): maximum hold time reached. Hold “Continue (hold)” to continue.</source>
         <translation>Pausiert vor Schritt %1 (%2) nach der maximalen Haltezeit. Halten Sie „Fortsetzen (halten)“ gedrückt, um fortzufahren.</translation>
     </message>
     <message>
-        <source>Running step %1 (%2). Joint moves are slow, because the preview did not run the whole program from this position.</source>
+        <source>Running step %1 (%2). Joint moves are slow because the preview did not run the whole program from this position.</source>
         <translation>Schritt %1 (%2) läuft. Gelenkbewegungen sind langsam, weil die Vorschau nicht das ganze Programm ab dieser Position ausgeführt hat.</translation>
-    </message>
-    <message>
-        <source>Not checked: %1.</source>
-        <translation>Nicht geprüft: %1.</translation>
     </message>
 </context>
 <context>
@@ -10381,10 +10381,6 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Programm ausführen</translation>
     </message>
     <message>
-        <source>The preview did not run %1, so collisions and other problems in these steps are unknown. Test them with Run (hold), or set the inputs and preview the program again.</source>
-        <translation>Die Vorschau hat nicht alle Schritte ausgeführt (%1). Kollisionen und andere Probleme in diesen Schritten sind nicht bekannt. Testen Sie sie mit „Starten (halten)“, oder setzen Sie die Eingänge und starten Sie die Vorschau erneut.</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
     </message>
@@ -10397,40 +10393,44 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Programm fortsetzen</translation>
     </message>
     <message>
-        <source>A variable was changed. The moves after this change were not previewed, so collisions and other problems are unknown.</source>
-        <translation>Eine Variable wurde geändert. Für die Bewegungen nach dieser Änderung gibt es keine Vorschau. Kollisionen und andere Probleme sind nicht bekannt.</translation>
-    </message>
-    <message>
         <source>Continue</source>
         <translation>Fortsetzen</translation>
-    </message>
-    <message>
-        <source>Runs the program while the button is held, no faster than the jog speed. The program ends when you release the button. Joint moves are slower if the arm is away from the start position of a complete preview, because the speed limit then has to hold for every possible path.</source>
-        <translation>Führt das Programm aus, solange die Taste gehalten wird, höchstens mit der Jog-Geschwindigkeit. Das Programm endet beim Loslassen. Gelenkbewegungen sind langsamer, wenn der Arm nicht an der Startposition einer vollständigen Vorschau steht, weil die Geschwindigkeitsgrenze dann für jeden möglichen Weg gelten muss.</translation>
     </message>
     <message>
         <source>From step %1 ✕</source>
         <translation>Ab %1 ✕</translation>
     </message>
     <message>
-        <source>The program starts at step %1. Press to start at the beginning again.</source>
-        <translation>Das Programm beginnt bei Schritt %1. Drücken Sie, um wieder am Anfang zu beginnen.</translation>
-    </message>
-    <message>
         <source>Starts the program at the selected step. Move the arm to the start position first.</source>
         <translation>Beginnt das Programm beim ausgewählten Schritt. Fahren Sie den Arm zuerst zur Startposition.</translation>
     </message>
     <message>
-        <source>The program waits with a jog speed of %1. Select this speed again, or stop the program.</source>
-        <translation>Das Programm wartet mit einer Verfahrgeschwindigkeit von %1. Wählen Sie diese Geschwindigkeit wieder oder stoppen Sie das Programm.</translation>
-    </message>
-    <message>
-        <source>%1 Preview the program with the present inputs, or select a higher jog speed, so that it can run to its end.</source>
-        <translation>%1 Simulieren Sie das Programm mit den aktuellen Eingängen oder wählen Sie eine höhere Verfahrgeschwindigkeit, damit es bis zum Ende laufen kann.</translation>
-    </message>
-    <message>
         <source>Hold “Continue (hold)” to continue.</source>
         <translation>Halten Sie „Fortsetzen (halten)“ gedrückt, um fortzufahren.</translation>
+    </message>
+    <message>
+        <source>The preview did not run %1, so these steps were not checked for collisions and other problems. Test them with “Run (hold)”, or set the inputs and preview the program again.</source>
+        <translation>Die Vorschau hat nicht alle Schritte ausgeführt (%1). Kollisionen und andere Probleme in diesen Schritten sind nicht bekannt. Testen Sie sie mit „Starten (halten)“, oder setzen Sie die Eingänge und starten Sie die Vorschau erneut.</translation>
+    </message>
+    <message>
+        <source>A variable was changed. The moves after this change were not previewed, so they were not checked for collisions and other problems.</source>
+        <translation>Eine Variable wurde geändert. Für die Bewegungen nach dieser Änderung gibt es keine Vorschau. Kollisionen und andere Probleme sind nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Runs the program while the button is held, no faster than the jog speed. The program ends when you release the button. If the arm is not at the start position of a complete preview, joint moves are slower so that no possible path exceeds the speed limit.</source>
+        <translation>Führt das Programm aus, solange die Taste gehalten wird, höchstens mit der Jog-Geschwindigkeit. Das Programm endet beim Loslassen. Gelenkbewegungen sind langsamer, wenn der Arm nicht an der Startposition einer vollständigen Vorschau steht, weil die Geschwindigkeitsgrenze dann für jeden möglichen Weg gelten muss.</translation>
+    </message>
+    <message>
+        <source>The program starts at step %1. Press to start from the beginning instead.</source>
+        <translation>Das Programm beginnt bei Schritt %1. Drücken Sie, um wieder am Anfang zu beginnen.</translation>
+    </message>
+    <message>
+        <source>The program started with a jog speed of %1 and cannot continue at a lower speed. Select this speed again, or stop the program.</source>
+        <translation>Das Programm wurde mit einer Verfahrgeschwindigkeit von %1 gestartet und kann nicht langsamer fortgesetzt werden. Wählen Sie diese Geschwindigkeit wieder oder stoppen Sie das Programm.</translation>
+    </message>
+    <message>
+        <source>%1 Preview the program with the current inputs, or select a higher jog speed, so that the program can run to the end.</source>
+        <translation>%1 Simulieren Sie das Programm mit den aktuellen Eingängen oder wählen Sie eine höhere Verfahrgeschwindigkeit, damit es bis zum Ende laufen kann.</translation>
     </message>
 </context>
 <context>
@@ -11087,12 +11087,12 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
 <context>
     <name>tiller::VariableList</name>
     <message>
-        <source>Variables of the program</source>
+        <source>Program variables</source>
         <translation>Variablen des Programms</translation>
     </message>
     <message>
-        <source>The program has set another variable, so the value was not changed. Enter it again.</source>
-        <translation>Das Programm hat eine weitere Variable gesetzt, daher wurde der Wert nicht geändert. Geben Sie ihn erneut ein.</translation>
+        <source>The variable list changed during editing, so the value was not applied. Enter the value again.</source>
+        <translation>Die Variablenliste hat sich während der Eingabe geändert, daher wurde der Wert nicht übernommen. Geben Sie ihn erneut ein.</translation>
     </message>
 </context>
 <context>

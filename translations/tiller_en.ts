@@ -6562,10 +6562,6 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
 <context>
     <name>tiller::ImportReport</name>
     <message>
-        <source>Import of “%1”</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Steps: %1. Kept as URScript text: %2. Not imported: %3. New waypoints: %4.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6583,6 +6579,10 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
     </message>
     <message>
         <source>Result</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import report for “%1”</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9355,10 +9355,6 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Simulating stops…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>In simulation, the program can continue after a stop in %1 of %2 steps.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9368,10 +9364,6 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>⚠ The program cannot pause before this step.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>⚠ Correct the program first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9388,14 +9380,6 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>Program “%1” deleted. Ctrl+Z restores it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Outputs were changed after the stop, so the program cannot continue. Run it from its beginning.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The program was changed after the stop, so it cannot continue. Run it from its beginning.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9434,23 +9418,39 @@ Release the button to stop the arm.</source>
         <source>Simulated: the program takes %1 s. No problems found. Not run: %2.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Not checked: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Checking recoverability…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>⚠ Correct the problems in the program first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outputs were changed after the stop, so the program cannot continue. Run the program from the beginning.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program was changed after the stop, so it cannot continue. Run the program from the beginning.</source>
+        <translation type="unfinished"></translation>
+    </message>
     <message numerus="yes">
-        <source>%n step(s) changed with the project. Press “Preview” to simulate the program.</source>
+        <source>%n step(s) changed because the project changed. Press “Preview” to simulate the program.</source>
         <translation>
-            <numerusform>%n step changed with the project. Press “Preview” to simulate the program.</numerusform>
-            <numerusform>%n steps changed with the project. Press “Preview” to simulate the program.</numerusform>
+            <numerusform>%n step changed because the project changed. Press “Preview” to simulate the program.</numerusform>
+            <numerusform>%n steps changed because the project changed. Press “Preview” to simulate the program.</numerusform>
         </translation>
     </message>
     <message>
-        <source>Paused before step %1 (%2) at the maximum hold time. Hold “Continue (hold)” to continue.</source>
+        <source>Paused before step %1 (%2): maximum hold time reached. Hold “Continue (hold)” to continue.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Running step %1 (%2). Joint moves are slow, because the preview did not run the whole program from this position.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Not checked: %1.</source>
+        <source>Running step %1 (%2). Joint moves are slow because the preview did not run the whole program from this position.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10368,10 +10368,6 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The preview did not run %1, so collisions and other problems in these steps are unknown. Test them with Run (hold), or set the inputs and preview the program again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation type="unfinished"></translation>
     </message>
@@ -10384,15 +10380,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A variable was changed. The moves after this change were not previewed, so collisions and other problems are unknown.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Continue</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Runs the program while the button is held, no faster than the jog speed. The program ends when you release the button. Joint moves are slower if the arm is away from the start position of a complete preview, because the speed limit then has to hold for every possible path.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10400,23 +10388,35 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The program starts at step %1. Press to start at the beginning again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Starts the program at the selected step. Move the arm to the start position first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The program waits with a jog speed of %1. Select this speed again, or stop the program.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 Preview the program with the present inputs, or select a higher jog speed, so that it can run to its end.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Hold “Continue (hold)” to continue.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The preview did not run %1, so these steps were not checked for collisions and other problems. Test them with “Run (hold)”, or set the inputs and preview the program again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A variable was changed. The moves after this change were not previewed, so they were not checked for collisions and other problems.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Runs the program while the button is held, no faster than the jog speed. The program ends when you release the button. If the arm is not at the start position of a complete preview, joint moves are slower so that no possible path exceeds the speed limit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program starts at step %1. Press to start from the beginning instead.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program started with a jog speed of %1 and cannot continue at a lower speed. Select this speed again, or stop the program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 Preview the program with the current inputs, or select a higher jog speed, so that the program can run to the end.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -11069,11 +11069,11 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
 <context>
     <name>tiller::VariableList</name>
     <message>
-        <source>Variables of the program</source>
+        <source>Program variables</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The program has set another variable, so the value was not changed. Enter it again.</source>
+        <source>The variable list changed during editing, so the value was not applied. Enter the value again.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -6566,10 +6566,6 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
 <context>
     <name>tiller::ImportReport</name>
     <message>
-        <source>Import of “%1”</source>
-        <translation>Importación de «%1»</translation>
-    </message>
-    <message>
         <source>Steps: %1. Kept as URScript text: %2. Not imported: %3. New waypoints: %4.</source>
         <translation>Pasos: %1. Conservados como texto URScript: %2. No importados: %3. Puntos de paso nuevos: %4.</translation>
     </message>
@@ -6588,6 +6584,10 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
     <message>
         <source>Result</source>
         <translation>Resultado</translation>
+    </message>
+    <message>
+        <source>Import report for “%1”</source>
+        <translation>Informe de importación de «%1»</translation>
     </message>
 </context>
 <context>
@@ -9368,10 +9368,6 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Cancelar comprobación</translation>
     </message>
     <message>
-        <source>Simulating stops…</source>
-        <translation>Simulando paradas…</translation>
-    </message>
-    <message>
         <source>In simulation, the program can continue after a stop in %1 of %2 steps.</source>
         <translation>En la simulación, el programa puede continuar tras una parada en %1 de %2 pasos.</translation>
     </message>
@@ -9382,10 +9378,6 @@ Suelte el botón para detener el brazo.</translation>
     <message>
         <source>⚠ The program cannot pause before this step.</source>
         <translation>⚠ El programa no puede hacer una pausa antes de este paso.</translation>
-    </message>
-    <message>
-        <source>⚠ Correct the program first.</source>
-        <translation>⚠ Corrija primero el programa.</translation>
     </message>
     <message>
         <source>New breakpoints take effect at the next start.</source>
@@ -9402,14 +9394,6 @@ Suelte el botón para detener el brazo.</translation>
     <message>
         <source>Program “%1” deleted. Ctrl+Z restores it.</source>
         <translation>Programa «%1» eliminado. Ctrl+Z lo restaura.</translation>
-    </message>
-    <message>
-        <source>Outputs were changed after the stop, so the program cannot continue. Run it from its beginning.</source>
-        <translation>Las salidas se cambiaron después de la parada, así que el programa no puede continuar. Ejecútelo desde el principio.</translation>
-    </message>
-    <message>
-        <source>The program was changed after the stop, so it cannot continue. Run it from its beginning.</source>
-        <translation>El programa se cambió después de la parada, así que no puede continuar. Ejecútelo desde el principio.</translation>
     </message>
     <message>
         <source>Import program…</source>
@@ -9447,24 +9431,40 @@ Suelte el botón para detener el brazo.</translation>
         <source>Simulated: the program takes %1 s. No problems found. Not run: %2.</source>
         <translation>Simulado: el programa dura %1 s. No se han encontrado problemas. No ejecutado: %2.</translation>
     </message>
+    <message>
+        <source>Not checked: %1.</source>
+        <translation>Sin comprobar: %1.</translation>
+    </message>
+    <message>
+        <source>Checking recoverability…</source>
+        <translation>Comprobando la reanudación…</translation>
+    </message>
+    <message>
+        <source>⚠ Correct the problems in the program first.</source>
+        <translation>⚠ Corrija primero el programa.</translation>
+    </message>
+    <message>
+        <source>Outputs were changed after the stop, so the program cannot continue. Run the program from the beginning.</source>
+        <translation>Las salidas se cambiaron después de la parada, así que el programa no puede continuar. Ejecútelo desde el principio.</translation>
+    </message>
+    <message>
+        <source>The program was changed after the stop, so it cannot continue. Run the program from the beginning.</source>
+        <translation>El programa se cambió después de la parada, así que no puede continuar. Ejecútelo desde el principio.</translation>
+    </message>
     <message numerus="yes">
-        <source>%n step(s) changed with the project. Press “Preview” to simulate the program.</source>
+        <source>%n step(s) changed because the project changed. Press “Preview” to simulate the program.</source>
         <translation>
             <numerusform>%n paso ha cambiado con el proyecto. Pulse «Vista previa» para simular el programa.</numerusform>
             <numerusform>%n pasos han cambiado con el proyecto. Pulse «Vista previa» para simular el programa.</numerusform>
         </translation>
     </message>
     <message>
-        <source>Paused before step %1 (%2) at the maximum hold time. Hold “Continue (hold)” to continue.</source>
+        <source>Paused before step %1 (%2): maximum hold time reached. Hold “Continue (hold)” to continue.</source>
         <translation>En pausa antes del paso %1 (%2) por el tiempo máximo de pulsación. Mantenga pulsado «Continuar (mantener)» para continuar.</translation>
     </message>
     <message>
-        <source>Running step %1 (%2). Joint moves are slow, because the preview did not run the whole program from this position.</source>
+        <source>Running step %1 (%2). Joint moves are slow because the preview did not run the whole program from this position.</source>
         <translation>Ejecutando el paso %1 (%2). Los movimientos articulares son lentos porque la vista previa no ejecutó todo el programa desde esta posición.</translation>
-    </message>
-    <message>
-        <source>Not checked: %1.</source>
-        <translation>Sin comprobar: %1.</translation>
     </message>
 </context>
 <context>
@@ -10381,10 +10381,6 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Ejecutar programa</translation>
     </message>
     <message>
-        <source>The preview did not run %1, so collisions and other problems in these steps are unknown. Test them with Run (hold), or set the inputs and preview the program again.</source>
-        <translation>La vista previa no ha ejecutado todos los pasos (%1). Se desconocen las colisiones y otros problemas en ellos. Pruébelos con “Ejecutar (mantener)”, o ajuste las entradas y repita la vista previa.</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>Cancelar</translation>
     </message>
@@ -10397,40 +10393,44 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Continuar programa</translation>
     </message>
     <message>
-        <source>A variable was changed. The moves after this change were not previewed, so collisions and other problems are unknown.</source>
-        <translation>Se ha cambiado una variable. Los movimientos posteriores a este cambio no se han comprobado en la vista previa. Se desconocen las colisiones y otros problemas.</translation>
-    </message>
-    <message>
         <source>Continue</source>
         <translation>Continuar</translation>
-    </message>
-    <message>
-        <source>Runs the program while the button is held, no faster than the jog speed. The program ends when you release the button. Joint moves are slower if the arm is away from the start position of a complete preview, because the speed limit then has to hold for every possible path.</source>
-        <translation>Ejecuta el programa mientras se mantiene pulsado el botón, como máximo a la velocidad de jog. El programa termina al soltar el botón. Los movimientos de articulación son más lentos si el brazo no está en la posición inicial de una vista previa completa, porque el límite de velocidad debe cumplirse entonces en cualquier trayectoria posible.</translation>
     </message>
     <message>
         <source>From step %1 ✕</source>
         <translation>Desde %1 ✕</translation>
     </message>
     <message>
-        <source>The program starts at step %1. Press to start at the beginning again.</source>
-        <translation>El programa empieza en el paso %1. Pulse para volver a empezar desde el principio.</translation>
-    </message>
-    <message>
         <source>Starts the program at the selected step. Move the arm to the start position first.</source>
         <translation>Inicia el programa en el paso seleccionado. Mueva antes el brazo a la posición inicial.</translation>
     </message>
     <message>
-        <source>The program waits with a jog speed of %1. Select this speed again, or stop the program.</source>
-        <translation>El programa espera con una velocidad manual de %1. Seleccione de nuevo esta velocidad o pare el programa.</translation>
-    </message>
-    <message>
-        <source>%1 Preview the program with the present inputs, or select a higher jog speed, so that it can run to its end.</source>
-        <translation>%1 Simule el programa con las entradas actuales o seleccione una velocidad manual mayor para que pueda llegar a su final.</translation>
-    </message>
-    <message>
         <source>Hold “Continue (hold)” to continue.</source>
         <translation>Mantenga pulsado «Continuar (mantener)» para continuar.</translation>
+    </message>
+    <message>
+        <source>The preview did not run %1, so these steps were not checked for collisions and other problems. Test them with “Run (hold)”, or set the inputs and preview the program again.</source>
+        <translation>La vista previa no ha ejecutado todos los pasos (%1). Se desconocen las colisiones y otros problemas en ellos. Pruébelos con “Ejecutar (mantener)”, o ajuste las entradas y repita la vista previa.</translation>
+    </message>
+    <message>
+        <source>A variable was changed. The moves after this change were not previewed, so they were not checked for collisions and other problems.</source>
+        <translation>Se ha cambiado una variable. Los movimientos posteriores a este cambio no se han comprobado en la vista previa. Se desconocen las colisiones y otros problemas.</translation>
+    </message>
+    <message>
+        <source>Runs the program while the button is held, no faster than the jog speed. The program ends when you release the button. If the arm is not at the start position of a complete preview, joint moves are slower so that no possible path exceeds the speed limit.</source>
+        <translation>Ejecuta el programa mientras se mantiene pulsado el botón, como máximo a la velocidad de jog. El programa termina al soltar el botón. Los movimientos de articulación son más lentos si el brazo no está en la posición inicial de una vista previa completa, porque el límite de velocidad debe cumplirse entonces en cualquier trayectoria posible.</translation>
+    </message>
+    <message>
+        <source>The program starts at step %1. Press to start from the beginning instead.</source>
+        <translation>El programa empieza en el paso %1. Pulse para volver a empezar desde el principio.</translation>
+    </message>
+    <message>
+        <source>The program started with a jog speed of %1 and cannot continue at a lower speed. Select this speed again, or stop the program.</source>
+        <translation>El programa se inició con una velocidad manual de %1 y no puede continuar a una velocidad menor. Seleccione de nuevo esta velocidad o pare el programa.</translation>
+    </message>
+    <message>
+        <source>%1 Preview the program with the current inputs, or select a higher jog speed, so that the program can run to the end.</source>
+        <translation>%1 Simule el programa con las entradas actuales o seleccione una velocidad manual mayor para que pueda llegar a su final.</translation>
     </message>
 </context>
 <context>
@@ -11087,12 +11087,12 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
 <context>
     <name>tiller::VariableList</name>
     <message>
-        <source>Variables of the program</source>
+        <source>Program variables</source>
         <translation>Variables del programa</translation>
     </message>
     <message>
-        <source>The program has set another variable, so the value was not changed. Enter it again.</source>
-        <translation>El programa ha asignado otra variable, por lo que el valor no se cambió. Introdúzcalo de nuevo.</translation>
+        <source>The variable list changed during editing, so the value was not applied. Enter the value again.</source>
+        <translation>La lista de variables cambió durante la edición, por lo que el valor no se aplicó. Introdúzcalo de nuevo.</translation>
     </message>
 </context>
 <context>

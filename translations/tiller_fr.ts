@@ -6566,10 +6566,6 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
 <context>
     <name>tiller::ImportReport</name>
     <message>
-        <source>Import of “%1”</source>
-        <translation>Importation de « %1 »</translation>
-    </message>
-    <message>
         <source>Steps: %1. Kept as URScript text: %2. Not imported: %3. New waypoints: %4.</source>
         <translation>Étapes : %1. Conservées comme texte URScript : %2. Non importées : %3. Nouveaux points de passage : %4.</translation>
     </message>
@@ -6588,6 +6584,10 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
     <message>
         <source>Result</source>
         <translation>Résultat</translation>
+    </message>
+    <message>
+        <source>Import report for “%1”</source>
+        <translation>Rapport d’importation de « %1 »</translation>
     </message>
 </context>
 <context>
@@ -9368,10 +9368,6 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Annuler la vérification</translation>
     </message>
     <message>
-        <source>Simulating stops…</source>
-        <translation>Simulation des arrêts…</translation>
-    </message>
-    <message>
         <source>In simulation, the program can continue after a stop in %1 of %2 steps.</source>
         <translation>En simulation, le programme peut continuer après un arrêt dans %1 étapes sur %2.</translation>
     </message>
@@ -9382,10 +9378,6 @@ Relâchez le bouton pour arrêter le bras.</translation>
     <message>
         <source>⚠ The program cannot pause before this step.</source>
         <translation>⚠ Le programme ne peut pas faire de pause avant cette étape.</translation>
-    </message>
-    <message>
-        <source>⚠ Correct the program first.</source>
-        <translation>⚠ Corrigez d’abord le programme.</translation>
     </message>
     <message>
         <source>New breakpoints take effect at the next start.</source>
@@ -9402,14 +9394,6 @@ Relâchez le bouton pour arrêter le bras.</translation>
     <message>
         <source>Program “%1” deleted. Ctrl+Z restores it.</source>
         <translation>Programme « %1 » supprimé. Ctrl+Z le restaure.</translation>
-    </message>
-    <message>
-        <source>Outputs were changed after the stop, so the program cannot continue. Run it from its beginning.</source>
-        <translation>Des sorties ont été modifiées après l’arrêt : le programme ne peut pas reprendre. Exécutez-le depuis le début.</translation>
-    </message>
-    <message>
-        <source>The program was changed after the stop, so it cannot continue. Run it from its beginning.</source>
-        <translation>Le programme a été modifié après l’arrêt : il ne peut pas reprendre. Exécutez-le depuis le début.</translation>
     </message>
     <message>
         <source>Import program…</source>
@@ -9447,24 +9431,40 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <source>Simulated: the program takes %1 s. No problems found. Not run: %2.</source>
         <translation>Simulé : le programme dure %1 s. Aucun problème trouvé. Non exécuté : %2.</translation>
     </message>
+    <message>
+        <source>Not checked: %1.</source>
+        <translation>Non vérifié : %1.</translation>
+    </message>
+    <message>
+        <source>Checking recoverability…</source>
+        <translation>Vérification de la reprise…</translation>
+    </message>
+    <message>
+        <source>⚠ Correct the problems in the program first.</source>
+        <translation>⚠ Corrigez d’abord le programme.</translation>
+    </message>
+    <message>
+        <source>Outputs were changed after the stop, so the program cannot continue. Run the program from the beginning.</source>
+        <translation>Des sorties ont été modifiées après l’arrêt : le programme ne peut pas reprendre. Exécutez-le depuis le début.</translation>
+    </message>
+    <message>
+        <source>The program was changed after the stop, so it cannot continue. Run the program from the beginning.</source>
+        <translation>Le programme a été modifié après l’arrêt : il ne peut pas reprendre. Exécutez-le depuis le début.</translation>
+    </message>
     <message numerus="yes">
-        <source>%n step(s) changed with the project. Press “Preview” to simulate the program.</source>
+        <source>%n step(s) changed because the project changed. Press “Preview” to simulate the program.</source>
         <translation>
             <numerusform>%n étape a changé avec le projet. Appuyez sur « Aperçu » pour simuler le programme.</numerusform>
             <numerusform>%n étapes ont changé avec le projet. Appuyez sur « Aperçu » pour simuler le programme.</numerusform>
         </translation>
     </message>
     <message>
-        <source>Paused before step %1 (%2) at the maximum hold time. Hold “Continue (hold)” to continue.</source>
+        <source>Paused before step %1 (%2): maximum hold time reached. Hold “Continue (hold)” to continue.</source>
         <translation>En pause avant l’étape %1 (%2) : durée maximale de maintien atteinte. Maintenez « Reprendre (maintenir) » pour reprendre.</translation>
     </message>
     <message>
-        <source>Running step %1 (%2). Joint moves are slow, because the preview did not run the whole program from this position.</source>
+        <source>Running step %1 (%2). Joint moves are slow because the preview did not run the whole program from this position.</source>
         <translation>Étape %1 (%2) en cours. Les mouvements articulaires sont lents, car l’aperçu n’a pas exécuté tout le programme à partir de cette position.</translation>
-    </message>
-    <message>
-        <source>Not checked: %1.</source>
-        <translation>Non vérifié : %1.</translation>
     </message>
 </context>
 <context>
@@ -10381,10 +10381,6 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Exécuter le programme</translation>
     </message>
     <message>
-        <source>The preview did not run %1, so collisions and other problems in these steps are unknown. Test them with Run (hold), or set the inputs and preview the program again.</source>
-        <translation>L’aperçu n’a pas exécuté toutes les étapes (%1). Les collisions et autres problèmes dans ces étapes sont inconnus. Testez-les avec « Lancer (maintenir) », ou réglez les entrées et relancez l’aperçu.</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>Annuler</translation>
     </message>
@@ -10397,40 +10393,44 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Continuer le programme</translation>
     </message>
     <message>
-        <source>A variable was changed. The moves after this change were not previewed, so collisions and other problems are unknown.</source>
-        <translation>Une variable a été modifiée. Les mouvements qui suivent cette modification n’ont pas été vérifiés dans l’aperçu. Les collisions et autres problèmes sont inconnus.</translation>
-    </message>
-    <message>
         <source>Continue</source>
         <translation>Continuer</translation>
-    </message>
-    <message>
-        <source>Runs the program while the button is held, no faster than the jog speed. The program ends when you release the button. Joint moves are slower if the arm is away from the start position of a complete preview, because the speed limit then has to hold for every possible path.</source>
-        <translation>Exécute le programme tant que le bouton est maintenu, au plus à la vitesse de jog. Le programme se termine quand vous relâchez le bouton. Les mouvements articulaires sont plus lents si le bras n’est pas à la position de départ d’un aperçu complet, car la limite de vitesse doit alors être respectée sur toute trajectoire possible.</translation>
     </message>
     <message>
         <source>From step %1 ✕</source>
         <translation>Dès %1 ✕</translation>
     </message>
     <message>
-        <source>The program starts at step %1. Press to start at the beginning again.</source>
-        <translation>Le programme commence à l’étape %1. Appuyez pour recommencer depuis le début.</translation>
-    </message>
-    <message>
         <source>Starts the program at the selected step. Move the arm to the start position first.</source>
         <translation>Démarre le programme à l’étape sélectionnée. Amenez d’abord le bras à la position de départ.</translation>
     </message>
     <message>
-        <source>The program waits with a jog speed of %1. Select this speed again, or stop the program.</source>
-        <translation>Le programme attend avec une vitesse manuelle de %1. Sélectionnez à nouveau cette vitesse ou arrêtez le programme.</translation>
-    </message>
-    <message>
-        <source>%1 Preview the program with the present inputs, or select a higher jog speed, so that it can run to its end.</source>
-        <translation>%1 Simulez le programme avec les entrées actuelles ou sélectionnez une vitesse manuelle plus élevée pour qu’il puisse aller jusqu’à sa fin.</translation>
-    </message>
-    <message>
         <source>Hold “Continue (hold)” to continue.</source>
         <translation>Maintenez « Reprendre (maintenir) » pour reprendre.</translation>
+    </message>
+    <message>
+        <source>The preview did not run %1, so these steps were not checked for collisions and other problems. Test them with “Run (hold)”, or set the inputs and preview the program again.</source>
+        <translation>L’aperçu n’a pas exécuté toutes les étapes (%1). Les collisions et autres problèmes dans ces étapes sont inconnus. Testez-les avec « Lancer (maintenir) », ou réglez les entrées et relancez l’aperçu.</translation>
+    </message>
+    <message>
+        <source>A variable was changed. The moves after this change were not previewed, so they were not checked for collisions and other problems.</source>
+        <translation>Une variable a été modifiée. Les mouvements qui suivent cette modification n’ont pas été vérifiés dans l’aperçu. Les collisions et autres problèmes sont inconnus.</translation>
+    </message>
+    <message>
+        <source>Runs the program while the button is held, no faster than the jog speed. The program ends when you release the button. If the arm is not at the start position of a complete preview, joint moves are slower so that no possible path exceeds the speed limit.</source>
+        <translation>Exécute le programme tant que le bouton est maintenu, au plus à la vitesse de jog. Le programme se termine quand vous relâchez le bouton. Les mouvements articulaires sont plus lents si le bras n’est pas à la position de départ d’un aperçu complet, car la limite de vitesse doit alors être respectée sur toute trajectoire possible.</translation>
+    </message>
+    <message>
+        <source>The program starts at step %1. Press to start from the beginning instead.</source>
+        <translation>Le programme commence à l’étape %1. Appuyez pour recommencer depuis le début.</translation>
+    </message>
+    <message>
+        <source>The program started with a jog speed of %1 and cannot continue at a lower speed. Select this speed again, or stop the program.</source>
+        <translation>Le programme a démarré avec une vitesse manuelle de %1 et ne peut pas continuer plus lentement. Sélectionnez à nouveau cette vitesse ou arrêtez le programme.</translation>
+    </message>
+    <message>
+        <source>%1 Preview the program with the current inputs, or select a higher jog speed, so that the program can run to the end.</source>
+        <translation>%1 Simulez le programme avec les entrées actuelles ou sélectionnez une vitesse manuelle plus élevée pour qu’il puisse aller jusqu’à sa fin.</translation>
     </message>
 </context>
 <context>
@@ -11087,12 +11087,12 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
 <context>
     <name>tiller::VariableList</name>
     <message>
-        <source>Variables of the program</source>
+        <source>Program variables</source>
         <translation>Variables du programme</translation>
     </message>
     <message>
-        <source>The program has set another variable, so the value was not changed. Enter it again.</source>
-        <translation>Le programme a défini une autre variable, la valeur n’a donc pas été modifiée. Saisissez-la à nouveau.</translation>
+        <source>The variable list changed during editing, so the value was not applied. Enter the value again.</source>
+        <translation>La liste des variables a changé pendant la saisie, la valeur n’a donc pas été appliquée. Saisissez-la à nouveau.</translation>
     </message>
 </context>
 <context>

@@ -6557,10 +6557,6 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
 <context>
     <name>tiller::ImportReport</name>
     <message>
-        <source>Import of “%1”</source>
-        <translation>「%1」のインポート</translation>
-    </message>
-    <message>
         <source>Steps: %1. Kept as URScript text: %2. Not imported: %3. New waypoints: %4.</source>
         <translation>ステップ：%1。URScriptテキストとして保持：%2。インポートなし：%3。新しいウェイポイント：%4。</translation>
     </message>
@@ -6579,6 +6575,10 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
     <message>
         <source>Result</source>
         <translation>結果</translation>
+    </message>
+    <message>
+        <source>Import report for “%1”</source>
+        <translation>「%1」のインポート結果</translation>
     </message>
 </context>
 <context>
@@ -9347,10 +9347,6 @@ Release the button to stop the arm.</source>
         <translation>チェックをキャンセル</translation>
     </message>
     <message>
-        <source>Simulating stops…</source>
-        <translation>停止をシミュレーション中…</translation>
-    </message>
-    <message>
         <source>In simulation, the program can continue after a stop in %1 of %2 steps.</source>
         <translation>シミュレーションでは、%2ステップ中%1ステップで停止後にプログラムを続行できます。</translation>
     </message>
@@ -9361,10 +9357,6 @@ Release the button to stop the arm.</source>
     <message>
         <source>⚠ The program cannot pause before this step.</source>
         <translation>⚠ このステップの前では一時停止できません。</translation>
-    </message>
-    <message>
-        <source>⚠ Correct the program first.</source>
-        <translation>⚠ 先にプログラムを修正してください。</translation>
     </message>
     <message>
         <source>New breakpoints take effect at the next start.</source>
@@ -9381,14 +9373,6 @@ Release the button to stop the arm.</source>
     <message>
         <source>Program “%1” deleted. Ctrl+Z restores it.</source>
         <translation>プログラム「%1」を削除しました。Ctrl+Z で元に戻せます。</translation>
-    </message>
-    <message>
-        <source>Outputs were changed after the stop, so the program cannot continue. Run it from its beginning.</source>
-        <translation>停止後に出力が変更されたため、プログラムを再開できません。最初から実行してください。</translation>
-    </message>
-    <message>
-        <source>The program was changed after the stop, so it cannot continue. Run it from its beginning.</source>
-        <translation>停止後にプログラムが変更されたため、再開できません。最初から実行してください。</translation>
     </message>
     <message>
         <source>Import program…</source>
@@ -9426,23 +9410,39 @@ Release the button to stop the arm.</source>
         <source>Simulated: the program takes %1 s. No problems found. Not run: %2.</source>
         <translation>シミュレーション：プログラムの所要時間は %1 秒です。問題はありません。未実行：%2。</translation>
     </message>
+    <message>
+        <source>Not checked: %1.</source>
+        <translation>未チェック: %1。</translation>
+    </message>
+    <message>
+        <source>Checking recoverability…</source>
+        <translation>続行可能性をチェック中…</translation>
+    </message>
+    <message>
+        <source>⚠ Correct the problems in the program first.</source>
+        <translation>⚠ 先にプログラムを修正してください。</translation>
+    </message>
+    <message>
+        <source>Outputs were changed after the stop, so the program cannot continue. Run the program from the beginning.</source>
+        <translation>停止後に出力が変更されたため、プログラムを再開できません。最初から実行してください。</translation>
+    </message>
+    <message>
+        <source>The program was changed after the stop, so it cannot continue. Run the program from the beginning.</source>
+        <translation>停止後にプログラムが変更されたため、再開できません。最初から実行してください。</translation>
+    </message>
     <message numerus="yes">
-        <source>%n step(s) changed with the project. Press “Preview” to simulate the program.</source>
+        <source>%n step(s) changed because the project changed. Press “Preview” to simulate the program.</source>
         <translation>
             <numerusform>プロジェクトの変更により %n ステップが変わりました。「プレビュー」を押してプログラムをシミュレートしてください。</numerusform>
         </translation>
     </message>
     <message>
-        <source>Paused before step %1 (%2) at the maximum hold time. Hold “Continue (hold)” to continue.</source>
+        <source>Paused before step %1 (%2): maximum hold time reached. Hold “Continue (hold)” to continue.</source>
         <translation>最大保持時間に達したため、ステップ %1 (%2) の前で一時停止中。続けるには「再開 (長押し)」を押し続けてください。</translation>
     </message>
     <message>
-        <source>Running step %1 (%2). Joint moves are slow, because the preview did not run the whole program from this position.</source>
+        <source>Running step %1 (%2). Joint moves are slow because the preview did not run the whole program from this position.</source>
         <translation>ステップ %1 (%2) を実行中。プレビューがこの位置からプログラム全体を実行していないため、関節動作は低速です。</translation>
-    </message>
-    <message>
-        <source>Not checked: %1.</source>
-        <translation>未チェック: %1。</translation>
     </message>
 </context>
 <context>
@@ -10354,10 +10354,6 @@ Release the button to stop the arm.</source>
         <translation>プログラムの実行</translation>
     </message>
     <message>
-        <source>The preview did not run %1, so collisions and other problems in these steps are unknown. Test them with Run (hold), or set the inputs and preview the program again.</source>
-        <translation>プレビューで実行されていないステップがあります（%1）。これらのステップの衝突などの問題は確認されていません。「実行 (長押し)」で試すか、入力を設定してもう一度プレビューしてください。</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>キャンセル</translation>
     </message>
@@ -10370,40 +10366,44 @@ Release the button to stop the arm.</source>
         <translation>プログラムの続行</translation>
     </message>
     <message>
-        <source>A variable was changed. The moves after this change were not previewed, so collisions and other problems are unknown.</source>
-        <translation>変数が変更されました。変更後の動作はプレビューされていないため、衝突などの問題は確認されていません。</translation>
-    </message>
-    <message>
         <source>Continue</source>
         <translation>続行</translation>
-    </message>
-    <message>
-        <source>Runs the program while the button is held, no faster than the jog speed. The program ends when you release the button. Joint moves are slower if the arm is away from the start position of a complete preview, because the speed limit then has to hold for every possible path.</source>
-        <translation>ボタンを押している間、ジョグ速度以下でプログラムを実行します。ボタンを離すとプログラムは終了します。アームが完全なプレビューの開始位置にない場合、考えられるすべての経路で速度制限を守るため、関節移動は遅くなります。</translation>
     </message>
     <message>
         <source>From step %1 ✕</source>
         <translation>%1 から ✕</translation>
     </message>
     <message>
-        <source>The program starts at step %1. Press to start at the beginning again.</source>
-        <translation>プログラムはステップ %1 から開始します。押すと、再び最初から開始します。</translation>
-    </message>
-    <message>
         <source>Starts the program at the selected step. Move the arm to the start position first.</source>
         <translation>選択したステップからプログラムを開始します。先にアームを開始位置へ移動してください。</translation>
     </message>
     <message>
-        <source>The program waits with a jog speed of %1. Select this speed again, or stop the program.</source>
-        <translation>プログラムはジョグ速度 %1 で待機しています。この速度をもう一度選択するか、プログラムを停止してください。</translation>
-    </message>
-    <message>
-        <source>%1 Preview the program with the present inputs, or select a higher jog speed, so that it can run to its end.</source>
-        <translation>%1 最後まで実行できるように、現在の入力でプログラムをプレビューするか、より高いジョグ速度を選択してください。</translation>
-    </message>
-    <message>
         <source>Hold “Continue (hold)” to continue.</source>
         <translation>続けるには「再開 (長押し)」を押し続けてください。</translation>
+    </message>
+    <message>
+        <source>The preview did not run %1, so these steps were not checked for collisions and other problems. Test them with “Run (hold)”, or set the inputs and preview the program again.</source>
+        <translation>プレビューで実行されていないステップがあります（%1）。これらのステップの衝突などの問題は確認されていません。「実行 (長押し)」で試すか、入力を設定してもう一度プレビューしてください。</translation>
+    </message>
+    <message>
+        <source>A variable was changed. The moves after this change were not previewed, so they were not checked for collisions and other problems.</source>
+        <translation>変数が変更されました。変更後の動作はプレビューされていないため、衝突などの問題は確認されていません。</translation>
+    </message>
+    <message>
+        <source>Runs the program while the button is held, no faster than the jog speed. The program ends when you release the button. If the arm is not at the start position of a complete preview, joint moves are slower so that no possible path exceeds the speed limit.</source>
+        <translation>ボタンを押している間、ジョグ速度以下でプログラムを実行します。ボタンを離すとプログラムは終了します。アームが完全なプレビューの開始位置にない場合、考えられるすべての経路で速度制限を守るため、関節移動は遅くなります。</translation>
+    </message>
+    <message>
+        <source>The program starts at step %1. Press to start from the beginning instead.</source>
+        <translation>プログラムはステップ %1 から開始します。押すと、再び最初から開始します。</translation>
+    </message>
+    <message>
+        <source>The program started with a jog speed of %1 and cannot continue at a lower speed. Select this speed again, or stop the program.</source>
+        <translation>プログラムはジョグ速度 %1 で開始されたため、より低い速度では再開できません。この速度をもう一度選択するか、プログラムを停止してください。</translation>
+    </message>
+    <message>
+        <source>%1 Preview the program with the current inputs, or select a higher jog speed, so that the program can run to the end.</source>
+        <translation>%1 最後まで実行できるように、現在の入力でプログラムをプレビューするか、より高いジョグ速度を選択してください。</translation>
     </message>
 </context>
 <context>
@@ -11058,12 +11058,12 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
 <context>
     <name>tiller::VariableList</name>
     <message>
-        <source>Variables of the program</source>
+        <source>Program variables</source>
         <translation>プログラムの変数</translation>
     </message>
     <message>
-        <source>The program has set another variable, so the value was not changed. Enter it again.</source>
-        <translation>プログラムが別の変数を設定したため、値は変更されませんでした。もう一度入力してください。</translation>
+        <source>The variable list changed during editing, so the value was not applied. Enter the value again.</source>
+        <translation>編集中に変数リストが変わったため、値は適用されませんでした。もう一度入力してください。</translation>
     </message>
 </context>
 <context>

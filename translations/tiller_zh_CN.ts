@@ -6557,10 +6557,6 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
 <context>
     <name>tiller::ImportReport</name>
     <message>
-        <source>Import of “%1”</source>
-        <translation>导入“%1”</translation>
-    </message>
-    <message>
         <source>Steps: %1. Kept as URScript text: %2. Not imported: %3. New waypoints: %4.</source>
         <translation>步骤：%1。保留为 URScript 文本：%2。未导入：%3。新路点：%4。</translation>
     </message>
@@ -6579,6 +6575,10 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
     <message>
         <source>Result</source>
         <translation>结果</translation>
+    </message>
+    <message>
+        <source>Import report for “%1”</source>
+        <translation>“%1”的导入报告</translation>
     </message>
 </context>
 <context>
@@ -9347,10 +9347,6 @@ Release the button to stop the arm.</source>
         <translation>取消检查</translation>
     </message>
     <message>
-        <source>Simulating stops…</source>
-        <translation>正在仿真停止…</translation>
-    </message>
-    <message>
         <source>In simulation, the program can continue after a stop in %1 of %2 steps.</source>
         <translation>在仿真中，程序在%2个步骤中的%1个停止后可以继续。</translation>
     </message>
@@ -9361,10 +9357,6 @@ Release the button to stop the arm.</source>
     <message>
         <source>⚠ The program cannot pause before this step.</source>
         <translation>⚠ 程序不能在此步骤前暂停。</translation>
-    </message>
-    <message>
-        <source>⚠ Correct the program first.</source>
-        <translation>⚠ 请先更正程序。</translation>
     </message>
     <message>
         <source>New breakpoints take effect at the next start.</source>
@@ -9381,14 +9373,6 @@ Release the button to stop the arm.</source>
     <message>
         <source>Program “%1” deleted. Ctrl+Z restores it.</source>
         <translation>程序“%1”已删除。Ctrl+Z 可恢复。</translation>
-    </message>
-    <message>
-        <source>Outputs were changed after the stop, so the program cannot continue. Run it from its beginning.</source>
-        <translation>停止后输出已更改，程序无法继续。请从头运行。</translation>
-    </message>
-    <message>
-        <source>The program was changed after the stop, so it cannot continue. Run it from its beginning.</source>
-        <translation>停止后程序已更改，无法继续。请从头运行。</translation>
     </message>
     <message>
         <source>Import program…</source>
@@ -9426,23 +9410,39 @@ Release the button to stop the arm.</source>
         <source>Simulated: the program takes %1 s. No problems found. Not run: %2.</source>
         <translation>仿真：程序用时 %1 秒。未发现问题。未运行：%2。</translation>
     </message>
+    <message>
+        <source>Not checked: %1.</source>
+        <translation>未检查：%1。</translation>
+    </message>
+    <message>
+        <source>Checking recoverability…</source>
+        <translation>正在检查可恢复性…</translation>
+    </message>
+    <message>
+        <source>⚠ Correct the problems in the program first.</source>
+        <translation>⚠ 请先更正程序。</translation>
+    </message>
+    <message>
+        <source>Outputs were changed after the stop, so the program cannot continue. Run the program from the beginning.</source>
+        <translation>停止后输出已更改，程序无法继续。请从头运行。</translation>
+    </message>
+    <message>
+        <source>The program was changed after the stop, so it cannot continue. Run the program from the beginning.</source>
+        <translation>停止后程序已更改，无法继续。请从头运行。</translation>
+    </message>
     <message numerus="yes">
-        <source>%n step(s) changed with the project. Press “Preview” to simulate the program.</source>
+        <source>%n step(s) changed because the project changed. Press “Preview” to simulate the program.</source>
         <translation>
             <numerusform>项目的更改使 %n 个步骤发生变化。按“预览”对程序进行仿真。</numerusform>
         </translation>
     </message>
     <message>
-        <source>Paused before step %1 (%2) at the maximum hold time. Hold “Continue (hold)” to continue.</source>
+        <source>Paused before step %1 (%2): maximum hold time reached. Hold “Continue (hold)” to continue.</source>
         <translation>已达到最长按住时间，在步骤 %1（%2）之前暂停。按住“继续（按住）”以继续。</translation>
     </message>
     <message>
-        <source>Running step %1 (%2). Joint moves are slow, because the preview did not run the whole program from this position.</source>
+        <source>Running step %1 (%2). Joint moves are slow because the preview did not run the whole program from this position.</source>
         <translation>正在运行步骤 %1（%2）。预览没有从此位置运行整个程序，因此关节运动较慢。</translation>
-    </message>
-    <message>
-        <source>Not checked: %1.</source>
-        <translation>未检查：%1。</translation>
     </message>
 </context>
 <context>
@@ -10354,10 +10354,6 @@ Release the button to stop the arm.</source>
         <translation>运行程序</translation>
     </message>
     <message>
-        <source>The preview did not run %1, so collisions and other problems in these steps are unknown. Test them with Run (hold), or set the inputs and preview the program again.</source>
-        <translation>预览未运行%1，因此这些步骤中的碰撞和其他问题未知。请用“运行（按住）”测试，或设置输入后重新预览。</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>取消</translation>
     </message>
@@ -10370,40 +10366,44 @@ Release the button to stop the arm.</source>
         <translation>继续程序</translation>
     </message>
     <message>
-        <source>A variable was changed. The moves after this change were not previewed, so collisions and other problems are unknown.</source>
-        <translation>变量已更改。更改之后的运动未经预览，因此碰撞和其他问题未知。</translation>
-    </message>
-    <message>
         <source>Continue</source>
         <translation>继续</translation>
-    </message>
-    <message>
-        <source>Runs the program while the button is held, no faster than the jog speed. The program ends when you release the button. Joint moves are slower if the arm is away from the start position of a complete preview, because the speed limit then has to hold for every possible path.</source>
-        <translation>按住按钮时运行程序，速度不超过点动速度。松开按钮时程序结束。如果机械臂不在完整预览的起始位置，关节运动会更慢，因为速度限制必须适用于所有可能的路径。</translation>
     </message>
     <message>
         <source>From step %1 ✕</source>
         <translation>从步骤 %1 ✕</translation>
     </message>
     <message>
-        <source>The program starts at step %1. Press to start at the beginning again.</source>
-        <translation>程序从步骤 %1 开始。按下可恢复为从头开始。</translation>
-    </message>
-    <message>
         <source>Starts the program at the selected step. Move the arm to the start position first.</source>
         <translation>从所选步骤开始程序。请先将机械臂移动到起始位置。</translation>
     </message>
     <message>
-        <source>The program waits with a jog speed of %1. Select this speed again, or stop the program.</source>
-        <translation>程序以 %1 的点动速度等待。请重新选择此速度，或停止程序。</translation>
-    </message>
-    <message>
-        <source>%1 Preview the program with the present inputs, or select a higher jog speed, so that it can run to its end.</source>
-        <translation>%1 请用当前输入预览程序，或选择更高的点动速度，使其能够运行到结束。</translation>
-    </message>
-    <message>
         <source>Hold “Continue (hold)” to continue.</source>
         <translation>按住“继续（按住）”以继续。</translation>
+    </message>
+    <message>
+        <source>The preview did not run %1, so these steps were not checked for collisions and other problems. Test them with “Run (hold)”, or set the inputs and preview the program again.</source>
+        <translation>预览未运行%1，因此这些步骤中的碰撞和其他问题未知。请用“运行（按住）”测试，或设置输入后重新预览。</translation>
+    </message>
+    <message>
+        <source>A variable was changed. The moves after this change were not previewed, so they were not checked for collisions and other problems.</source>
+        <translation>变量已更改。更改之后的运动未经预览，因此碰撞和其他问题未知。</translation>
+    </message>
+    <message>
+        <source>Runs the program while the button is held, no faster than the jog speed. The program ends when you release the button. If the arm is not at the start position of a complete preview, joint moves are slower so that no possible path exceeds the speed limit.</source>
+        <translation>按住按钮时运行程序，速度不超过点动速度。松开按钮时程序结束。如果机械臂不在完整预览的起始位置，关节运动会更慢，因为速度限制必须适用于所有可能的路径。</translation>
+    </message>
+    <message>
+        <source>The program starts at step %1. Press to start from the beginning instead.</source>
+        <translation>程序从步骤 %1 开始。按下可恢复为从头开始。</translation>
+    </message>
+    <message>
+        <source>The program started with a jog speed of %1 and cannot continue at a lower speed. Select this speed again, or stop the program.</source>
+        <translation>程序以 %1 的点动速度启动，无法以更低的速度继续。请重新选择此速度，或停止程序。</translation>
+    </message>
+    <message>
+        <source>%1 Preview the program with the current inputs, or select a higher jog speed, so that the program can run to the end.</source>
+        <translation>%1 请用当前输入预览程序，或选择更高的点动速度，使其能够运行到结束。</translation>
     </message>
 </context>
 <context>
@@ -11058,12 +11058,12 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
 <context>
     <name>tiller::VariableList</name>
     <message>
-        <source>Variables of the program</source>
+        <source>Program variables</source>
         <translation>程序的变量</translation>
     </message>
     <message>
-        <source>The program has set another variable, so the value was not changed. Enter it again.</source>
-        <translation>程序设置了另一个变量，因此值未更改。请重新输入。</translation>
+        <source>The variable list changed during editing, so the value was not applied. Enter the value again.</source>
+        <translation>编辑期间变量列表发生变化，因此值未应用。请重新输入。</translation>
     </message>
 </context>
 <context>

@@ -49,7 +49,7 @@ QLabel* reportLabel(const char* name, const QString& text) {
 ImportReport::ImportReport(const program::ImportedProgram& imported, QWidget* parent) : QDialog(parent) {
     setObjectName("program.import");
     const QString name = imported.project.programs.find(imported.program)->name;
-    setWindowTitle(tr("Import of “%1”").arg(name));
+    setWindowTitle(tr("Import report for “%1”").arg(name));
     auto* summary =
         reportLabel("program.import.summary",
                     tr("Steps: %1. Kept as URScript text: %2. Not imported: %3. New waypoints: %4.")

@@ -285,20 +285,19 @@ void ProgramTab::showRunningStep(const program::ProgramRunner& runner) {
     const bool isWaiting = runner.isWaiting();
     const bool isPausedOnRobot = runner.isPausedOnRobot();
     showStatus(
-        isPausedOnRobot          ? tr("Paused on the robot in step %1 (%2)").arg(step).arg(name)
-        : runner.waitsForPress() ? tr("Paused before step %1 (%2) at the maximum hold time. Hold “Continue "
-                                      "(hold)” to continue.")
-                                       .arg(step)
-                                       .arg(name)
-        : isWaiting         ? tr("Paused before step %1 (%2)").arg(step).arg(name)
-        : step == 0         ? tr("Running")
-        : runner.isPaused() ? tr("Pausing after step %1 (%2)").arg(step).arg(name)
-        : runBar_->isSlowed()
-            ? tr("Running step %1 (%2). Joint moves are slow, because the preview did not run the whole "
-                 "program from this position.")
+        isPausedOnRobot ? tr("Paused on the robot in step %1 (%2)").arg(step).arg(name)
+        : runner.waitsForPress()
+            ? tr("Paused before step %1 (%2): maximum hold time reached. Hold “Continue (hold)” to continue.")
                   .arg(step)
                   .arg(name)
-            : tr("Running step %1 (%2)").arg(step).arg(name));
+        : isWaiting           ? tr("Paused before step %1 (%2)").arg(step).arg(name)
+        : step == 0           ? tr("Running")
+        : runner.isPaused()   ? tr("Pausing after step %1 (%2)").arg(step).arg(name)
+        : runBar_->isSlowed() ? tr("Running step %1 (%2). Joint moves are slow because the preview did not "
+                                   "run the whole program from this position.")
+                                    .arg(step)
+                                    .arg(name)
+                              : tr("Running step %1 (%2)").arg(step).arg(name));
     const bool isOther = std::exchange(wasWaiting_, isWaiting) != isWaiting;
     if (std::exchange(wasPausedOnRobot_, isPausedOnRobot) != isPausedOnRobot || isOther) {
         session_->journal().add(isPausedOnRobot ? Severity::Warning : Severity::Info, status_->fullText());
@@ -486,11 +485,11 @@ void ProgramTab::check() {
         showStatus(first.number > 0 ? tr("⚠ Step %1: %2").arg(first.number).arg(first.text)
                                     : tr("⚠ %1").arg(first.text));
     } else if (isStale) {
-        showStatus(endsOffer ? changedText()
-                   : !editedSteps_.isEmpty()
-                       ? tr("%n step(s) changed with the project. Press “Preview” to simulate the program.",
-                            nullptr, static_cast<int>(editedSteps_.size()))
-                       : tr("The program can run. Press “Preview” to simulate it."));
+        showStatus(endsOffer                 ? changedText()
+                   : !editedSteps_.isEmpty() ? tr("%n step(s) changed because the project changed. Press "
+                                                  "“Preview” to simulate the program.",
+                                                  nullptr, static_cast<int>(editedSteps_.size()))
+                                             : tr("The program can run. Press “Preview” to simulate it."));
     }
     showKey_->setVisible(!marks_.empty());
     showSelection();
@@ -667,7 +666,7 @@ void ProgramTab::toggleBreakpoints() {
     });
     if (!add && !breakpoints_.intersects(ids)) {
         showStatus(script.ok() ? tr("⚠ The program cannot pause before this step.")
-                               : tr("⚠ Correct the program first."));
+                               : tr("⚠ Correct the problems in the program first."));
         return;
     }
     QSet<QUuid> changed = breakpoints_;
@@ -793,7 +792,7 @@ void ProgramTab::checkRecovery() {
     recovered_ = script;
     recoveredProject_ = document_.project();
     recoverAction_->setText(tr("Cancel check"));
-    showStatus(tr("Simulating stops…"));
+    showStatus(tr("Checking recoverability…"));
     program::ScriptOptions options = scriptOptions();
     options.from = {};
     const std::vector<program::InputChange> inputs =
@@ -862,14 +861,14 @@ QString ProgramTab::continuationObstacle() const {
     if (program::writeScript(runBar_->runner().project(), program_, options).text != recovered_.text) {
         return changedText();
     }
-    return runBar_->hasOtherOutputs()
-               ? tr("Outputs were changed after the stop, so the program cannot continue. Run it "
-                    "from its beginning.")
-               : QString();
+    return runBar_->hasOtherOutputs() ? tr("Outputs were changed after the stop, so the program cannot "
+                                           "continue. Run the program from the beginning.")
+                                      : QString();
 }
 
 QString ProgramTab::changedText() {
-    return tr("The program was changed after the stop, so it cannot continue. Run it from its beginning.");
+    return tr(
+        "The program was changed after the stop, so it cannot continue. Run the program from the beginning.");
 }
 
 void ProgramTab::exportScript() {

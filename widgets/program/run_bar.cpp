@@ -89,9 +89,9 @@ RunBar::RunBar(RobotSession& session, HoldPolicy& policy, const ProjectDocument&
     , runner_(session)
     , hold_(holdKey(
           "program.runHold", tr("Run (hold)"), tr("Run the program (hold)"),
-          tr("Runs the program while the button is held, no faster than the jog speed. The program ends "
-             "when you release the button. Joint moves are slower if the arm is away from the start position "
-             "of a complete preview, because the speed limit then has to hold for every possible path."),
+          tr("Runs the program while the button is held, no faster than the jog speed. The program ends when "
+             "you release the button. If the arm is not at the start position of a complete preview, joint "
+             "moves are slower so that no possible path exceeds the speed limit."),
           policy))
     , start_(holdKey("program.moveToStart", tr("Move to start (hold)"),
                      tr("Move to the start position (hold)"),
@@ -215,8 +215,8 @@ HoldMotion RunBar::heldMotion() {
         const HeldSpeed now = heldSpeed_();
         if (runner_.waitsForPress() && (now.tcp < startedAt_.tcp || now.joint < startedAt_.joint)) {
             return Error{ErrorCode::Cancelled,
-                         tr("The program waits with a jog speed of %1. Select this speed again, or stop the "
-                            "program.")
+                         tr("The program started with a jog speed of %1 and cannot continue at a lower "
+                            "speed. Select this speed again, or stop the program.")
                              .arg(program::numberText(startedAt_.tcp, program::Unit::Speed)),
                          {}};
         }
@@ -273,8 +273,8 @@ void RunBar::askToRun(std::int32_t permitted, const QString& script) {
     const QString steps =
         program::stepNumbersText(program::stepsNotRun(document_.project(), previewed_, *preview_));
     ask(QStringLiteral("program.notSimulated"), tr("Run program"),
-        tr("The preview did not run %1, so collisions and other problems in these steps are unknown. Test "
-           "them with Run (hold), or set the inputs and preview the program again.")
+        tr("The preview did not run %1, so these steps were not checked for collisions and other problems. "
+           "Test them with “Run (hold)”, or set the inputs and preview the program again.")
             .arg(steps),
         tr("Run"),
         // If the program was changed while the question was open, run() rejects it or asks again.
@@ -306,8 +306,8 @@ void RunBar::continueRun(const std::function<void()>& proceed) {
         return;
     }
     ask(QStringLiteral("program.changed"), tr("Continue program"),
-        tr("A variable was changed. The moves after this change were not previewed, so collisions and other "
-           "problems are unknown."),
+        tr("A variable was changed. The moves after this change were not previewed, so they were not checked "
+           "for collisions and other problems."),
         tr("Continue"), [this, proceed] {
             hasChange_ = false;
             proceed();
@@ -394,9 +394,8 @@ QString RunBar::keepPlace() {
     }
     return choice.obstacle.isEmpty() || !runner_.wasHeldTooLong() || isPreviewedInFull()
                ? choice.obstacle
-               : tr("%1 Preview the program with the present inputs, or select a higher jog speed, so that "
-                    "it can "
-                    "run to its end.")
+               : tr("%1 Preview the program with the current inputs, or select a higher jog speed, so that "
+                    "the program can run to the end.")
                      .arg(choice.obstacle);
 }
 
@@ -544,7 +543,7 @@ void RunBar::updateGateKeys() {
               : !preview_                 ? runObstacle()
               : selected_.isNull()        ? tr("Select one step.")
                                           : QString(),
-              startStep_ ? tr("The program starts at step %1. Press to start at the beginning again.")
+              startStep_ ? tr("The program starts at step %1. Press to start from the beginning instead.")
                                .arg(script_.numberOf(startStep_->step))
                          : tr("Starts the program at the selected step. Move the arm to the start position "
                               "first."));

@@ -151,7 +151,7 @@ bool VariableModel::setData(const QModelIndex& index, const QVariant& value, int
 VariableList::VariableList(const program::ProgramRunner& runner, QWidget* parent)
     : QTreeView(parent), runner_(runner), model_(new VariableModel(runner, this)) {
     setObjectName("program.variables");
-    setAccessibleName(tr("Variables of the program"));
+    setAccessibleName(tr("Program variables"));
     setModel(model_);
     setRootIsDecorated(false);
     setUniformRowHeights(true);
@@ -183,7 +183,8 @@ void VariableList::follow() {
     model_->follow();
     if (wasEditing && state() != EditingState) {
         Q_EMIT refused(
-            tr("The program has set another variable, so the value was not changed. Enter it again."));
+            tr("The variable list changed during editing, so the value was not applied. Enter the value "
+               "again."));
     }
     setVisible(model_->rowCount() > 0 || !runner_.script().variables.empty());
 }
