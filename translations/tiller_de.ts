@@ -7444,10 +7444,6 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Bahn aus CSV importieren…</translation>
     </message>
     <message>
-        <source>Path recording stopped because no more data arrived or the limit of ten minutes was reached.</source>
-        <translation>Bahnaufzeichnung gestoppt: keine Daten mehr, oder das Limit von zehn Minuten wurde erreicht.</translation>
-    </message>
-    <message>
         <source>The path recorded so far is kept.</source>
         <translation>Die bisher aufgezeichnete Bahn bleibt erhalten.</translation>
     </message>
@@ -7505,6 +7501,14 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
     <message>
         <source>The path of the arm is being recorded. To stop recording, press “● REC” or select “Stop recording path” in the menu.</source>
         <translation>Die Bahn des Arms wird aufgezeichnet. Zum Beenden drücken Sie „● REC“ oder wählen im Menü „Bahnaufzeichnung beenden“.</translation>
+    </message>
+    <message>
+        <source>Path recording stopped because the maximum duration of ten minutes was reached.</source>
+        <translation>Bahnaufzeichnung gestoppt: Die Höchstdauer von zehn Minuten wurde erreicht.</translation>
+    </message>
+    <message>
+        <source>Path recording stopped because the robot stopped sending data or was restarted.</source>
+        <translation>Bahnaufzeichnung gestoppt: Der Roboter sendet keine Daten mehr oder wurde neu gestartet.</translation>
     </message>
 </context>
 <context>
@@ -9595,10 +9599,6 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Später entscheiden</translation>
     </message>
     <message>
-        <source>Taking over the project failed</source>
-        <translation>Das Projekt konnte nicht übernommen werden</translation>
-    </message>
-    <message>
         <source>Reloaded %1</source>
         <translation>%1 neu geladen</translation>
     </message>
@@ -9657,6 +9657,10 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     <message>
         <source>Saved %1</source>
         <translation>%1 gespeichert</translation>
+    </message>
+    <message>
+        <source>The project could not be taken over</source>
+        <translation>Das Projekt konnte nicht übernommen werden</translation>
     </message>
 </context>
 <context>

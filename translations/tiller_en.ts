@@ -7444,10 +7444,6 @@ Right-click or press F2 to rename the input.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Path recording stopped because no more data arrived or the limit of ten minutes was reached.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The path recorded so far is kept.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7497,6 +7493,14 @@ Right-click or press F2 to rename the input.</source>
     </message>
     <message>
         <source>The path of the arm is being recorded. To stop recording, press “● REC” or select “Stop recording path” in the menu.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Path recording stopped because the maximum duration of ten minutes was reached.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Path recording stopped because the robot stopped sending data or was restarted.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9582,10 +9586,6 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Taking over the project failed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Reloaded %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9643,6 +9643,10 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>Saved %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The project could not be taken over</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -7444,10 +7444,6 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Importar trayectoria desde CSV…</translation>
     </message>
     <message>
-        <source>Path recording stopped because no more data arrived or the limit of ten minutes was reached.</source>
-        <translation>Grabación de la trayectoria detenida: no llegan más datos, o se alcanzó el límite de diez minutos.</translation>
-    </message>
-    <message>
         <source>The path recorded so far is kept.</source>
         <translation>La trayectoria grabada hasta ahora se conserva.</translation>
     </message>
@@ -7505,6 +7501,14 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
     <message>
         <source>The path of the arm is being recorded. To stop recording, press “● REC” or select “Stop recording path” in the menu.</source>
         <translation>Se está grabando la trayectoria del brazo. Para terminar, pulse «● REC» o seleccione el mismo comando en el menú.</translation>
+    </message>
+    <message>
+        <source>Path recording stopped because the maximum duration of ten minutes was reached.</source>
+        <translation>Grabación de la trayectoria detenida: se alcanzó la duración máxima de diez minutos.</translation>
+    </message>
+    <message>
+        <source>Path recording stopped because the robot stopped sending data or was restarted.</source>
+        <translation>Grabación de la trayectoria detenida: el robot dejó de enviar datos o se reinició.</translation>
     </message>
 </context>
 <context>
@@ -9595,10 +9599,6 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Decidir más tarde</translation>
     </message>
     <message>
-        <source>Taking over the project failed</source>
-        <translation>No se pudo tomar el proyecto</translation>
-    </message>
-    <message>
         <source>Reloaded %1</source>
         <translation>%1 recargado</translation>
     </message>
@@ -9657,6 +9657,10 @@ Suelte el botón para detener el brazo.</translation>
     <message>
         <source>Saved %1</source>
         <translation>%1 guardado</translation>
+    </message>
+    <message>
+        <source>The project could not be taken over</source>
+        <translation>No se pudo tomar el proyecto</translation>
     </message>
 </context>
 <context>

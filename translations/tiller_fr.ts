@@ -7444,10 +7444,6 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Importer une trajectoire CSV…</translation>
     </message>
     <message>
-        <source>Path recording stopped because no more data arrived or the limit of ten minutes was reached.</source>
-        <translation>Enregistrement de la trajectoire arrêté : plus de données, ou limite de dix minutes atteinte.</translation>
-    </message>
-    <message>
         <source>The path recorded so far is kept.</source>
         <translation>La trajectoire enregistrée jusqu’ici est conservée.</translation>
     </message>
@@ -7505,6 +7501,14 @@ Clic droit ou F2 pour renommer.</translation>
     <message>
         <source>The path of the arm is being recorded. To stop recording, press “● REC” or select “Stop recording path” in the menu.</source>
         <translation>La trajectoire du bras est enregistrée. Pour terminer, appuyez sur « ● REC » ou sélectionnez la même commande dans le menu.</translation>
+    </message>
+    <message>
+        <source>Path recording stopped because the maximum duration of ten minutes was reached.</source>
+        <translation>Enregistrement de la trajectoire arrêté : durée maximale de dix minutes atteinte.</translation>
+    </message>
+    <message>
+        <source>Path recording stopped because the robot stopped sending data or was restarted.</source>
+        <translation>Enregistrement de la trajectoire arrêté : le robot n’envoie plus de données ou a redémarré.</translation>
     </message>
 </context>
 <context>
@@ -9595,10 +9599,6 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Décider plus tard</translation>
     </message>
     <message>
-        <source>Taking over the project failed</source>
-        <translation>Impossible de reprendre le projet</translation>
-    </message>
-    <message>
         <source>Reloaded %1</source>
         <translation>%1 rechargé</translation>
     </message>
@@ -9657,6 +9657,10 @@ Relâchez le bouton pour arrêter le bras.</translation>
     <message>
         <source>Saved %1</source>
         <translation>%1 enregistré</translation>
+    </message>
+    <message>
+        <source>The project could not be taken over</source>
+        <translation>Impossible de reprendre le projet</translation>
     </message>
 </context>
 <context>

@@ -7435,10 +7435,6 @@ Right-click or press F2 to rename the input.</source>
         <translation>CSV から経路を取り込む…</translation>
     </message>
     <message>
-        <source>Path recording stopped because no more data arrived or the limit of ten minutes was reached.</source>
-        <translation>経路の記録が終了しました：データが途絶えたか、10 分の上限に達しました。</translation>
-    </message>
-    <message>
         <source>The path recorded so far is kept.</source>
         <translation>それまでの記録は残ります。</translation>
     </message>
@@ -7495,6 +7491,14 @@ Right-click or press F2 to rename the input.</source>
     <message>
         <source>The path of the arm is being recorded. To stop recording, press “● REC” or select “Stop recording path” in the menu.</source>
         <translation>アームの経路を記録しています。終了するには「● REC」を押すか、メニューで経路記録の停止を選択してください。</translation>
+    </message>
+    <message>
+        <source>Path recording stopped because the maximum duration of ten minutes was reached.</source>
+        <translation>経路の記録が終了しました：最長時間の 10 分に達しました。</translation>
+    </message>
+    <message>
+        <source>Path recording stopped because the robot stopped sending data or was restarted.</source>
+        <translation>経路の記録が終了しました：ロボットのデータが途絶えたか、ロボットが再起動しました。</translation>
     </message>
 </context>
 <context>
@@ -9571,10 +9575,6 @@ Release the button to stop the arm.</source>
         <translation>後で決める</translation>
     </message>
     <message>
-        <source>Taking over the project failed</source>
-        <translation>プロジェクトを引き継げませんでした</translation>
-    </message>
-    <message>
         <source>Reloaded %1</source>
         <translation>%1を再読み込みしました</translation>
     </message>
@@ -9633,6 +9633,10 @@ Release the button to stop the arm.</source>
     <message>
         <source>Saved %1</source>
         <translation>%1 を保存しました</translation>
+    </message>
+    <message>
+        <source>The project could not be taken over</source>
+        <translation>プロジェクトを引き継げませんでした</translation>
     </message>
 </context>
 <context>

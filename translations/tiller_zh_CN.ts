@@ -7435,10 +7435,6 @@ Right-click or press F2 to rename the input.</source>
         <translation>从 CSV 导入路径…</translation>
     </message>
     <message>
-        <source>Path recording stopped because no more data arrived or the limit of ten minutes was reached.</source>
-        <translation>路径录制已停止：数据中断，或已达到十分钟的上限。</translation>
-    </message>
-    <message>
         <source>The path recorded so far is kept.</source>
         <translation>此前录制的路径会保留。</translation>
     </message>
@@ -7495,6 +7491,14 @@ Right-click or press F2 to rename the input.</source>
     <message>
         <source>The path of the arm is being recorded. To stop recording, press “● REC” or select “Stop recording path” in the menu.</source>
         <translation>正在记录机械臂的路径。按“● REC”，或在菜单中选择停止记录路径以结束。</translation>
+    </message>
+    <message>
+        <source>Path recording stopped because the maximum duration of ten minutes was reached.</source>
+        <translation>路径录制已停止：已达到十分钟的最长时间。</translation>
+    </message>
+    <message>
+        <source>Path recording stopped because the robot stopped sending data or was restarted.</source>
+        <translation>路径录制已停止：机器人不再发送数据，或已重新启动。</translation>
     </message>
 </context>
 <context>
@@ -9571,10 +9575,6 @@ Release the button to stop the arm.</source>
         <translation>稍后决定</translation>
     </message>
     <message>
-        <source>Taking over the project failed</source>
-        <translation>无法接管项目</translation>
-    </message>
-    <message>
         <source>Reloaded %1</source>
         <translation>已重新加载 %1</translation>
     </message>
@@ -9633,6 +9633,10 @@ Release the button to stop the arm.</source>
     <message>
         <source>Saved %1</source>
         <translation>已保存 %1</translation>
+    </message>
+    <message>
+        <source>The project could not be taken over</source>
+        <translation>无法接管项目</translation>
     </message>
 </context>
 <context>

@@ -65,9 +65,12 @@ PathControls::PathControls(RobotSession& session, ProjectDocument& document, Sel
     connect(&recorder_, &PathRecorder::kept, this, &PathControls::kept);
     connect(&recorder_, &PathRecorder::refused, this, &PathControls::refused);
     connect(&recorder_, &PathRecorder::ended, this, [this] {
+        const bool isFull = recorder_.seconds() > PathRecorder::kLongest;
         recorder_.stop(selection_.currentRow());
-        Q_EMIT refused(tr("Path recording stopped because no more data arrived or the limit of ten minutes "
-                          "was reached."),
+        Q_EMIT refused(isFull ? tr("Path recording stopped because the maximum duration of ten minutes was "
+                                   "reached.")
+                              : tr("Path recording stopped because the robot stopped sending data or was "
+                                   "restarted."),
                        tr("The path recorded so far is kept."));
     });
     show();
