@@ -140,7 +140,7 @@ void ProjectFiles::takeOver() {
     }
     Q_EMIT noticeResolved(QLatin1String(kElsewhere));
     if (const Result<void> taken = store_.takeOver(); !taken) {
-        warn(tr("Taking over the project failed"), taken.error(), QLatin1String(kElsewhere));
+        warn(tr("The project could not be taken over"), taken.error(), QLatin1String(kElsewhere));
     }
 }
 
