@@ -5136,12 +5136,12 @@ F2: Umbenennen, Umschalt+F2: Skalieren, oder Rechtsklick.</translation>
         <translation>Tastatur scharf schalten</translation>
     </message>
     <message>
-        <source>The arrow keys jog along X and Y, PgUp and PgDn along Z; with Alt, these keys rotate. 1 to 6 with + and − jog a joint. Space and Esc stop the arm. To disarm the keyboard, click this button or wait 30 s.</source>
-        <translation>Pfeiltasten bewegen X und Y, Bild auf und Bild ab bewegen Z; mit Alt drehen sie. 1 bis 6 mit + und − bewegen ein Gelenk. Leertaste und Esc stoppen. Zum Entschärfen klicken oder 30 s warten.</translation>
-    </message>
-    <message>
         <source>While the keyboard is armed, holding an arrow key moves the arm. A border around the window shows that the keyboard is armed.</source>
         <translation>Bei scharfer Tastatur bewegen die Pfeiltasten den Arm, solange sie gehalten werden. Ein Rahmen um das Fenster zeigt an, dass die Tastatur scharf ist.</translation>
+    </message>
+    <message>
+        <source>Arrow keys move along X and Y, PgUp and PgDn along Z; with Alt, they rotate the tool. Hold 1 to 6 and press + or − to move a joint. Space and Esc stop the arm. To disarm the keyboard, click this button or wait 30 s.</source>
+        <translation>Pfeiltasten bewegen X und Y, Bild auf und Bild ab bewegen Z; mit Alt drehen sie. 1 bis 6 mit + und − bewegen ein Gelenk. Leertaste und Esc stoppen. Zum Entschärfen klicken oder 30 s warten.</translation>
     </message>
 </context>
 <context>

@@ -5136,12 +5136,12 @@ F2 para renombrar, Mayús+F2 para escalar, o clic derecho.</translation>
         <translation>Armar teclado</translation>
     </message>
     <message>
-        <source>The arrow keys jog along X and Y, PgUp and PgDn along Z; with Alt, these keys rotate. 1 to 6 with + and − jog a joint. Space and Esc stop the arm. To disarm the keyboard, click this button or wait 30 s.</source>
-        <translation>Las flechas mueven X e Y, RePág y AvPág mueven Z; con Alt giran. 1 a 6 con + y − mueven una articulación. Espacio y Esc detienen. Para desarmar, haga clic o espere 30 s.</translation>
-    </message>
-    <message>
         <source>While the keyboard is armed, holding an arrow key moves the arm. A border around the window shows that the keyboard is armed.</source>
         <translation>Con el teclado armado, las flechas mueven el brazo mientras se mantienen pulsadas. Un marco alrededor de la ventana indica que el teclado está armado.</translation>
+    </message>
+    <message>
+        <source>Arrow keys move along X and Y, PgUp and PgDn along Z; with Alt, they rotate the tool. Hold 1 to 6 and press + or − to move a joint. Space and Esc stop the arm. To disarm the keyboard, click this button or wait 30 s.</source>
+        <translation>Las flechas mueven X e Y, RePág y AvPág mueven Z; con Alt giran. 1 a 6 con + y − mueven una articulación. Espacio y Esc detienen. Para desarmar, haga clic o espere 30 s.</translation>
     </message>
 </context>
 <context>

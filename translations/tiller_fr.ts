@@ -5136,12 +5136,12 @@ F2 pour renommer, Maj+F2 pour mettre à l’échelle, ou clic droit.</translatio
         <translation>Armer le clavier</translation>
     </message>
     <message>
-        <source>The arrow keys jog along X and Y, PgUp and PgDn along Z; with Alt, these keys rotate. 1 to 6 with + and − jog a joint. Space and Esc stop the arm. To disarm the keyboard, click this button or wait 30 s.</source>
-        <translation>Les flèches déplacent X et Y, Pg préc et Pg suiv déplacent Z ; avec Alt, elles tournent. 1 à 6 avec + et − déplacent une articulation. Espace et Échap arrêtent. Pour désarmer, cliquez ou attendez 30 s.</translation>
-    </message>
-    <message>
         <source>While the keyboard is armed, holding an arrow key moves the arm. A border around the window shows that the keyboard is armed.</source>
         <translation>Clavier armé, les flèches déplacent le bras tant qu’elles sont maintenues. Un cadre autour de la fenêtre indique que le clavier est armé.</translation>
+    </message>
+    <message>
+        <source>Arrow keys move along X and Y, PgUp and PgDn along Z; with Alt, they rotate the tool. Hold 1 to 6 and press + or − to move a joint. Space and Esc stop the arm. To disarm the keyboard, click this button or wait 30 s.</source>
+        <translation>Les flèches déplacent X et Y, Pg préc et Pg suiv déplacent Z ; avec Alt, elles tournent. 1 à 6 avec + et − déplacent une articulation. Espace et Échap arrêtent. Pour désarmer, cliquez ou attendez 30 s.</translation>
     </message>
 </context>
 <context>

@@ -5133,12 +5133,12 @@ F2 で名前変更、Shift+F2 でスケール、または右クリック。</tra
         <translation>キーボードを有効に</translation>
     </message>
     <message>
-        <source>The arrow keys jog along X and Y, PgUp and PgDn along Z; with Alt, these keys rotate. 1 to 6 with + and − jog a joint. Space and Esc stop the arm. To disarm the keyboard, click this button or wait 30 s.</source>
-        <translation>矢印は X と Y、PgUp と PgDn は Z、Alt で回転、1〜6 と + − で関節が動きます。Space と Esc で停止。クリックするか 30 秒待つとキーボードは無効になります。</translation>
-    </message>
-    <message>
         <source>While the keyboard is armed, holding an arrow key moves the arm. A border around the window shows that the keyboard is armed.</source>
         <translation>キーボードが有効な間、押している矢印キーがアームを動かします。ウィンドウの枠は、キーボードが有効であることを示します。</translation>
+    </message>
+    <message>
+        <source>Arrow keys move along X and Y, PgUp and PgDn along Z; with Alt, they rotate the tool. Hold 1 to 6 and press + or − to move a joint. Space and Esc stop the arm. To disarm the keyboard, click this button or wait 30 s.</source>
+        <translation>矢印は X と Y、PgUp と PgDn は Z、Alt で回転、1〜6 と + − で関節が動きます。Space と Esc で停止。クリックするか 30 秒待つとキーボードは無効になります。</translation>
     </message>
 </context>
 <context>

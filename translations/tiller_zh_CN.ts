@@ -5133,12 +5133,12 @@ To rename or scale the signal, right-click it, or press F2 or Shift+F2.</source>
         <translation>启用键盘</translation>
     </message>
     <message>
-        <source>The arrow keys jog along X and Y, PgUp and PgDn along Z; with Alt, these keys rotate. 1 to 6 with + and − jog a joint. Space and Esc stop the arm. To disarm the keyboard, click this button or wait 30 s.</source>
-        <translation>方向键移动 X 和 Y，PgUp 和 PgDn 移动 Z；加 Alt 旋转。1 至 6 加 + 和 − 转动关节。Space 和 Esc 停止。点击或等待 30 秒可停用键盘。</translation>
-    </message>
-    <message>
         <source>While the keyboard is armed, holding an arrow key moves the arm. A border around the window shows that the keyboard is armed.</source>
         <translation>键盘启用后，按住方向键时移动机械臂。窗口四周的边框表示键盘已启用。</translation>
+    </message>
+    <message>
+        <source>Arrow keys move along X and Y, PgUp and PgDn along Z; with Alt, they rotate the tool. Hold 1 to 6 and press + or − to move a joint. Space and Esc stop the arm. To disarm the keyboard, click this button or wait 30 s.</source>
+        <translation>方向键移动 X 和 Y，PgUp 和 PgDn 移动 Z；加 Alt 旋转。1 至 6 加 + 和 − 转动关节。Space 和 Esc 停止。点击或等待 30 秒可停用键盘。</translation>
     </message>
 </context>
 <context>

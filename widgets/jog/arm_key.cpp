@@ -41,9 +41,9 @@ void ArmKey::setArmed(bool armed) {
     setText(armed ? tr("Keyboard armed") : tr("Arm keyboard"));
     setAccessibleName(text());
     setToolTip(!lock_.isEmpty() ? lock_
-               : armed ? tr("The arrow keys jog along X and Y, PgUp and PgDn along Z; with Alt, these keys "
-                            "rotate. 1 to 6 with + and − jog a joint. Space and Esc stop the arm. To disarm "
-                            "the keyboard, click this button or wait 30 s.")
+               : armed ? tr("Arrow keys move along X and Y, PgUp and PgDn along Z; with Alt, they rotate the "
+                            "tool. Hold 1 to 6 and press + or − to move a joint. Space and Esc stop the arm. "
+                            "To disarm the keyboard, click this button or wait 30 s.")
                        : tr("While the keyboard is armed, holding an arrow key moves the arm. A border "
                             "around the window shows that the keyboard is armed."));
 }
