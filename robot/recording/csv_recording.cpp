@@ -2,6 +2,7 @@
 #include "robot/recording/csv_recording.h"
 
 #include <QFile>
+#include <QStringDecoder>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -140,18 +141,26 @@ bool numberOf(std::string_view cell, char& decimal, double& value) {
     return false;
 }
 
+/// Text in another encoding than UTF-8 is read as Latin-1.
+std::string utf8(std::string_view text) {
+    const auto size = static_cast<qsizetype>(text.size());
+    QStringDecoder decoder(QStringDecoder::Utf8);
+    const QString decoded = decoder(QByteArrayView(text.data(), size));
+    return decoder.hasError() ? QString::fromLatin1(text.data(), size).toStdString() : std::string(text);
+}
+
 /// Parses a header cell: "actual_q_0 [rad]" is the column "actual_q_0" with the unit "rad".
 RecordedColumn columnFrom(std::string_view heading) {
     RecordedColumn column;
-    column.name = std::string(heading);
+    column.name = utf8(heading);
     for (std::size_t at = column.name.find("\"\""); at != std::string::npos;
          at = column.name.find("\"\"", at + 1)) {
         column.name.erase(at, 1);
     }
     if (const std::size_t open = heading.rfind('[');
         open != std::string_view::npos && open > 0 && heading.back() == ']') {
-        column.name = std::string(withoutBlanks(heading.substr(0, open)));
-        column.unit = std::string(heading.substr(open + 1, heading.size() - open - 2));
+        column.name = utf8(withoutBlanks(heading.substr(0, open)));
+        column.unit = utf8(heading.substr(open + 1, heading.size() - open - 2));
     }
     return column;
 }
@@ -499,7 +508,7 @@ private:
         std::size_t column = 0;
         for (const std::string_view cell : cellsOf(line, layout_.separator)) {
             if (column < table_.columns.size()) {
-                table_.columns[column++].unit = cell == "-" ? std::string() : std::string(cell);
+                table_.columns[column++].unit = cell == "-" ? std::string() : utf8(cell);
             }
         }
     }
@@ -508,7 +517,7 @@ private:
         const auto units = cellsOf(head_.units, layout_.separator);
         for (std::size_t i = 0; units.size() == table_.columns.size() && i < units.size(); ++i) {
             if (table_.columns[i].unit.empty() && units[i] != "-") {
-                table_.columns[i].unit = units[i];
+                table_.columns[i].unit = utf8(units[i]);
             }
         }
         table_.facts = std::move(head_.facts);

@@ -281,11 +281,11 @@ Result<int> SignalStore::derive(const QString& text) {
 RecordedSignal SignalStore::recordedSignal(int signal) const {
     const Signal& wanted = signals_[static_cast<std::size_t>(signal)];
     if (!wanted.derivation) {
-        return {{*fileColumnOf(signal)}, wanted.info.bit, {}};
+        return {{fileColumnOf(signal)}, wanted.info.bit, {}};
     }
     RecordedSignal computed{{}, -1, wanted.derivation->text()};
     for (const int input : wanted.inputs) {
-        computed.columns.push_back(*fileColumnOf(input));
+        computed.columns.push_back(fileColumnOf(input));
     }
     return computed;
 }
@@ -521,7 +521,8 @@ Result<QString> SignalStore::open(std::unique_ptr<recording::Recording> file, do
             known[QString::fromStdString(field->componentName(info.component))].append(i);
         }
     }
-    for (const recording::RecordedColumn& column : file->columns()) {
+    for (std::size_t fileColumn = 0; fileColumn < file->columns().size(); ++fileColumn) {
+        const recording::RecordedColumn& column = file->columns()[fileColumn];
         const QString columnName = QString::fromStdString(column.name);
         QVector<SignalInfo> infos;
         for (const int like : known.value(columnName)) {
@@ -544,6 +545,7 @@ Result<QString> SignalStore::open(std::unique_ptr<recording::Recording> file, do
             Signal& signal = signals_.emplace_back();
             signal.info = info;
             signal.table = static_cast<int>(tables_.size()) - 1;
+            signal.fileColumn = fileColumn;
         }
     }
     table.file = std::move(file);
@@ -558,12 +560,6 @@ QStringList SignalStore::takeProblems(const QString& recording) {
     return table == tables_.end() ? QStringList()
                                   : table->file->problems().mid(
                                         std::exchange(table->problemsTaken, table->file->problems().size()));
-}
-
-std::optional<std::size_t> SignalStore::fileColumnOf(int signal) const {
-    const Signal& wanted = signals_[static_cast<std::size_t>(signal)];
-    const Table& table = tables_[static_cast<std::size_t>(wanted.table)];
-    return table.file->indexOf(wanted.info.field.toStdString());
 }
 
 bool SignalStore::hasCapacityFor(int signal, std::size_t bytes) {
@@ -593,7 +589,7 @@ bool SignalStore::loadOutlines(const QSet<int>& shown) {
                 continue;
             }
             names.push_back(name);
-            columns.push_back(*fileColumnOf(signal));
+            columns.push_back(fileColumnOf(signal));
             precisions.push_back(wanted.info.precision());
             const std::size_t extent =
                 2 * (precisions.back() == Precision::Single ? sizeof(float) : sizeof(double));
@@ -641,7 +637,7 @@ bool SignalStore::load(int signal) {
     if (!hasCapacityFor(signal, rows * size)) {
         return false;
     }
-    const std::optional<std::size_t> column = fileColumnOf(signal);
+    const std::size_t column = fileColumnOf(signal);
     constexpr std::uint64_t kAtOnce = 1 << 16;
     std::vector<double> part;
     std::uint64_t partBegin = 0;
@@ -651,7 +647,7 @@ bool SignalStore::load(int signal) {
         const auto row = static_cast<std::uint64_t>(sample);
         if (part.empty() || row >= partBegin + part.size()) {
             partBegin = row;
-            const std::array<std::size_t, 1> columns = {*column};
+            const std::array<std::size_t, 1> columns = {column};
             auto read = table.file->read(columns, {row, std::min(kAtOnce, rows - row)});
             if (read && !read->front().empty()) {
                 part = std::move(read->front());

@@ -204,6 +204,7 @@ private:
         SignalInfo info;
         int table = kNowhere;
         int column = -1;
+        std::optional<std::size_t> fileColumn{};  ///< of a recorded signal; empty for a derived signal
         std::shared_ptr<DerivedSignal> derivation;
         std::vector<int> inputs;        ///< signal numbers
         std::vector<int> inputColumns;  ///< columns in the same table
@@ -239,7 +240,9 @@ private:
     RecordedSignal recordedSignal(int signal) const;
     /// Reads the summaries of all displayed signals of long recordings.
     bool loadOutlines(const QSet<int>& shown);
-    std::optional<std::size_t> fileColumnOf(int signal) const;
+    std::size_t fileColumnOf(int signal) const {
+        return signals_[static_cast<std::size_t>(signal)].fileColumn.value();
+    }
     bool hasCapacityFor(int signal, std::size_t bytes);
     QStringList fieldsFor(const QHash<const void*, QSet<int>>& wanted, bool withLive) const;
 

@@ -19,6 +19,7 @@ class TestCsvRecording : public QObject {
 private Q_SLOTS:
     void ownFilesAreReadWithUnitsAndGaps();
     void semicolonsAndDecimalCommasAreRead();
+    void headingsInLatin1AreRead();
     void blankSeparatedCellsAreRead_data();
     void blankSeparatedCellsAreRead();
     void aBlankInASingleHeadingIsNotASeparator();
@@ -81,6 +82,14 @@ void TestCsvRecording::semicolonsAndDecimalCommasAreRead() {
     QCOMPARE(column(*recording, "Force")[1], -0.25);
     QVERIFY(std::isnan(column(*recording, "Force")[2]));
     QCOMPARE(recording->times({2, 1}).value().front(), 0.02);
+}
+
+void TestCsvRecording::headingsInLatin1AreRead() {
+    const auto recording = open("Zeit [s];\xD6l-Druck [\xB5m];\xC3\x96l [°C]\n0,0;1;2\n0,1;3;4\n").value();
+    QCOMPARE(recording->columns()[1].name, std::string("Öl-Druck"));
+    QCOMPARE(recording->columns()[1].unit, std::string("µm"));
+    QCOMPARE(recording->columns()[2].name, std::string("Öl"));
+    QCOMPARE(recording->columns()[2].unit, std::string("°C"));
 }
 
 void TestCsvRecording::blankSeparatedCellsAreRead_data() {

@@ -13,6 +13,7 @@
 #include <tuple>
 
 #include "robot/recording/formats/open_recording.h"
+#include "robot/recording/table_recording.h"
 #include "robot/station/history/history_export.h"
 #include "robot/station/history/signal_store.h"
 
@@ -142,6 +143,80 @@ private Q_SLOTS:
                 }
             }
         }
+    }
+
+    // The name of a column may be in any encoding, or the file damaged. The columns are found all the same.
+    void columnsWithAnyNameAreShown() {
+        recording::RecordedTable table;
+        table.path = "a.csv";
+        table.columns = {{"time", "s", false},
+                         {"b\xE4"
+                          "d",
+                          "", false},
+                         {"good", "", false}};
+        table.values = {{0, 1, 2}, {5, 6, 7}, {1, 2, 3}};
+        SignalStore store;
+        const QString name = store.open(std::make_unique<recording::TableRecording>(table), 0).value();
+        const std::vector<int> all = store.signalsOf(name);
+        QVERIFY(store.want(this, {all.begin(), all.end()}));
+        QCOMPARE(store.value(all[1], 1), 6.0);
+        QCOMPARE(store.value(all[2], 2), 3.0);
+    }
+    void damagedFilesAreShownOrRefused_data() {
+        QTest::addColumn<QString>("suffix");
+        for (const char* suffix : {"csv", "mcap", "h5"}) {
+            QTest::newRow(suffix) << suffix;
+        }
+    }
+    void damagedFilesAreShownOrRefused() {
+        QFETCH(QString, suffix);
+        QTemporaryDir folder;
+        std::mt19937 random(12);
+        write(folder.filePath("whole.csv"), randomRows(random), "timestamp");
+        const QString whole = folder.filePath("whole." + suffix);
+        if (suffix != "csv") {
+            SignalStore store;
+            const QString name =
+                store.open(recording::openRecording(folder.filePath("whole.csv")).value(), 0).value();
+            QVERIFY(exportSignals(store, store.signalsOf(name), 0, 1e9, whole).ok());
+        }
+        QFile file(whole);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray bytes = file.readAll();
+        int shown = 0;
+        for (int run = 0; run < 200; ++run) {
+            QByteArray damaged = bytes;
+            // Half of the changes are in the head of the file, where the names are.
+            const auto place = [&] {
+                const qsizetype end =
+                    random() % 2 == 0 ? std::min<qsizetype>(1000, damaged.size()) : damaged.size();
+                return static_cast<qsizetype>(random() % static_cast<unsigned>(end));
+            };
+            for (unsigned change = 0; change < 1 + random() % 4; ++change) {
+                damaged[place()] = static_cast<char>(random());
+            }
+            const QString path = folder.filePath(QStringLiteral("%1.%2").arg(run).arg(suffix));
+            QFile copy(path);
+            QVERIFY(copy.open(QIODevice::WriteOnly) && copy.write(damaged) == damaged.size());
+            copy.close();
+            auto opened = recording::openRecording(path);
+            SignalStore store;
+            const auto name =
+                opened ? store.open(std::move(opened).value(), 0) : Result<QString>(opened.error());
+            if (!name) {
+                QVERIFY(!name.error().toString().isEmpty());
+                continue;
+            }
+            ++shown;
+            const std::vector<int> all = store.signalsOf(*name);
+            store.want(this, {all.begin(), all.end()});
+            for (const int signal : all) {
+                store.valueAt(signal, 0.1);
+            }
+            const auto exported = exportSignals(store, all, 0, 1e9, folder.filePath("out.csv"));
+            QVERIFY(exported || !exported.error().toString().isEmpty());
+        }
+        QVERIFY2(shown > 20, qPrintable(QString::number(shown)));
     }
 
     void signalsOfSeveralSourcesAreRefused() {
