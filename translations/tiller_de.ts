@@ -9432,10 +9432,6 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Schritt %1 (%2)</translation>
     </message>
     <message>
-        <source>Simulated: the program takes %1 s. No problems found. Not run: %2.</source>
-        <translation>Simuliert: Das Programm dauert %1 s. Keine Probleme gefunden. Nicht ausgeführt: %2.</translation>
-    </message>
-    <message>
         <source>Not checked: %1.</source>
         <translation>Nicht geprüft: %1.</translation>
     </message>
@@ -9469,6 +9465,10 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     <message>
         <source>Running step %1 (%2). Joint moves are slow because the preview did not run the whole program from this position.</source>
         <translation>Schritt %1 (%2) läuft. Gelenkbewegungen sind langsam, weil die Vorschau nicht das ganze Programm ab dieser Position ausgeführt hat.</translation>
+    </message>
+    <message>
+        <source>Not run: %1.</source>
+        <translation>Nicht ausgeführt: %1.</translation>
     </message>
 </context>
 <context>

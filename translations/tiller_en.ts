@@ -9419,10 +9419,6 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Simulated: the program takes %1 s. No problems found. Not run: %2.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Not checked: %1.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9455,6 +9451,10 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>Running step %1 (%2). Joint moves are slow because the preview did not run the whole program from this position.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not run: %1.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10432,6 +10432,10 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>No joint positions to replay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robot model unknown</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -9432,10 +9432,6 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Paso %1 (%2)</translation>
     </message>
     <message>
-        <source>Simulated: the program takes %1 s. No problems found. Not run: %2.</source>
-        <translation>Simulado: el programa dura %1 s. No se han encontrado problemas. No ejecutado: %2.</translation>
-    </message>
-    <message>
         <source>Not checked: %1.</source>
         <translation>Sin comprobar: %1.</translation>
     </message>
@@ -9469,6 +9465,10 @@ Suelte el botón para detener el brazo.</translation>
     <message>
         <source>Running step %1 (%2). Joint moves are slow because the preview did not run the whole program from this position.</source>
         <translation>Ejecutando el paso %1 (%2). Los movimientos articulares son lentos porque la vista previa no ejecutó todo el programa desde esta posición.</translation>
+    </message>
+    <message>
+        <source>Not run: %1.</source>
+        <translation>No ejecutado: %1.</translation>
     </message>
 </context>
 <context>

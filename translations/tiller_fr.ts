@@ -9432,10 +9432,6 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Étape %1 (%2)</translation>
     </message>
     <message>
-        <source>Simulated: the program takes %1 s. No problems found. Not run: %2.</source>
-        <translation>Simulé : le programme dure %1 s. Aucun problème trouvé. Non exécuté : %2.</translation>
-    </message>
-    <message>
         <source>Not checked: %1.</source>
         <translation>Non vérifié : %1.</translation>
     </message>
@@ -9469,6 +9465,10 @@ Relâchez le bouton pour arrêter le bras.</translation>
     <message>
         <source>Running step %1 (%2). Joint moves are slow because the preview did not run the whole program from this position.</source>
         <translation>Étape %1 (%2) en cours. Les mouvements articulaires sont lents, car l’aperçu n’a pas exécuté tout le programme à partir de cette position.</translation>
+    </message>
+    <message>
+        <source>Not run: %1.</source>
+        <translation>Non exécuté : %1.</translation>
     </message>
 </context>
 <context>

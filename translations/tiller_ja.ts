@@ -9411,10 +9411,6 @@ Release the button to stop the arm.</source>
         <translation>ステップ%1（%2）</translation>
     </message>
     <message>
-        <source>Simulated: the program takes %1 s. No problems found. Not run: %2.</source>
-        <translation>シミュレーション：プログラムの所要時間は %1 秒です。問題はありません。未実行：%2。</translation>
-    </message>
-    <message>
         <source>Not checked: %1.</source>
         <translation>未チェック: %1。</translation>
     </message>
@@ -9447,6 +9443,10 @@ Release the button to stop the arm.</source>
     <message>
         <source>Running step %1 (%2). Joint moves are slow because the preview did not run the whole program from this position.</source>
         <translation>ステップ %1 (%2) を実行中。プレビューがこの位置からプログラム全体を実行していないため、関節動作は低速です。</translation>
+    </message>
+    <message>
+        <source>Not run: %1.</source>
+        <translation>未実行：%1。</translation>
     </message>
 </context>
 <context>

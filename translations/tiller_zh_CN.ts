@@ -9411,10 +9411,6 @@ Release the button to stop the arm.</source>
         <translation>步骤 %1（%2）</translation>
     </message>
     <message>
-        <source>Simulated: the program takes %1 s. No problems found. Not run: %2.</source>
-        <translation>仿真：程序用时 %1 秒。未发现问题。未运行：%2。</translation>
-    </message>
-    <message>
         <source>Not checked: %1.</source>
         <translation>未检查：%1。</translation>
     </message>
@@ -9447,6 +9443,10 @@ Release the button to stop the arm.</source>
     <message>
         <source>Running step %1 (%2). Joint moves are slow because the preview did not run the whole program from this position.</source>
         <translation>正在运行步骤 %1（%2）。预览没有从此位置运行整个程序，因此关节运动较慢。</translation>
+    </message>
+    <message>
+        <source>Not run: %1.</source>
+        <translation>未运行：%1。</translation>
     </message>
 </context>
 <context>

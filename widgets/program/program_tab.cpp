@@ -750,16 +750,20 @@ void ProgramTab::showPreview(const program::Preview& preview) {
     showKey_->setVisible(!marks_.empty());
     const QString duration = QLocale().toString(preview.duration, 'f', 1);
     const std::vector<int> notRun = program::stepsNotRun(document_.project(), previewed_, preview);
-    showStatus(
-        preview.isGood() && !notRun.empty()
-            ? tr("Simulated: the program takes %1 s. No problems found. Not run: %2.")
-                  .arg(duration, program::stepNumbersText(notRun))
-        : preview.isGood() && preview.isEndless
-            ? tr("Simulated: two cycles of the endless program take %1 s. No problems found.").arg(duration)
-        : preview.isGood()
-            ? tr("Simulated: the program takes %1 s. No problems found.").arg(duration)
-            : tr("⚠ Simulated: %n problem(s) found. %1", nullptr, static_cast<int>(preview.findings.size()))
-                  .arg(program::findingText(document_.project(), previewed_, preview.findings.front())));
+    if (!preview.isGood()) {
+        showStatus(
+            tr("⚠ Simulated: %n problem(s) found. %1", nullptr, static_cast<int>(preview.findings.size()))
+                .arg(program::findingText(document_.project(), previewed_, preview.findings.front())));
+    } else {
+        const QString good =
+            preview.isEndless
+                ? tr("Simulated: two cycles of the endless program take %1 s. No problems found.")
+                      .arg(duration)
+                : tr("Simulated: the program takes %1 s. No problems found.").arg(duration);
+        showStatus(notRun.empty()
+                       ? good
+                       : good + QLatin1Char(' ') + tr("Not run: %1.").arg(program::stepNumbersText(notRun)));
+    }
     showSelection();
     Q_EMIT previewPathChanged();
 }
