@@ -6,6 +6,7 @@
 #include "app/action_table.h"
 #include "app/dock_stage.h"
 #include "app/panel_dock.h"
+#include "robot/station/history/signal_store.h"
 #include "widgets/io/io_tab.h"
 #include "widgets/log/log_tab.h"
 #include "widgets/plots/plot_dock.h"
@@ -64,6 +65,42 @@ void PanelActions::addPlots(ActionTable& table, PlotDock& plots) {
                tr("Shows all data in memory and scales each plot automatically."),
                {},
                [&plots] { plots.view().fit(); }});
+    table.add({"plots.action.standard",
+               tr("Show standard plots"),
+               tr("Replaces the pages of live data with the standard page. Pages with recordings are kept."),
+               {},
+               [&plots] { plots.showStandard(); }});
+    table.add({"plots.action.openRecording",
+               tr("Open recording…"),
+               tr("Shows a recording or a table of another program on its own page."),
+               {},
+               [&plots] { plots.askForRecording(); }});
+    table.add({"plots.action.closeRecordings",
+               tr("Close recordings"),
+               tr("Removes all opened recordings from the plots. The files are kept."),
+               {},
+               [&plots] { plots.closeRecordings(); },
+               [&plots](const SessionState&) {
+                   return plots.store().hasRecordings() ? QString() : tr("No recording is open.");
+               }});
+    table.add({"plots.action.compare",
+               tr("Compare with the arm model…"),
+               tr("Compares the displayed recording with the model of its arm."),
+               {},
+               [&plots] { plots.compareWithModel(); },
+               [&plots](const SessionState&) {
+                   return plots.isRecordingInFront() ? QString() : tr("Show the page of a recording first.");
+               }});
+    table.add({"plots.action.values",
+               tr("Values at the cursors"),
+               tr("Shows or hides the table of values at the cursors and between them."),
+               {},
+               [&plots] { plots.setValuesShown(!plots.isValuesShown()); }});
+    table.add({"plots.action.analysis",
+               tr("Spectrum and XY"),
+               tr("Shows or hides the spectrum and the XY plot of two signals."),
+               {},
+               [&plots] { plots.setAnalysisShown(!plots.isAnalysisShown()); }});
     for (const PlotDock::Span& span : plots.spans()) {
         table.add({QStringLiteral("plots.action.span.%1").arg(span.seconds),
                    tr("Plots: last %1").arg(span.text),

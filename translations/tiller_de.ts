@@ -1967,6 +1967,62 @@
         <source>Move %1 to the bottom</source>
         <translation>%1 nach unten</translation>
     </message>
+    <message>
+        <source>Show standard plots</source>
+        <translation>Standard-Diagramme zeigen</translation>
+    </message>
+    <message>
+        <source>Replaces the pages of live data with the standard page. Pages with recordings are kept.</source>
+        <translation>Ersetzt die Seiten mit Live-Daten durch die Standardseite. Seiten mit Aufzeichnungen bleiben.</translation>
+    </message>
+    <message>
+        <source>Open recording…</source>
+        <translation>Aufzeichnung öffnen…</translation>
+    </message>
+    <message>
+        <source>Shows a recording or a table of another program on its own page.</source>
+        <translation>Zeigt eine Aufzeichnung oder eine Tabelle eines anderen Programms auf einer eigenen Seite.</translation>
+    </message>
+    <message>
+        <source>Close recordings</source>
+        <translation>Aufzeichnungen schließen</translation>
+    </message>
+    <message>
+        <source>Removes all opened recordings from the plots. The files are kept.</source>
+        <translation>Entfernt alle geöffneten Aufzeichnungen aus den Diagrammen. Die Dateien bleiben.</translation>
+    </message>
+    <message>
+        <source>No recording is open.</source>
+        <translation>Es ist keine Aufzeichnung geöffnet.</translation>
+    </message>
+    <message>
+        <source>Compare with the arm model…</source>
+        <translation>Mit dem Modell des Arms vergleichen…</translation>
+    </message>
+    <message>
+        <source>Compares the displayed recording with the model of its arm.</source>
+        <translation>Vergleicht die angezeigte Aufzeichnung mit dem Modell ihres Arms.</translation>
+    </message>
+    <message>
+        <source>Show the page of a recording first.</source>
+        <translation>Zeigen Sie zuerst die Seite einer Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>Values at the cursors</source>
+        <translation>Werte an den Cursorn</translation>
+    </message>
+    <message>
+        <source>Shows or hides the table of values at the cursors and between them.</source>
+        <translation>Zeigt oder verbirgt die Tabelle der Werte an den Cursorn und zwischen ihnen.</translation>
+    </message>
+    <message>
+        <source>Spectrum and XY</source>
+        <translation>Spektrum und XY</translation>
+    </message>
+    <message>
+        <source>Shows or hides the spectrum and the XY plot of two signals.</source>
+        <translation>Zeigt oder verbirgt das Spektrum und das XY-Diagramm zweier Signale.</translation>
+    </message>
 </context>
 <context>
     <name>PlotMenu</name>

@@ -1967,6 +1967,62 @@
         <source>Move %1 to the bottom</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Show standard plots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replaces the pages of live data with the standard page. Pages with recordings are kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open recording…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows a recording or a table of another program on its own page.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close recordings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Removes all opened recordings from the plots. The files are kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No recording is open.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare with the arm model…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compares the displayed recording with the model of its arm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the page of a recording first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Values at the cursors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows or hides the table of values at the cursors and between them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spectrum and XY</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows or hides the spectrum and the XY plot of two signals.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>PlotMenu</name>

@@ -1967,6 +1967,62 @@
         <source>Move %1 to the bottom</source>
         <translation>Mover %1 abajo</translation>
     </message>
+    <message>
+        <source>Show standard plots</source>
+        <translation>Mostrar gráficos estándar</translation>
+    </message>
+    <message>
+        <source>Replaces the pages of live data with the standard page. Pages with recordings are kept.</source>
+        <translation>Sustituye las páginas de datos en vivo por la página estándar. Las páginas con grabaciones se conservan.</translation>
+    </message>
+    <message>
+        <source>Open recording…</source>
+        <translation>Abrir grabación…</translation>
+    </message>
+    <message>
+        <source>Shows a recording or a table of another program on its own page.</source>
+        <translation>Muestra una grabación o una tabla de otro programa en su propia página.</translation>
+    </message>
+    <message>
+        <source>Close recordings</source>
+        <translation>Cerrar las grabaciones</translation>
+    </message>
+    <message>
+        <source>Removes all opened recordings from the plots. The files are kept.</source>
+        <translation>Quita todas las grabaciones abiertas de los gráficos. Los archivos se conservan.</translation>
+    </message>
+    <message>
+        <source>No recording is open.</source>
+        <translation>No hay ninguna grabación abierta.</translation>
+    </message>
+    <message>
+        <source>Compare with the arm model…</source>
+        <translation>Comparar con el modelo del brazo…</translation>
+    </message>
+    <message>
+        <source>Compares the displayed recording with the model of its arm.</source>
+        <translation>Compara la grabación mostrada con el modelo de su brazo.</translation>
+    </message>
+    <message>
+        <source>Show the page of a recording first.</source>
+        <translation>Muestre primero la página de una grabación.</translation>
+    </message>
+    <message>
+        <source>Values at the cursors</source>
+        <translation>Valores en los cursores</translation>
+    </message>
+    <message>
+        <source>Shows or hides the table of values at the cursors and between them.</source>
+        <translation>Muestra u oculta la tabla de valores en los cursores y entre ellos.</translation>
+    </message>
+    <message>
+        <source>Spectrum and XY</source>
+        <translation>Espectro y XY</translation>
+    </message>
+    <message>
+        <source>Shows or hides the spectrum and the XY plot of two signals.</source>
+        <translation>Muestra u oculta el espectro y el gráfico XY de dos señales.</translation>
+    </message>
 </context>
 <context>
     <name>PlotMenu</name>

@@ -1967,6 +1967,62 @@
         <source>Move %1 to the bottom</source>
         <translation>Placer %1 en bas</translation>
     </message>
+    <message>
+        <source>Show standard plots</source>
+        <translation>Afficher les tracés standard</translation>
+    </message>
+    <message>
+        <source>Replaces the pages of live data with the standard page. Pages with recordings are kept.</source>
+        <translation>Remplace les pages de données en direct par la page standard. Les pages avec des enregistrements sont conservées.</translation>
+    </message>
+    <message>
+        <source>Open recording…</source>
+        <translation>Ouvrir un enregistrement…</translation>
+    </message>
+    <message>
+        <source>Shows a recording or a table of another program on its own page.</source>
+        <translation>Affiche un enregistrement ou un tableau d’un autre programme sur sa propre page.</translation>
+    </message>
+    <message>
+        <source>Close recordings</source>
+        <translation>Fermer les enregistrements</translation>
+    </message>
+    <message>
+        <source>Removes all opened recordings from the plots. The files are kept.</source>
+        <translation>Retire tous les enregistrements ouverts des tracés. Les fichiers sont conservés.</translation>
+    </message>
+    <message>
+        <source>No recording is open.</source>
+        <translation>Aucun enregistrement n’est ouvert.</translation>
+    </message>
+    <message>
+        <source>Compare with the arm model…</source>
+        <translation>Comparer au modèle du bras…</translation>
+    </message>
+    <message>
+        <source>Compares the displayed recording with the model of its arm.</source>
+        <translation>Compare l’enregistrement affiché au modèle de son bras.</translation>
+    </message>
+    <message>
+        <source>Show the page of a recording first.</source>
+        <translation>Affichez d’abord la page d’un enregistrement.</translation>
+    </message>
+    <message>
+        <source>Values at the cursors</source>
+        <translation>Valeurs aux curseurs</translation>
+    </message>
+    <message>
+        <source>Shows or hides the table of values at the cursors and between them.</source>
+        <translation>Affiche ou masque le tableau des valeurs aux curseurs et entre eux.</translation>
+    </message>
+    <message>
+        <source>Spectrum and XY</source>
+        <translation>Spectre et XY</translation>
+    </message>
+    <message>
+        <source>Shows or hides the spectrum and the XY plot of two signals.</source>
+        <translation>Affiche ou masque le spectre et le tracé XY de deux signaux.</translation>
+    </message>
 </context>
 <context>
     <name>PlotMenu</name>

@@ -1967,6 +1967,62 @@
         <source>Move %1 to the bottom</source>
         <translation>%1 を下へ移動</translation>
     </message>
+    <message>
+        <source>Show standard plots</source>
+        <translation>標準のグラフを表示</translation>
+    </message>
+    <message>
+        <source>Replaces the pages of live data with the standard page. Pages with recordings are kept.</source>
+        <translation>ライブデータのページを標準ページに置き換えます。記録のページは残ります。</translation>
+    </message>
+    <message>
+        <source>Open recording…</source>
+        <translation>記録を開く…</translation>
+    </message>
+    <message>
+        <source>Shows a recording or a table of another program on its own page.</source>
+        <translation>記録または他のプログラムの表を専用のページに表示します。</translation>
+    </message>
+    <message>
+        <source>Close recordings</source>
+        <translation>記録を閉じる</translation>
+    </message>
+    <message>
+        <source>Removes all opened recordings from the plots. The files are kept.</source>
+        <translation>開いている記録をすべてグラフから取り除きます。ファイルは残ります。</translation>
+    </message>
+    <message>
+        <source>No recording is open.</source>
+        <translation>記録は開かれていません。</translation>
+    </message>
+    <message>
+        <source>Compare with the arm model…</source>
+        <translation>アームのモデルと比較…</translation>
+    </message>
+    <message>
+        <source>Compares the displayed recording with the model of its arm.</source>
+        <translation>表示中の記録をそのアームのモデルと比較します。</translation>
+    </message>
+    <message>
+        <source>Show the page of a recording first.</source>
+        <translation>まず記録のページを表示してください。</translation>
+    </message>
+    <message>
+        <source>Values at the cursors</source>
+        <translation>カーソルの値</translation>
+    </message>
+    <message>
+        <source>Shows or hides the table of values at the cursors and between them.</source>
+        <translation>カーソルの位置とその間の値の表を表示または非表示にします。</translation>
+    </message>
+    <message>
+        <source>Spectrum and XY</source>
+        <translation>スペクトルとXY</translation>
+    </message>
+    <message>
+        <source>Shows or hides the spectrum and the XY plot of two signals.</source>
+        <translation>スペクトルと2つの信号のXYグラフを表示または非表示にします。</translation>
+    </message>
 </context>
 <context>
     <name>PlotMenu</name>

@@ -1967,6 +1967,62 @@
         <source>Move %1 to the bottom</source>
         <translation>将 %1 移到底部</translation>
     </message>
+    <message>
+        <source>Show standard plots</source>
+        <translation>显示标准曲线图</translation>
+    </message>
+    <message>
+        <source>Replaces the pages of live data with the standard page. Pages with recordings are kept.</source>
+        <translation>用标准页替换实时数据页。录制页保留。</translation>
+    </message>
+    <message>
+        <source>Open recording…</source>
+        <translation>打开录制…</translation>
+    </message>
+    <message>
+        <source>Shows a recording or a table of another program on its own page.</source>
+        <translation>在单独的页面上显示录制文件或其他程序的表格。</translation>
+    </message>
+    <message>
+        <source>Close recordings</source>
+        <translation>关闭录制文件</translation>
+    </message>
+    <message>
+        <source>Removes all opened recordings from the plots. The files are kept.</source>
+        <translation>从曲线图中移除所有打开的录制。文件保留。</translation>
+    </message>
+    <message>
+        <source>No recording is open.</source>
+        <translation>没有打开的录制。</translation>
+    </message>
+    <message>
+        <source>Compare with the arm model…</source>
+        <translation>与机械臂模型比较…</translation>
+    </message>
+    <message>
+        <source>Compares the displayed recording with the model of its arm.</source>
+        <translation>将显示的录制与其机械臂的模型比较。</translation>
+    </message>
+    <message>
+        <source>Show the page of a recording first.</source>
+        <translation>请先显示录制的页面。</translation>
+    </message>
+    <message>
+        <source>Values at the cursors</source>
+        <translation>游标处的值</translation>
+    </message>
+    <message>
+        <source>Shows or hides the table of values at the cursors and between them.</source>
+        <translation>显示或隐藏游标处及其之间的数值表。</translation>
+    </message>
+    <message>
+        <source>Spectrum and XY</source>
+        <translation>频谱和 XY</translation>
+    </message>
+    <message>
+        <source>Shows or hides the spectrum and the XY plot of two signals.</source>
+        <translation>显示或隐藏频谱和两个信号的 XY 图。</translation>
+    </message>
 </context>
 <context>
     <name>PlotMenu</name>

@@ -396,10 +396,8 @@ void PlotDock::buildPagesMenu() {
         connect(action, &QAction::triggered, this, set);
     };
     addSwitch("plots.layout.signals", tr("Signal list"), !side_->isHidden(), &PlotDock::setSignalsShown);
-    addSwitch("plots.layout.values", tr("Values at the cursors"), !values_->isHidden(),
-              &PlotDock::setValuesShown);
-    addSwitch("plots.layout.analysis", tr("Spectrum and XY"), !analysis_->isHidden(),
-              &PlotDock::setAnalysisShown);
+    addSwitch("plots.layout.values", tr("Values at the cursors"), isValuesShown(), &PlotDock::setValuesShown);
+    addSwitch("plots.layout.analysis", tr("Spectrum and XY"), isAnalysisShown(), &PlotDock::setAnalysisShown);
     addSwitch("plots.layout.zero", tr("Zero the displayed force"), view().isForceZeroed(),
               &PlotDock::setForceZeroed);
     menu->addAction(tr("Export the visible range…"), this, &PlotDock::askExport)
@@ -429,14 +427,7 @@ void PlotDock::buildPagesMenu() {
     add(menu, "plots.layout.removePage", tr("Remove this page"), [this] {
         pages_->removePage(pages_->current());
     })->setEnabled(pages_->count() > 1);
-    add(menu, "plots.layout.standard", tr("Show standard plots"), [this] {
-        if (!pages_->showStandard()) {
-            session_.journal().add(
-                Severity::Warning,
-                tr("All %1 pages show recordings. Remove a page or close the recordings first.")
-                    .arg(PlotLayout::kMaxPages));
-        }
-    });
+    add(menu, "plots.layout.standard", tr("Show standard plots"), [this] { showStandard(); });
     menu->addSeparator();
     add(menu, "plots.layout.openRecording", tr("Open recording…"), [this] { askForRecording(); });
     add(menu, "plots.layout.closeRecordings", tr("Close recordings"), [this] {
@@ -444,7 +435,7 @@ void PlotDock::buildPagesMenu() {
     })->setEnabled(store_.hasRecordings());
     add(menu, "plots.layout.compare", tr("Compare with the arm model…"), [this] {
         compareWithModel();
-    })->setEnabled(!comparison_->recordingInFront().isEmpty());
+    })->setEnabled(isRecordingInFront());
     menu->addSeparator();
     add(menu, "plots.layout.copy", tr("Copy plots as image"), [this] { copyPicture(); });
     menu->addSeparator();
@@ -461,6 +452,27 @@ void PlotDock::buildPagesMenu() {
         action->setCheckable(true);
         action->setChecked(bytes == budget());
         action->setData(megabytes);
+    }
+}
+
+bool PlotDock::isValuesShown() const {
+    return !values_->isHidden();
+}
+
+bool PlotDock::isAnalysisShown() const {
+    return !analysis_->isHidden();
+}
+
+bool PlotDock::isRecordingInFront() const {
+    return !comparison_->recordingInFront().isEmpty();
+}
+
+void PlotDock::showStandard() {
+    if (!pages_->showStandard()) {
+        session_.journal().add(
+            Severity::Warning,
+            tr("All %1 pages show recordings. Remove a page or close the recordings first.")
+                .arg(PlotLayout::kMaxPages));
     }
 }
 

@@ -78,6 +78,13 @@ public:
     /// The time of cursor A while the cursor is in a recording or in a paused history.
     const Replay& replay() const;
     void closeRecordings();
+    /// Prompts for a recording and opens it.
+    void askForRecording();
+    /// Shows the page of the standard plots, or reports why it cannot be shown.
+    void showStandard();
+    bool isValuesShown() const;
+    bool isAnalysisShown() const;
+    bool isRecordingInFront() const;  ///< true if the displayed page shows a recording
     /// Saves the arrangement to a separate file. Shows no messages to the user.
     Result<void> saveArrangement(const QString& path) const;
     Result<void> openArrangement(const QString& path);
@@ -147,7 +154,6 @@ private:
     static QString recordingText(const RecordingState& recording);
     QString picturesTitle() const;
     QString historyText() const;
-    void askForRecording();
     void askForFormat(const QString& path, std::optional<double> moment, const recording::TableFormat& format,
                       const QString& reason);
     void showRecording(std::unique_ptr<recording::Recording> file, std::optional<double> incident,
