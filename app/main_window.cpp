@@ -153,7 +153,6 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     });
     setObjectName("mainWindow");
     setAcceptDrops(true);
-    showTitle();
     setWindowIcon(applicationIcon());
     setMinimumSize(kSmallestWindow);
     resize(startSize());
@@ -205,6 +204,7 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     lessons_ = std::make_unique<Tutorial>(*session_, *document_, simulator_, settings_, scene_->view());
     transfer_ = new SettingsTransfer(settings_, session_->journal(), this);
     buildDocks();
+    showTitle();
     popup_ = new RobotPopup(*session_, *this, *scene_);
     buildActions();
     new HoverKeeper(this);
@@ -846,6 +846,9 @@ void MainWindow::showTitle() {
     const QString title = robot.isEmpty() ? tr("Tiller") : tr("%1 — Tiller").arg(robot);
     if (title != windowTitle()) {
         setWindowTitle(title);
+        for (PanelDock* dock : stage_->docks()) {
+            dock->setRobot(robot);
+        }
     }
 }
 

@@ -9,6 +9,7 @@
 #include <QMouseEvent>
 #include <QToolButton>
 
+#include "widgets/common/elided_label.h"
 #include "widgets/common/panel.h"
 #include "widgets/common/theme.h"
 
@@ -46,14 +47,17 @@ public:
             back, &QToolButton::clicked, &dock, [&dock] { dock.setFloating(false); }, Qt::QueuedConnection);
         connect(
             close, &QToolButton::clicked, &dock, [&dock] { dock.close(); }, Qt::QueuedConnection);
-        parts_ = {name, back, close};
+        robot_->setObjectName("dock.robot." + dock.objectName());
+        parts_ = {name, robot_, back, close};
         layout_->setSpacing(8);
-        layout_->addWidget(name, 1);
+        layout_->addWidget(name);
+        layout_->addWidget(robot_, 1);
         layout_->addWidget(back);
         layout_->addWidget(close);
         setFloating(false);
         connect(&dock, &QDockWidget::topLevelChanged, this, &Bar::setFloating);
     }
+    void setRobot(const QString& robot) { robot_->setFullText(robot); }
 
 private:
     void setFloating(bool floating) {
@@ -65,6 +69,7 @@ private:
     }
 
     QHBoxLayout* layout_;
+    ElidedLabel* robot_ = new ElidedLabel;
     QList<QWidget*> parts_;
 };
 
@@ -109,7 +114,8 @@ PanelDock::PanelDock(Panel& panel, const QString& name, const QString& title, QW
     setFeatures(DockWidgetFloatable | DockWidgetMovable | DockWidgetClosable);
     menu_->setObjectName("menu." + name);
     menu_->setToolTipsVisible(true);
-    setTitleBarWidget(new Bar(*this));
+    bar_ = new Bar(*this);
+    setTitleBarWidget(bar_);
     setWidget(&panel);
     panel.addHeaderWidget(new Key(*this));
     connect(this, &QDockWidget::topLevelChanged, this, &PanelDock::rearranged);
@@ -121,6 +127,10 @@ void PanelDock::floatFree() {
     show();
     setFloating(true);
     place_ = pos();
+}
+
+void PanelDock::setRobot(const QString& robot) {
+    bar_->setRobot(robot);
 }
 
 // If Qt asks for the position of a new window before the window manager has placed it, Qt reads the upper left corner

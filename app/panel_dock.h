@@ -32,6 +32,8 @@ public:
     QMenu& menu() { return *menu_; }
     /// Makes the panel a separate window at its current position, or at the position of its last window.
     void floatFree();
+    /// Sets the robot that a floating panel shows next to its name, because panels of two windows may overlap.
+    void setRobot(const QString& robot);
 
 Q_SIGNALS:
     /// The user closed, floated, docked or moved the panel.
@@ -52,6 +54,7 @@ private:
     void beginDrag(const QPointF& pressedAt, const QMouseEvent& now);
 
     Panel& panel_;
+    Bar* bar_ = nullptr;
     QMenu* menu_;
     std::optional<QPoint> place_;     ///< position of a window that was just shown
     std::optional<double> pressedY_;  ///< vertical position of the press in the panel's title bar [px]

@@ -10207,6 +10207,10 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <source>Not stopped: the arm is still moving (%1). Press STOP again.</source>
         <translation>Nicht angehalten: Der Arm bewegt sich (%1). Drücken Sie erneut STOP.</translation>
     </message>
+    <message>
+        <source>The robot at %1 is a %2 now. It was a %3 before.</source>
+        <translation>Der Roboter an %1 ist jetzt ein %2. Vorher war es ein %3.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RobotiqLink</name>

@@ -10194,6 +10194,10 @@ Release the button to stop the arm.</source>
         <source>Not stopped: the arm is still moving (%1). Press STOP again.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The robot at %1 is a %2 now. It was a %3 before.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::RobotiqLink</name>

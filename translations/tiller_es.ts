@@ -10207,6 +10207,10 @@ Suelte el botón para detener el brazo.</translation>
         <source>Not stopped: the arm is still moving (%1). Press STOP again.</source>
         <translation>No se ha parado: el brazo se mueve (%1). Pulse STOP de nuevo.</translation>
     </message>
+    <message>
+        <source>The robot at %1 is a %2 now. It was a %3 before.</source>
+        <translation>El robot en %1 es ahora un %2. Antes era un %3.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RobotiqLink</name>

@@ -10207,6 +10207,10 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <source>Not stopped: the arm is still moving (%1). Press STOP again.</source>
         <translation>Non arrêté : le bras bouge (%1). Appuyez de nouveau sur STOP.</translation>
     </message>
+    <message>
+        <source>The robot at %1 is a %2 now. It was a %3 before.</source>
+        <translation>Le robot à l’adresse %1 est maintenant un %2. C’était auparavant un %3.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RobotiqLink</name>

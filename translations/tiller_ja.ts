@@ -10180,6 +10180,10 @@ Release the button to stop the arm.</source>
         <source>Not stopped: the arm is still moving (%1). Press STOP again.</source>
         <translation>停止していません：アームが動いています (%1)。もう一度 STOP を押してください。</translation>
     </message>
+    <message>
+        <source>The robot at %1 is a %2 now. It was a %3 before.</source>
+        <translation>%1 のロボットは %2 に変わりました。以前は %3 でした。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RobotiqLink</name>

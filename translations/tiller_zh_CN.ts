@@ -10180,6 +10180,10 @@ Release the button to stop the arm.</source>
         <source>Not stopped: the arm is still moving (%1). Press STOP again.</source>
         <translation>未停止：机械臂在运动（%1）。请再次按 STOP。</translation>
     </message>
+    <message>
+        <source>The robot at %1 is a %2 now. It was a %3 before.</source>
+        <translation>%1 处的机器人现在是 %2，之前是 %3。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RobotiqLink</name>

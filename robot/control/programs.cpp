@@ -296,6 +296,10 @@ Result<void> Programs::runScript(const Text& program, const Deadline& deadline, 
         d.loop.abandonTaking();
         return outcome;
     }
+    if (!terms.regainsAfterSilence && d.loop.scriptState() == ScriptState::HeartbeatExpired) {
+        d.loop.abandonTaking();
+        return outcome;
+    }
     if (auto back = bringBack(d, hasEnded); !back) {
         if (outcome) {
             return back;

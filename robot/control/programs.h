@@ -36,6 +36,8 @@ struct ScriptTerms {
     /// Called in the calling thread after the script has ended without an error. If it returns false, control is not
     /// taken again, e.g. because the script was stopped on the robot.
     std::function<bool()> regainsControl = {};
+    /// If false, control is lost when the robot ended the script because no heartbeat arrived.
+    bool regainsAfterSilence = true;
 };
 
 /// Errors   of every call: NotInControl, UnsafeState, LinkLost, Timeout, Cancelled, ConnectionRefused,

@@ -17,6 +17,7 @@
 #include "robot/receive/default_fields.h"
 #include "robot/receive/robot_state.h"
 #include "robot/recording/detail/csv_notes.h"
+#include "robot/recording/detail/packet_clock.h"
 #include "robot/recording/detail/recording_file.h"
 #include "robot/recording/detail/restart_note.h"
 #include "robot/recording/detail/row_times.h"
@@ -118,8 +119,8 @@ struct Recorder::Worker : publish::SampleSink {
     std::uint64_t missingBefore = 0;
     std::int64_t firstNs = 0;
     std::int64_t lastNs = 0;
-    std::int64_t earlierNs = 0;      ///< duration of the closed files
-    std::int64_t steadyToUtc = 0;    ///< [ns]
+    std::int64_t earlierNs = 0;  ///< duration of the closed files
+    PacketClock clock;
     std::vector<RecordedNote> said;  ///< notes of the current turn
     Result<void> outcome;
     steady_clock::time_point syncDue{};
@@ -207,10 +208,10 @@ struct Recorder::Worker : publish::SampleSink {
     void encode(const receive::Sample& row, std::uint64_t missing) {
         firstNs = firstNs == 0 ? row.hostTimeNs : firstNs;
         lastNs = row.hostTimeNs;
-        encoder->add(row, missing, row.hostTimeNs + steadyToUtc);
+        encoder->add(row, missing, clock.utcOf(row.hostTimeNs));
         ++unwritten;
         if (!options.format->keepsNotes()) {
-            rowTimes.add(row.hostTimeNs + steadyToUtc, receive::RobotState(row).timestamp(), missing == 0);
+            rowTimes.add(clock.utcOf(row.hostTimeNs), receive::RobotState(row).timestamp(), missing == 0);
         }
     }
 
@@ -233,7 +234,7 @@ struct Recorder::Worker : publish::SampleSink {
         if (time < lastTime) {
             ++restarts;
             if (file) {
-                encoder->add(RecordedNote{sample.hostTimeNs + steadyToUtc, kRestartLevel, kRestartSource,
+                encoder->add(RecordedNote{clock.utcOf(sample.hostTimeNs), kRestartLevel, kRestartSource,
                                           restartText(lastTime, time)});
             }
         }
@@ -445,9 +446,6 @@ Result<void> Recorder::start(const RecorderOptions& options, receive::Subscripti
     next->options.format = options.format ? options.format : csvFormat();
     next->setup = {layout, orderedFields(options, *layout), options.asGiven};
     next->makeFile = files_;
-    const auto utc = std::chrono::system_clock::now().time_since_epoch();
-    next->steadyToUtc =
-        std::chrono::duration_cast<std::chrono::nanoseconds>(utc).count() - SteadyClock::shared().nowNs();
     next->state = options.trigger ? RecorderState::Waiting : RecorderState::Recording;
     if (options.trigger) {
         auto watch = TriggerWatch::make(*options.trigger, *layout);
@@ -517,6 +515,7 @@ void Recorder::note(const RecordedNote& note) {
     constexpr std::size_t kMaxWaiting = 10'000;
     if (current->notes.size() < kMaxWaiting) {
         current->notes.push_back(note);
+        current->notes.back().utcNs = current->clock.utcOfNote(note.utcNs);
     }
 }
 

@@ -18,6 +18,7 @@
 #include "robot/core/modes.h"
 #include "robot/publish/publisher.h"
 #include "robot/receive/robot_state.h"
+#include "robot/recording/detail/packet_clock.h"
 #include "robot/recording/detail/recording_file.h"
 #include "robot/recording/incident.h"
 #include "robot/recording/mcap/detail/extra_samples.h"
@@ -73,7 +74,7 @@ std::string asName(const QString& reason) {
 struct BlackBox::Worker : publish::SampleSink {
     BlackBoxOptions options;
     std::shared_ptr<const receive::SampleLayout> layout;
-    std::int64_t steadyToUtc = 0;
+    PacketClock clock;
 
     mutable std::mutex mutex;  // protects the following members
     std::deque<RecordedNote> notes;
@@ -173,7 +174,7 @@ struct BlackBox::Worker : publish::SampleSink {
         stopTimestamp = receive::RobotState(sample).timestamp();
         pending.emplace();
         pending->reason = reason;
-        pending->utcNs = stopNs + steadyToUtc;
+        pending->utcNs = clock.utcOf(stopNs);
     }
 
     void write() {
@@ -245,9 +246,9 @@ struct BlackBox::Worker : publish::SampleSink {
             store->count() == 0 ? 0 : static_cast<double>(stopNs - store->at(0).hostTimeNs) / 1e9;
         for (std::size_t i = 0; i < store->count(); ++i) {
             encoder->add(rows.join(store->at(i)), i == 0 ? 0 : store->missingBefore(i),
-                         store->at(i).hostTimeNs + steadyToUtc);
+                         clock.utcOf(store->at(i).hostTimeNs));
         }
-        const std::int64_t from = store->count() == 0 ? 0 : store->at(0).hostTimeNs + steadyToUtc;
+        const std::int64_t from = store->count() == 0 ? 0 : clock.utcOf(store->at(0).hostTimeNs);
         for (const RecordedNote& note : said) {
             if (note.utcNs >= from) {
                 encoder->add(note);
@@ -311,9 +312,6 @@ Result<void> BlackBox::start(const BlackBoxOptions& options, const receive::Rece
     next->options.after = std::clamp(options.after, 0.0, kMaxTimeAfter);
     next->options.keep = std::max(options.keep, 1);
     next->layout = receiver.layout();
-    const auto utc = std::chrono::system_clock::now().time_since_epoch();
-    next->steadyToUtc =
-        std::chrono::duration_cast<std::chrono::nanoseconds>(utc).count() - SteadyClock::shared().nowNs();
     next->publisher =
         publisher_ ? publisher_ : std::make_shared<publish::Publisher>(publish::Publisher::Sinks::One);
     next->publication = next->publisher->add({next, receiver.subscribe(), receiver.layout()}).value();
@@ -345,6 +343,7 @@ void BlackBox::note(const RecordedNote& note) {
     if (const auto box = worker()) {
         const std::lock_guard lock(box->mutex);
         box->notes.push_back(note);
+        box->notes.back().utcNs = box->clock.utcOfNote(note.utcNs);
         if (box->notes.size() > kMaxNotes) {
             box->notes.pop_front();
         }

@@ -40,7 +40,12 @@ void LiveHistory::markRobotChange() {
     const auto change = store_.newestRobotChange();
     if (change && change != markedChange_) {
         markedChange_ = change;
-        Q_EMIT robotChanged(store_.live().time(*change), robot_);
+        const HistoryRobot* robot = store_.robotAt(store_.live().time(*change));
+        const bool hasModel = robot != nullptr && robot->model;
+        Q_EMIT robotChanged(
+            store_.live().time(*change),
+            hasModel ? QStringLiteral("%1, %2").arg(robot_, QLatin1String(robotModel(*robot->model).name))
+                     : robot_);
     }
 }
 

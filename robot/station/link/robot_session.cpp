@@ -183,6 +183,7 @@ void RobotSession::connectTo(const RobotAddress& address) {
     d_->abandoned.reset();
     d_->startedProgram.clear();
     d_->programNode.clear();
+    d_->modelSeen.reset();
     d_->safetySeen = SafetyMode::Normal;  // a stop of the previous robot has not ended
     d_->followExtraFields();
     journal_.setRobot(address.name, {});
@@ -477,6 +478,7 @@ Result<RobotSession::MotionId> RobotSession::beginProgram(
     run.name = name;
     run.holding = holding;
     run.outcome.reset();
+    run.hasStalled = false;
     run.shared = std::make_shared<ProgramRun::Shared>();
     run.shared->heldNs = d_->clock->nowNs();
     run.shared->gate = gate;
@@ -501,12 +503,17 @@ Result<RobotSession::MotionId> RobotSession::beginProgram(
                 motion.setGate(shared->gate);  // the gate may have changed since the call
                 return true;
             };
+            terms.regainsAfterSilence = false;  // the window never takes control by itself
             terms.regainsControl = [receiver] { return !wasStoppedOnRobot(*receiver); };
             const Result<void> outcome =
                 control::Programs(*controller).runScript(script, Deadline::never(token), terms);
             return std::function<void()>([this, ticket, generation, outcome] {
                 if (generation == d_->generation && ticket == d_->link->program.ticket) {
+                    constexpr std::int64_t kStallSeenNs = 2 * kNsPerSecond;
+                    d_->noteStall();
                     d_->link->program.outcome = outcome;
+                    d_->link->program.hasStalled =
+                        d_->stalledNs && d_->clock->nowNs() - *d_->stalledNs < kStallSeenNs;
                     refresh();
                 }
             });
@@ -522,6 +529,10 @@ Result<control::MotionProgress> RobotSession::programProgress() const {
     if (!run.outcome) {
         progress.phase = control::MotionPhase::Active;
         progress.executing = run.shared->isStarted && run.shared->motion.progress().executing;
+        return progress;
+    }
+    if (!*run.outcome && run.outcome->error().code == ErrorCode::LinkLost && run.hasStalled) {
+        progress.cause = control::StopCause::EventLoopStalled;  // the connection is intact
         return progress;
     }
     if (!*run.outcome && run.outcome->error().code != ErrorCode::Stopped) {
@@ -781,6 +792,16 @@ void RobotSession::reportChanges() {
             journal_.add(Severity::Error,
                          tr("Control was lost: the control connection did not respond for 0.5 s or was "
                             "closed. STOP, Space and Esc still stop the robot. Take control again."));
+        }
+    }
+    if (state.modelKnown && state.link == LinkState::Live) {
+        const RobotModelId before = std::exchange(d_->modelSeen, state.model).value_or(state.model);
+        if (before != state.model) {
+            journal_.add(Severity::Warning,
+                         tr("The robot at %1 is a %2 now. It was a %3 before.")
+                             .arg(state.address, QLatin1String(robotModel(state.model).name),
+                                  QLatin1String(robotModel(before).name)),
+                         Origin::Robot);
         }
     }
     reportExternalProgram();

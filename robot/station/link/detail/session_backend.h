@@ -71,6 +71,7 @@ struct ProgramRun {
     control::Holding holding = control::Holding::Held;
     std::shared_ptr<Shared> shared;
     std::optional<Result<void>> outcome;  ///< empty until the program has ended
+    bool hasStalled = false;              ///< the window hung shortly before the program ended
 
     bool isRunning() const { return shared != nullptr && !outcome; }
     /// Returns  false if the program has ended or must not start
@@ -160,6 +161,7 @@ struct SessionBackend {
     bool ownProgramEnded = false;  ///< the control program of a dead connection does not run any more
     std::optional<std::int64_t> ownProgramNs;  ///< last time in control, until the robot runs no program
     control::ControlLoss lossSeen = control::ControlLoss::NotTaken;  ///< last reported loss
+    std::optional<RobotModelId> modelSeen;                           ///< last reported model of the robot
     bool externalRunSeen = false;               ///< the program of another client was reported
     bool takeoverReported = false;              ///< a takeover was reported since control was lost
     bool externalExists = false;                ///< a program of another client runs or is paused
@@ -188,6 +190,8 @@ struct SessionBackend {
     SampleBatch drain(std::vector<receive::Sample>& into);
     /// Fills `state` from the newest sample and the controller's status.
     void read();
+    /// Detects that the window hung since the last call.
+    void noteStall();
     /// The state of the last frame, with current values of everything relevant for a stop.
     SessionState stateNow() const;
     control::StopEvidence stopEvidence() const;
@@ -209,7 +213,6 @@ private:
     void readGuard();
     void noteStop(const control::StopMeasurement& stop, std::uint64_t& seen);
     void noteUnmeasured(const control::UnmeasuredStop& stop, std::uint64_t& seen);
-    void noteStall();
     void readRecording();
     QString obstacle() const;
 };

@@ -461,7 +461,10 @@ void ProgramRunner::finish(const Result<control::MotionProgress>& progress) {
                : isTaken && now.controlLoss == control::ControlLoss::ScriptStopped && now.hasForeignProgram()
                    ? End::Replaced
                    : End::Failed;
-        error_ = progress.error();
+        // Without this, the message would advise to take control, which is not possible in Local control.
+        error_ = isTaken && now.remoteNeeded
+                     ? Error{ErrorCode::RemoteControlRequired, progress.error().context, {}}
+                     : progress.error();
     } else if (progress->cause != control::StopCause::Completed) {
         end_ = End::Stopped;
         cause_ = progress->cause;

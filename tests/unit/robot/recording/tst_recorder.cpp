@@ -19,6 +19,7 @@
 
 #include "robot/recording/csv_reader.h"
 #include "robot/recording/csv_recording.h"
+#include "robot/recording/detail/packet_clock.h"
 #include "robot/recording/detail/recording_file.h"
 #include "robot/recording/recorder.h"
 #include "tests/support/rtde_peer.h"
@@ -164,6 +165,7 @@ private Q_SLOTS:
     void gapsAreRecordedInTheLastColumn();
     void everyNthPackageBecomesARow();
     void aRingOverrunIsAlsoAGap();
+    void notesFollowThePacketsWhenTheClockIsSet();
     void rowsReachTheFileWhileRecording();
     void replacesAnOldFile();
     void recordsOnlyRequestedFields();
@@ -296,6 +298,21 @@ void TestRecorder::aRingOverrunIsAlsoAGap() {
         lost += gap;
     }
     QCOMPARE(static_cast<std::uint64_t>(lost), recorder.progress().lost);
+}
+
+void TestRecorder::notesFollowThePacketsWhenTheClockIsSet() {
+    static std::int64_t set = 0;
+    const auto system = [] { return SteadyClock::shared().nowNs() + 1'000'000'000'000 + set; };
+    const PacketClock clock(system);
+    const auto error = [&] {
+        const std::int64_t packet = clock.utcOf(SteadyClock::shared().nowNs());
+        return std::abs(clock.utcOfNote(system()) - packet);
+    };
+    QVERIFY(error() < 1'000'000'000);
+    for (const std::int64_t hours : {1, -1}) {
+        set = hours * 3'600'000'000'000;
+        QVERIFY2(error() < 1'000'000'000, qPrintable(QString::number(error())));
+    }
 }
 
 void TestRecorder::rowsReachTheFileWhileRecording() {

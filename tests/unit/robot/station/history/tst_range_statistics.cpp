@@ -132,10 +132,10 @@ private Q_SLOTS:
         QVERIFY(!store.newestRobotChange());
         append(3, 7);
         QCOMPARE(store.newestRobotChange(), std::optional<std::int64_t>(200));
-        QCOMPARE(store.robotAt(2.5)->address, QStringLiteral("first"));
-        QCOMPARE(store.robotAt(3.5)->address, QStringLiteral("second"));
+        QCOMPARE(store.robotAt(2.1)->address, QStringLiteral("first"));
+        QCOMPARE(store.robotAt(3.1)->address, QStringLiteral("second"));
         QVERIFY(store.robotAt(0.5) == nullptr);
-        QVERIFY(!store.isNewest(*store.robotAt(2.5)) && store.isNewest(*store.robotAt(3.5)));
+        QVERIFY(!store.isNewest(*store.robotAt(2.1)) && store.isNewest(*store.robotAt(3.1)));
         QVERIFY(!ask(sums, signal, 1, 4));
         QVERIFY2(sums.problem().contains("different robots"), qPrintable(sums.problem()));
         QVERIFY(store.mixesRobots(signal, 4, 1) && store.mixesRobots(derived, 2.1, 3));
@@ -149,8 +149,8 @@ private Q_SLOTS:
         QCOMPARE(store.newestRobotChange(), std::optional<std::int64_t>(200));
         store.setRobotModel(RobotModelId::UR10e);
         QCOMPARE(store.newestRobotChange(), std::optional<std::int64_t>(300));
-        QVERIFY(store.robotAt(3.5)->model == RobotModelId::UR5e);
-        QVERIFY(store.robotAt(4.5)->model == RobotModelId::UR10e);
+        QVERIFY(store.robotAt(3.1)->model == RobotModelId::UR5e);
+        QVERIFY(store.robotAt(4.1)->model == RobotModelId::UR10e);
         // A computed signal restarts.
         QVERIFY(store.valueAt(derived, 3.01).value() < 0.2);
     }
