@@ -86,7 +86,7 @@ std::unique_ptr<NativeMotion> handle(const SharedController& controller, Result<
     return std::make_unique<NativeMotion>(controller, taken(std::move(motion)));
 }
 
-/// A set point stream that ends with this object.
+/// A setpoint stream that ends with this object.
 template <class Setpoints, class Target>
 struct NativeStream {
     NativeStream(const SharedController& controller, Setpoints s)

@@ -114,7 +114,7 @@ class UnsafeState(Error):
 
 
 class RemoteControlRequired(Error):
-    """The robot is in local control: switch it to remote control at the pendant."""
+    """The robot is in local control: switch it to remote control on the teach pendant."""
 
     code = "RemoteControlRequired"
 

@@ -160,12 +160,12 @@ def _leave(native: NativeStream | _native.Jog, waiting: Waiting, error: BaseExce
 
 @checked
 class Stream:
-    """A stream of targets: call send() at least every 100 ms, otherwise the arm stops and the stream ends.
+    """A stream of targets: call send() at least every 100 ms; otherwise, the arm stops and the stream ends.
 
     The stream does not provide timing: send one target, wait for the next control period (e.g. with `for sample in
     robot.samples():`), send the next. Robot.packet_loop() does this automatically, synchronized with the robot.
-    Use it in a `with` block: in all cases the arm stops at the end of the block and is at standstill afterwards. The
-    stream also ends when this object is deleted.
+    Use it in a `with` block: the arm is at standstill when the block ends, even after an exception. The stream also
+    ends when this object is deleted.
     """
 
     def __init__(self, native: NativeStream, waiting: Waiting, check: Callable[[Floats, str], list[float]]) -> None:
@@ -210,10 +210,10 @@ class Stream:
 
 @checked
 class Jog:
-    """A velocity of the arm that must be refreshed at least every 100 ms, otherwise the arm stops and the jog ends.
+    """A velocity of the arm that must be refreshed at least every 100 ms; otherwise, the arm stops and the jog ends.
 
-    Use it in a `with` block: in all cases the arm stops at the end of the block and is at standstill afterwards. The
-    jog also ends when this object is deleted. A jog that has ended cannot be refreshed: start a new one.
+    Use it in a `with` block: the arm is at standstill when the block ends, even after an exception. The jog also ends
+    when this object is deleted. A jog that has ended cannot be refreshed: start a new jog.
     """
 
     def __init__(self, native: _native.Jog, frame: str, custom_frame: list[float], contact_force: float,

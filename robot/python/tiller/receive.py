@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Data of the robot: samples with named fields, arrays, conditions, and recordings."""
+"""Robot data: samples with named fields, arrays, conditions, and recordings."""
 from __future__ import annotations
 
 import asyncio

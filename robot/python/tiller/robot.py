@@ -222,7 +222,7 @@ class Robot:
         self._last: Sample | None = None
         self._outputs: services.Outputs | None = None
         self._force_blocks: list[ForceMode] = []
-        #: power, programs, the pendant
+        #: power, programs, the teach pendant
         self.dashboard = services.Dashboard(address, port_offset, self._waiting)
         receiver.start()
         try:
@@ -333,7 +333,7 @@ class Robot:
         """Records every packet from now on, one row per packet; see Recording. The extension of the name selects the
         format: .csv or .mcap. An existing file is replaced. fields: a selection of the received fields; empty: all.
 
-        Raises InvalidArgument for another extension, FieldUnknown with all fields that are not received,
+        Raises InvalidArgument for any other extension, FieldUnknown (lists the fields that are not received),
         FileNotWritable (also for a file in use by another recording), DiskFull.
         """
         name = os.fspath(path)
@@ -496,7 +496,7 @@ class Robot:
         program: `def ... end`, or a sequence of lines; names starting with tiller_heartbeat are reserved. An inserted
         watchdog thread ends the program and stops the arm if this process ends, is killed or loses the connection for
         100 ms. timeout: for the whole run [s]. unattended: True sends the program unchanged. The arm then continues to
-        move after the end of this process until the program is complete, and only the pendant or another client can
+        move after the end of this process until the program is complete, and only the teach pendant or another client can
         stop it.
         Raises ScriptError with line and text.
         """
@@ -629,7 +629,7 @@ class Robot:
 
     @property
     def pulses(self) -> arm.Pulses:
-        """Digital outputs that are switched for a limited time, which the robot measures."""
+        """Pulses on digital outputs, timed by the robot."""
         return arm.Pulses(self._controller, self._handle_waits)
 
     def inverse_kinematics(self, pose: Floats, near: Floats | None = None, timeout: float | None = 1.0) -> Joints:
@@ -661,13 +661,13 @@ class Robot:
 
     def force_mode(self, compliant: Sequence[bool], wrench: Floats, limits: Floats, *, frame: Floats = ZEROS,
                    kind: int = 2, timeout: float | None = 1.0) -> ForceMode:
-        """Makes the arm compliant. Motions remain possible. Use it in a `with` block; ForceMode describes how force mode
-        ends otherwise.
+        """Makes the arm compliant. Motions remain possible. Use the returned object in a `with` block. Without
+        `with`, see ForceMode for what ends force mode.
 
         compliant: per axis of the frame. wrench: target on these axes [N, Nm]. limits: maximum speeds of compliant axes
-        [m/s, rad/s], maximum deviation of the others [m, rad]. frame: a pose in the base frame. kind: 1, 2 or 3, the
-        definition of the force frame relative to it. timeout: for the robot's confirmation, at the start and at the end
-        [s].
+        [m/s, rad/s], maximum deviation of the other axes [m, rad]. frame: a pose in the base frame. kind: 1, 2 or 3, how
+        the force frame is derived from `frame` (`type` of force_mode in URScript). timeout: for the robot's confirmation,
+        at the start and at the end [s].
         """
         axes = [bool(one_of(axis, "compliant", (0.0, 1.0))) for axis in floats(compliant, "compliant")]
         numbers, largest, task = floats(wrench, "wrench"), floats(limits, "limits"), pose_numbers(frame, "frame")
@@ -708,10 +708,11 @@ class Robot:
 
     def recover(self, consent: services.Consent, timeout: float | None = 60.0,
                 progress: Callable[[str], None] | None = None) -> None:
-        """Brings the robot to robot mode RUNNING and safety mode NORMAL step by step, within the given consents.
+        """Brings the robot to robot mode RUNNING and safety mode NORMAL step by step, performing only the steps that
+        `consent` permits.
 
-        progress: called with the name of each step. Raises Rejected with the reason if a step needs a missing consent,
-        or an action at the robot.
+        progress: called with the name of each step. Raises Rejected with the reason if a step requires a consent that was
+        not given, or an action at the robot.
         """
         self._opened()
         with self._waiting():

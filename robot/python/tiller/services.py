@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Outputs, registers, and functions of the pendant: power, programs, recovery."""
+"""Outputs, registers, and functions of the teach pendant: power, programs, recovery."""
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
@@ -81,7 +81,7 @@ class Service:
 
 @checked
 class Dashboard:
-    """Power, programs and the pendant: the dashboard server of CB3 and e-Series, the Robot API of PolyScope X."""
+    """Power, programs and the teach pendant: the dashboard server of CB3 and e-Series, the Robot API of PolyScope X."""
 
     def __init__(self, host: str, port_offset: int, waiting: Waiting) -> None:
         self._host = host
@@ -112,7 +112,7 @@ class Dashboard:
         self._perform("RestartSafety", timeout)
 
     def close_popups(self, timeout: float | None = TIMEOUT) -> None:
-        """Closes the messages on the pendant."""
+        """Closes the popups on the teach pendant."""
         self._perform("ClosePopups", timeout)
 
     def play(self, timeout: float | None = TIMEOUT) -> None:

@@ -83,7 +83,7 @@ class Simulator:
         _simulators.add(self)
 
     def start(self) -> Simulator:
-        """Opens the ports. Raises Rejected with the port and a suggested action if one is in use."""
+        """Opens the ports. Raises Rejected if a port is in use; the error contains the port and a suggested action."""
         self._native.start()
         return self
 
