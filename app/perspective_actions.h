@@ -31,7 +31,7 @@ public:
         std::function<void()> refresh;
     };
 
-    /// All arguments must outlive the object.
+    /// table, perspectives, window  must outlive the object
     /// window  parent of the dialogs
     PerspectiveActions(ActionTable& table, Perspectives& perspectives, Hooks hooks, QWidget& window);
 

@@ -420,10 +420,6 @@
         <translation>Die gemessenen Kräfte passen nicht zur Nutzlast, oder der Arm wurde beim Start von Freedrive geschoben.</translation>
     </message>
     <message>
-        <source>Correct the payload and the mounting, release the arm, and try again.</source>
-        <translation>Korrigieren Sie Nutzlast und Montage, lassen Sie den Arm los und versuchen Sie es erneut.</translation>
-    </message>
-    <message>
         <source>Collision detected by a joint</source>
         <translation>Kollision von einem Gelenk erkannt</translation>
     </message>
@@ -526,6 +522,10 @@
     <message>
         <source>Look up C%1 in the manufacturer&apos;s error code directory.</source>
         <translation>Schlagen Sie C%1 im Fehlercode-Verzeichnis des Herstellers nach.</translation>
+    </message>
+    <message>
+        <source>Correct the payload and the mounting, let go of the arm, and try again.</source>
+        <translation>Korrigieren Sie Nutzlast und Montage, lassen Sie den Arm los und versuchen Sie es erneut.</translation>
     </message>
 </context>
 <context>
@@ -4892,10 +4892,6 @@
         <translation>Ziel nicht erreichbar</translation>
     </message>
     <message>
-        <source>target too far away for one step</source>
-        <translation>Ziel zu weit für einen Schritt</translation>
-    </message>
-    <message>
         <source>could not verify that the button or key is still pressed</source>
         <translation>nicht prüfbar, ob die Taste noch gedrückt ist</translation>
     </message>
@@ -4974,6 +4970,10 @@
     <message>
         <source>the robot did not receive the stop command</source>
         <translation>der Roboter hat den Stoppbefehl nicht erhalten</translation>
+    </message>
+    <message>
+        <source>servo target too far from the previous target</source>
+        <translation>Servoziel zu weit vom vorherigen Ziel entfernt</translation>
     </message>
 </context>
 <context>
@@ -7143,10 +7143,6 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Tiller</translation>
     </message>
     <message>
-        <source>(×%1 until %2) %3</source>
-        <translation>(×%1 bis %2) %3</translation>
-    </message>
-    <message>
         <source>Time</source>
         <translation>Zeit</translation>
     </message>
@@ -7185,6 +7181,10 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
     <message>
         <source>%1 times between %2 and %3 · Origin: %4</source>
         <translation>%1-mal von %2 bis %3 · Ursprung: %4</translation>
+    </message>
+    <message>
+        <source>(×%1, last at %2) %3</source>
+        <translation>(×%1, zuletzt %2) %3</translation>
     </message>
 </context>
 <context>
@@ -10200,16 +10200,16 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Das Programm startete ohne Verbindung zu Tiller, höchstens %1 s vor diesem Eintrag.</translation>
     </message>
     <message>
-        <source>Another program of another client has replaced the running program.</source>
-        <translation>Ein anderes Programm eines anderen Clients hat das laufende Programm ersetzt.</translation>
-    </message>
-    <message>
         <source>Not stopped: the arm is still moving (%1). Press STOP again.</source>
         <translation>Nicht angehalten: Der Arm bewegt sich (%1). Drücken Sie erneut STOP.</translation>
     </message>
     <message>
         <source>The robot at %1 is a %2 now. It was a %3 before.</source>
         <translation>Der Roboter an %1 ist jetzt ein %2. Vorher war es ein %3.</translation>
+    </message>
+    <message>
+        <source>A program from another client has replaced the running program.</source>
+        <translation>Ein Programm eines anderen Clients hat das laufende Programm ersetzt.</translation>
     </message>
 </context>
 <context>
@@ -11136,16 +11136,16 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
 <context>
     <name>tiller::TravelWatch</name>
     <message>
-        <source>%1: %2 left to the %3 limit</source>
+        <source>%1: %2 left until %3 is %4 from %5</source>
+        <translation>%1: noch %2, bis %3 %4 von %5 entfernt ist</translation>
+    </message>
+    <message>
+        <source>%1: %2 left until the %3 joint limit</source>
         <translation>%1: noch %2 bis zur Grenze von %3</translation>
     </message>
     <message>
-        <source>%1: %2 left to the reach limit or a singularity</source>
+        <source>%1: %2 left until the reach limit or a singularity</source>
         <translation>%1: noch %2 bis zur Reichweitengrenze oder einer Singularität</translation>
-    </message>
-    <message>
-        <source>%1: %2 left until %3 is %4 from %5</source>
-        <translation>%1: noch %2, bis %3 %4 von %5 entfernt ist</translation>
     </message>
 </context>
 <context>
@@ -11311,13 +11311,6 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <source>Select waypoints to move.</source>
         <translation>Wählen Sie Wegpunkte zum Verschieben.</translation>
     </message>
-    <message numerus="yes">
-        <source>Move %n waypoints</source>
-        <translation>
-            <numerusform>%n Wegpunkt verschieben</numerusform>
-            <numerusform>%n Wegpunkte verschieben</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Change the pattern “%1”</source>
         <translation>Das Muster „%1“ ändern</translation>
@@ -11422,6 +11415,13 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
     <message>
         <source>%1 contains no waypoints. Choose another file.</source>
         <translation>In %1 sind keine Wegpunkte. Wählen Sie eine andere Datei.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Offset, rotate or mirror %n waypoints</source>
+        <translation>
+            <numerusform>%n Wegpunkt versetzen, drehen oder spiegeln</numerusform>
+            <numerusform>%n Wegpunkte versetzen, drehen oder spiegeln</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11852,13 +11852,6 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
 </context>
 <context>
     <name>tiller::WaypointShift</name>
-    <message numerus="yes">
-        <source>Move %n waypoints</source>
-        <translation>
-            <numerusform>%n Wegpunkt verschieben</numerusform>
-            <numerusform>%n Wegpunkte verschieben</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Transformation type</source>
         <translation>Art der Transformation</translation>
@@ -11937,6 +11930,13 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
     <message>
         <source>All waypoints remain within reach.</source>
         <translation>Alle bleiben in Reichweite.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Offset, rotate or mirror %n waypoints</source>
+        <translation>
+            <numerusform>%n Wegpunkt versetzen, drehen oder spiegeln</numerusform>
+            <numerusform>%n Wegpunkte versetzen, drehen oder spiegeln</numerusform>
+        </translation>
     </message>
 </context>
 <context>

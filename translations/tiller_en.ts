@@ -420,10 +420,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Correct the payload and the mounting, release the arm, and try again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Collision detected by a joint</source>
         <translation type="unfinished"></translation>
     </message>
@@ -525,6 +521,10 @@
     </message>
     <message>
         <source>Look up C%1 in the manufacturer&apos;s error code directory.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correct the payload and the mounting, let go of the arm, and try again.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4892,10 +4892,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>target too far away for one step</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>could not verify that the button or key is still pressed</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4973,6 +4969,10 @@
     </message>
     <message>
         <source>the robot did not receive the stop command</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>servo target too far from the previous target</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7148,10 +7148,6 @@ Right-click or press F2 to rename the input.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>(×%1 until %2) %3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Open</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7177,6 +7173,10 @@ Right-click or press F2 to rename the input.</source>
     </message>
     <message>
         <source>%1 times between %2 and %3 · Origin: %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>(×%1, last at %2) %3</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10187,15 +10187,15 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Another program of another client has replaced the running program.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Not stopped: the arm is still moving (%1). Press STOP again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The robot at %1 is a %2 now. It was a %3 before.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A program from another client has replaced the running program.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -11122,15 +11122,15 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
 <context>
     <name>tiller::TravelWatch</name>
     <message>
-        <source>%1: %2 left to the %3 limit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1: %2 left to the reach limit or a singularity</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1: %2 left until %3 is %4 from %5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 left until the %3 joint limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 left until the reach limit or a singularity</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -11297,13 +11297,6 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <source>Select waypoints to move.</source>
         <translation type="unfinished"></translation>
     </message>
-    <message numerus="yes">
-        <source>Move %n waypoints</source>
-        <translation>
-            <numerusform>Move %n waypoint</numerusform>
-            <numerusform>Move %n waypoints</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Change the pattern “%1”</source>
         <translation type="unfinished"></translation>
@@ -11408,6 +11401,13 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
     <message>
         <source>%1 contains no waypoints. Choose another file.</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Offset, rotate or mirror %n waypoints</source>
+        <translation>
+            <numerusform>Offset, rotate or mirror %n waypoint</numerusform>
+            <numerusform>Offset, rotate or mirror %n waypoints</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11838,13 +11838,6 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
 </context>
 <context>
     <name>tiller::WaypointShift</name>
-    <message numerus="yes">
-        <source>Move %n waypoints</source>
-        <translation>
-            <numerusform>Move %n waypoint</numerusform>
-            <numerusform>Move %n waypoints</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Transformation type</source>
         <translation type="unfinished"></translation>
@@ -11923,6 +11916,13 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
     <message>
         <source>All waypoints remain within reach.</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Offset, rotate or mirror %n waypoints</source>
+        <translation>
+            <numerusform>Offset, rotate or mirror %n waypoint</numerusform>
+            <numerusform>Offset, rotate or mirror %n waypoints</numerusform>
+        </translation>
     </message>
 </context>
 <context>

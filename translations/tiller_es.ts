@@ -420,10 +420,6 @@
         <translation>Las fuerzas medidas no corresponden a la carga útil, o el brazo fue empujado al iniciar el movimiento libre.</translation>
     </message>
     <message>
-        <source>Correct the payload and the mounting, release the arm, and try again.</source>
-        <translation>Corrija la carga útil y el montaje, suelte el brazo e inténtelo de nuevo.</translation>
-    </message>
-    <message>
         <source>Collision detected by a joint</source>
         <translation>Colisión detectada por una articulación</translation>
     </message>
@@ -526,6 +522,10 @@
     <message>
         <source>Look up C%1 in the manufacturer&apos;s error code directory.</source>
         <translation>Busque C%1 en el directorio de códigos de error del fabricante.</translation>
+    </message>
+    <message>
+        <source>Correct the payload and the mounting, let go of the arm, and try again.</source>
+        <translation>Corrija la carga útil y el montaje, suelte el brazo e inténtelo de nuevo.</translation>
     </message>
 </context>
 <context>
@@ -4892,10 +4892,6 @@
         <translation>objetivo inalcanzable</translation>
     </message>
     <message>
-        <source>target too far away for one step</source>
-        <translation>objetivo demasiado lejos para un paso</translation>
-    </message>
-    <message>
         <source>could not verify that the button or key is still pressed</source>
         <translation>no se pudo comprobar que el botón o la tecla sigue pulsado</translation>
     </message>
@@ -4974,6 +4970,10 @@
     <message>
         <source>the robot did not receive the stop command</source>
         <translation>el robot no ha recibido la orden de parada</translation>
+    </message>
+    <message>
+        <source>servo target too far from the previous target</source>
+        <translation>objetivo servo demasiado lejos del anterior</translation>
     </message>
 </context>
 <context>
@@ -7143,10 +7143,6 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Tiller</translation>
     </message>
     <message>
-        <source>(×%1 until %2) %3</source>
-        <translation>(×%1 hasta %2) %3</translation>
-    </message>
-    <message>
         <source>Time</source>
         <translation>Hora</translation>
     </message>
@@ -7185,6 +7181,10 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
     <message>
         <source>%1 times between %2 and %3 · Origin: %4</source>
         <translation>%1 veces de %2 a %3 · Origen: %4</translation>
+    </message>
+    <message>
+        <source>(×%1, last at %2) %3</source>
+        <translation>(×%1, última vez %2) %3</translation>
     </message>
 </context>
 <context>
@@ -10200,16 +10200,16 @@ Suelte el botón para detener el brazo.</translation>
         <translation>El programa se inició sin conexión con Tiller, como máximo %1 s antes de esta entrada.</translation>
     </message>
     <message>
-        <source>Another program of another client has replaced the running program.</source>
-        <translation>Otro programa de otro cliente ha sustituido al programa en ejecución.</translation>
-    </message>
-    <message>
         <source>Not stopped: the arm is still moving (%1). Press STOP again.</source>
         <translation>No se ha parado: el brazo se mueve (%1). Pulse STOP de nuevo.</translation>
     </message>
     <message>
         <source>The robot at %1 is a %2 now. It was a %3 before.</source>
         <translation>El robot en %1 es ahora un %2. Antes era un %3.</translation>
+    </message>
+    <message>
+        <source>A program from another client has replaced the running program.</source>
+        <translation>Un programa de otro cliente ha sustituido al programa en ejecución.</translation>
     </message>
 </context>
 <context>
@@ -11136,16 +11136,16 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
 <context>
     <name>tiller::TravelWatch</name>
     <message>
-        <source>%1: %2 left to the %3 limit</source>
+        <source>%1: %2 left until %3 is %4 from %5</source>
+        <translation>%1: quedan %2 hasta que %3 esté a %4 de %5</translation>
+    </message>
+    <message>
+        <source>%1: %2 left until the %3 joint limit</source>
         <translation>%1: quedan %2 hasta el límite de %3</translation>
     </message>
     <message>
-        <source>%1: %2 left to the reach limit or a singularity</source>
+        <source>%1: %2 left until the reach limit or a singularity</source>
         <translation>%1: quedan %2 hasta el límite de alcance o una singularidad</translation>
-    </message>
-    <message>
-        <source>%1: %2 left until %3 is %4 from %5</source>
-        <translation>%1: quedan %2 hasta que %3 esté a %4 de %5</translation>
     </message>
 </context>
 <context>
@@ -11311,13 +11311,6 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <source>Select waypoints to move.</source>
         <translation>Seleccione puntos para mover.</translation>
     </message>
-    <message numerus="yes">
-        <source>Move %n waypoints</source>
-        <translation>
-            <numerusform>Mover %n punto</numerusform>
-            <numerusform>Mover %n puntos</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Change the pattern “%1”</source>
         <translation>Cambiar el patrón «%1»</translation>
@@ -11422,6 +11415,13 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
     <message>
         <source>%1 contains no waypoints. Choose another file.</source>
         <translation>No hay puntos de paso en %1. Elija otro archivo.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Offset, rotate or mirror %n waypoints</source>
+        <translation>
+            <numerusform>Desplazar, girar o reflejar %n punto</numerusform>
+            <numerusform>Desplazar, girar o reflejar %n puntos</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11852,13 +11852,6 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
 </context>
 <context>
     <name>tiller::WaypointShift</name>
-    <message numerus="yes">
-        <source>Move %n waypoints</source>
-        <translation>
-            <numerusform>Mover %n punto</numerusform>
-            <numerusform>Mover %n puntos</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Transformation type</source>
         <translation>Tipo de transformación</translation>
@@ -11937,6 +11930,13 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
     <message>
         <source>All waypoints remain within reach.</source>
         <translation>Todos siguen al alcance.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Offset, rotate or mirror %n waypoints</source>
+        <translation>
+            <numerusform>Desplazar, girar o reflejar %n punto</numerusform>
+            <numerusform>Desplazar, girar o reflejar %n puntos</numerusform>
+        </translation>
     </message>
 </context>
 <context>

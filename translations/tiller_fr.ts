@@ -420,10 +420,6 @@
         <translation>Les forces mesurées ne correspondent pas à la charge utile, ou le bras a été poussé au démarrage de Freedrive.</translation>
     </message>
     <message>
-        <source>Correct the payload and the mounting, release the arm, and try again.</source>
-        <translation>Corrigez la charge utile et le montage, lâchez le bras et réessayez.</translation>
-    </message>
-    <message>
         <source>Collision detected by a joint</source>
         <translation>Collision détectée par une articulation</translation>
     </message>
@@ -526,6 +522,10 @@
     <message>
         <source>Look up C%1 in the manufacturer&apos;s error code directory.</source>
         <translation>Cherchez C%1 dans le répertoire des codes d’erreur du fabricant.</translation>
+    </message>
+    <message>
+        <source>Correct the payload and the mounting, let go of the arm, and try again.</source>
+        <translation>Corrigez la charge utile et le montage, lâchez le bras et réessayez.</translation>
     </message>
 </context>
 <context>
@@ -4892,10 +4892,6 @@
         <translation>cible inaccessible</translation>
     </message>
     <message>
-        <source>target too far away for one step</source>
-        <translation>cible trop loin pour un pas</translation>
-    </message>
-    <message>
         <source>could not verify that the button or key is still pressed</source>
         <translation>impossible de vérifier que le bouton ou la touche est encore enfoncé</translation>
     </message>
@@ -4974,6 +4970,10 @@
     <message>
         <source>the robot did not receive the stop command</source>
         <translation>le robot n’a pas reçu la commande d’arrêt</translation>
+    </message>
+    <message>
+        <source>servo target too far from the previous target</source>
+        <translation>cible servo trop loin de la précédente</translation>
     </message>
 </context>
 <context>
@@ -7143,10 +7143,6 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Tiller</translation>
     </message>
     <message>
-        <source>(×%1 until %2) %3</source>
-        <translation>(×%1 jusqu’à %2) %3</translation>
-    </message>
-    <message>
         <source>Time</source>
         <translation>Heure</translation>
     </message>
@@ -7185,6 +7181,10 @@ Clic droit ou F2 pour renommer.</translation>
     <message>
         <source>%1 times between %2 and %3 · Origin: %4</source>
         <translation>%1 fois de %2 à %3 · Origine : %4</translation>
+    </message>
+    <message>
+        <source>(×%1, last at %2) %3</source>
+        <translation>(×%1, dernière fois %2) %3</translation>
     </message>
 </context>
 <context>
@@ -10200,16 +10200,16 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Le programme a démarré sans connexion avec Tiller, au plus %1 s avant cette entrée.</translation>
     </message>
     <message>
-        <source>Another program of another client has replaced the running program.</source>
-        <translation>Un autre programme d’un autre client a remplacé le programme en cours.</translation>
-    </message>
-    <message>
         <source>Not stopped: the arm is still moving (%1). Press STOP again.</source>
         <translation>Non arrêté : le bras bouge (%1). Appuyez de nouveau sur STOP.</translation>
     </message>
     <message>
         <source>The robot at %1 is a %2 now. It was a %3 before.</source>
         <translation>Le robot à l’adresse %1 est maintenant un %2. C’était auparavant un %3.</translation>
+    </message>
+    <message>
+        <source>A program from another client has replaced the running program.</source>
+        <translation>Un programme d’un autre client a remplacé le programme en cours.</translation>
     </message>
 </context>
 <context>
@@ -11136,16 +11136,16 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
 <context>
     <name>tiller::TravelWatch</name>
     <message>
-        <source>%1: %2 left to the %3 limit</source>
+        <source>%1: %2 left until %3 is %4 from %5</source>
+        <translation>%1 : encore %2 jusqu’à ce que %3 soit à %4 de %5</translation>
+    </message>
+    <message>
+        <source>%1: %2 left until the %3 joint limit</source>
         <translation>%1 : reste %2 jusqu’à la limite de %3</translation>
     </message>
     <message>
-        <source>%1: %2 left to the reach limit or a singularity</source>
+        <source>%1: %2 left until the reach limit or a singularity</source>
         <translation>%1 : reste %2 jusqu’à la limite de portée ou une singularité</translation>
-    </message>
-    <message>
-        <source>%1: %2 left until %3 is %4 from %5</source>
-        <translation>%1 : encore %2 jusqu’à ce que %3 soit à %4 de %5</translation>
     </message>
 </context>
 <context>
@@ -11311,13 +11311,6 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <source>Select waypoints to move.</source>
         <translation>Choisissez des points à déplacer.</translation>
     </message>
-    <message numerus="yes">
-        <source>Move %n waypoints</source>
-        <translation>
-            <numerusform>Déplacer %n point</numerusform>
-            <numerusform>Déplacer %n points</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Change the pattern “%1”</source>
         <translation>Changer le motif « %1 »</translation>
@@ -11422,6 +11415,13 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
     <message>
         <source>%1 contains no waypoints. Choose another file.</source>
         <translation>Il n’y a pas de points dans %1. Choisissez un autre fichier.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Offset, rotate or mirror %n waypoints</source>
+        <translation>
+            <numerusform>Décaler, tourner ou mettre en miroir %n point</numerusform>
+            <numerusform>Décaler, tourner ou mettre en miroir %n points</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11852,13 +11852,6 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
 </context>
 <context>
     <name>tiller::WaypointShift</name>
-    <message numerus="yes">
-        <source>Move %n waypoints</source>
-        <translation>
-            <numerusform>Déplacer %n point</numerusform>
-            <numerusform>Déplacer %n points</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Transformation type</source>
         <translation>Type de transformation</translation>
@@ -11937,6 +11930,13 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
     <message>
         <source>All waypoints remain within reach.</source>
         <translation>Tous restent à portée.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Offset, rotate or mirror %n waypoints</source>
+        <translation>
+            <numerusform>Décaler, tourner ou mettre en miroir %n point</numerusform>
+            <numerusform>Décaler, tourner ou mettre en miroir %n points</numerusform>
+        </translation>
     </message>
 </context>
 <context>

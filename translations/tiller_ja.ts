@@ -420,10 +420,6 @@
         <translation>力がペイロードと合わないか、フリードライブ開始時に何かがアームを押しました。</translation>
     </message>
     <message>
-        <source>Correct the payload and the mounting, release the arm, and try again.</source>
-        <translation>ペイロードと取り付けを直し、アームから手を離して、もう一度試してください。</translation>
-    </message>
-    <message>
         <source>Collision detected by a joint</source>
         <translation>関節が衝突を検出</translation>
     </message>
@@ -526,6 +522,10 @@
     <message>
         <source>Look up C%1 in the manufacturer&apos;s error code directory.</source>
         <translation>メーカーのエラーコード一覧で C%1 を調べてください。</translation>
+    </message>
+    <message>
+        <source>Correct the payload and the mounting, let go of the arm, and try again.</source>
+        <translation>ペイロードと取り付けを直し、アームから手を離して、もう一度試してください。</translation>
     </message>
 </context>
 <context>
@@ -4890,10 +4890,6 @@
         <translation>目標に到達できない</translation>
     </message>
     <message>
-        <source>target too far away for one step</source>
-        <translation>一度のステップには目標が遠い</translation>
-    </message>
-    <message>
         <source>could not verify that the button or key is still pressed</source>
         <translation>ボタンまたはキーが押されていることを確認できない</translation>
     </message>
@@ -4972,6 +4968,10 @@
     <message>
         <source>the robot did not receive the stop command</source>
         <translation>ロボットが停止指令を受信していません</translation>
+    </message>
+    <message>
+        <source>servo target too far from the previous target</source>
+        <translation>サーボ目標が前の目標から離れすぎている</translation>
     </message>
 </context>
 <context>
@@ -7134,10 +7134,6 @@ Right-click or press F2 to rename the input.</source>
         <translation>Tiller</translation>
     </message>
     <message>
-        <source>(×%1 until %2) %3</source>
-        <translation>（%2 まで ×%1）%3</translation>
-    </message>
-    <message>
         <source>Time</source>
         <translation>時刻</translation>
     </message>
@@ -7176,6 +7172,10 @@ Right-click or press F2 to rename the input.</source>
     <message>
         <source>%1 times between %2 and %3 · Origin: %4</source>
         <translation>%2 から %3 まで %1 回 · 発生元: %4</translation>
+    </message>
+    <message>
+        <source>(×%1, last at %2) %3</source>
+        <translation>（×%1、最後は %2）%3</translation>
     </message>
 </context>
 <context>
@@ -10173,16 +10173,16 @@ Release the button to stop the arm.</source>
         <translation>プログラムは Tiller との接続がない間に開始されました。この記録の最大 %1 秒前です。</translation>
     </message>
     <message>
-        <source>Another program of another client has replaced the running program.</source>
-        <translation>他のクライアントの別のプログラムが、実行中のプログラムを置き換えました。</translation>
-    </message>
-    <message>
         <source>Not stopped: the arm is still moving (%1). Press STOP again.</source>
         <translation>停止していません：アームが動いています (%1)。もう一度 STOP を押してください。</translation>
     </message>
     <message>
         <source>The robot at %1 is a %2 now. It was a %3 before.</source>
         <translation>%1 のロボットは %2 に変わりました。以前は %3 でした。</translation>
+    </message>
+    <message>
+        <source>A program from another client has replaced the running program.</source>
+        <translation>他のクライアントのプログラムが、実行中のプログラムを置き換えました。</translation>
     </message>
 </context>
 <context>
@@ -11107,16 +11107,16 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
 <context>
     <name>tiller::TravelWatch</name>
     <message>
-        <source>%1: %2 left to the %3 limit</source>
+        <source>%1: %2 left until %3 is %4 from %5</source>
+        <translation>%1：残り%2で%3は%5まで%4</translation>
+    </message>
+    <message>
+        <source>%1: %2 left until the %3 joint limit</source>
         <translation>%1：%3 の限界まで残り %2</translation>
     </message>
     <message>
-        <source>%1: %2 left to the reach limit or a singularity</source>
+        <source>%1: %2 left until the reach limit or a singularity</source>
         <translation>%1：残り %2、その先は到達限界か特異点</translation>
-    </message>
-    <message>
-        <source>%1: %2 left until %3 is %4 from %5</source>
-        <translation>%1：残り%2で%3は%5まで%4</translation>
     </message>
 </context>
 <context>
@@ -11280,12 +11280,6 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <source>Select waypoints to move.</source>
         <translation>動かすウェイポイントを選んでください。</translation>
     </message>
-    <message numerus="yes">
-        <source>Move %n waypoints</source>
-        <translation>
-            <numerusform>%n 個のウェイポイントを動かす</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Change the pattern “%1”</source>
         <translation>パターン「%1」を変更</translation>
@@ -11387,6 +11381,12 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
     <message>
         <source>%1 contains no waypoints. Choose another file.</source>
         <translation>%1 にウェイポイントがありません。別のファイルを選んでください。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Offset, rotate or mirror %n waypoints</source>
+        <translation>
+            <numerusform>%n 個のウェイポイントをオフセット・回転・鏡像</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11812,12 +11812,6 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
 </context>
 <context>
     <name>tiller::WaypointShift</name>
-    <message numerus="yes">
-        <source>Move %n waypoints</source>
-        <translation>
-            <numerusform>%n 個のウェイポイントを動かす</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Transformation type</source>
         <translation>変換の種類</translation>
@@ -11895,6 +11889,12 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
     <message>
         <source>All waypoints remain within reach.</source>
         <translation>すべて到達可能です。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Offset, rotate or mirror %n waypoints</source>
+        <translation>
+            <numerusform>%n 個のウェイポイントをオフセット・回転・鏡像</numerusform>
+        </translation>
     </message>
 </context>
 <context>

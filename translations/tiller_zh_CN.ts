@@ -420,10 +420,6 @@
         <translation>测得的力与有效负载不符，或自由驱动开始时机械臂被推动。</translation>
     </message>
     <message>
-        <source>Correct the payload and the mounting, release the arm, and try again.</source>
-        <translation>更正有效负载和安装，松开机械臂，然后重试。</translation>
-    </message>
-    <message>
         <source>Collision detected by a joint</source>
         <translation>关节检测到碰撞</translation>
     </message>
@@ -526,6 +522,10 @@
     <message>
         <source>Look up C%1 in the manufacturer&apos;s error code directory.</source>
         <translation>在制造商的错误代码目录中查找 C%1。</translation>
+    </message>
+    <message>
+        <source>Correct the payload and the mounting, let go of the arm, and try again.</source>
+        <translation>更正有效负载和安装，松开机械臂，然后重试。</translation>
     </message>
 </context>
 <context>
@@ -4890,10 +4890,6 @@
         <translation>目标无法到达</translation>
     </message>
     <message>
-        <source>target too far away for one step</source>
-        <translation>目标对一步来说太远</translation>
-    </message>
-    <message>
         <source>could not verify that the button or key is still pressed</source>
         <translation>无法确认按钮或按键仍被按下</translation>
     </message>
@@ -4972,6 +4968,10 @@
     <message>
         <source>the robot did not receive the stop command</source>
         <translation>机器人未收到停止指令</translation>
+    </message>
+    <message>
+        <source>servo target too far from the previous target</source>
+        <translation>伺服目标距前一个目标太远</translation>
     </message>
 </context>
 <context>
@@ -7134,10 +7134,6 @@ Right-click or press F2 to rename the input.</source>
         <translation>Tiller</translation>
     </message>
     <message>
-        <source>(×%1 until %2) %3</source>
-        <translation>（×%1，至 %2）%3</translation>
-    </message>
-    <message>
         <source>Time</source>
         <translation>时间</translation>
     </message>
@@ -7176,6 +7172,10 @@ Right-click or press F2 to rename the input.</source>
     <message>
         <source>%1 times between %2 and %3 · Origin: %4</source>
         <translation>%2 至 %3 共 %1 次 · 来源：%4</translation>
+    </message>
+    <message>
+        <source>(×%1, last at %2) %3</source>
+        <translation>（×%1，最后 %2）%3</translation>
     </message>
 </context>
 <context>
@@ -10173,16 +10173,16 @@ Release the button to stop the arm.</source>
         <translation>程序在与 Tiller 断开连接期间启动，最多在此条目之前 %1 秒。</translation>
     </message>
     <message>
-        <source>Another program of another client has replaced the running program.</source>
-        <translation>其他客户端的另一个程序替换了正在运行的程序。</translation>
-    </message>
-    <message>
         <source>Not stopped: the arm is still moving (%1). Press STOP again.</source>
         <translation>未停止：机械臂在运动（%1）。请再次按 STOP。</translation>
     </message>
     <message>
         <source>The robot at %1 is a %2 now. It was a %3 before.</source>
         <translation>%1 处的机器人现在是 %2，之前是 %3。</translation>
+    </message>
+    <message>
+        <source>A program from another client has replaced the running program.</source>
+        <translation>其他客户端的程序替换了正在运行的程序。</translation>
     </message>
 </context>
 <context>
@@ -11107,16 +11107,16 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
 <context>
     <name>tiller::TravelWatch</name>
     <message>
-        <source>%1: %2 left to the %3 limit</source>
+        <source>%1: %2 left until %3 is %4 from %5</source>
+        <translation>%1：再移动 %2 后，%3 距 %5 %4</translation>
+    </message>
+    <message>
+        <source>%1: %2 left until the %3 joint limit</source>
         <translation>%1：距 %3 的极限剩余 %2</translation>
     </message>
     <message>
-        <source>%1: %2 left to the reach limit or a singularity</source>
+        <source>%1: %2 left until the reach limit or a singularity</source>
         <translation>%1：剩余 %2，随后是可达极限或奇异点</translation>
-    </message>
-    <message>
-        <source>%1: %2 left until %3 is %4 from %5</source>
-        <translation>%1：再移动 %2 后，%3 距 %5 %4</translation>
     </message>
 </context>
 <context>
@@ -11280,12 +11280,6 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <source>Select waypoints to move.</source>
         <translation>选择要移动的路点。</translation>
     </message>
-    <message numerus="yes">
-        <source>Move %n waypoints</source>
-        <translation>
-            <numerusform>移动 %n 个路点</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Change the pattern “%1”</source>
         <translation>更改阵列“%1”</translation>
@@ -11387,6 +11381,12 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
     <message>
         <source>%1 contains no waypoints. Choose another file.</source>
         <translation>%1 中没有路点。请选择其他文件。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Offset, rotate or mirror %n waypoints</source>
+        <translation>
+            <numerusform>偏移、旋转或镜像 %n 个路点</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11812,12 +11812,6 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
 </context>
 <context>
     <name>tiller::WaypointShift</name>
-    <message numerus="yes">
-        <source>Move %n waypoints</source>
-        <translation>
-            <numerusform>移动 %n 个路点</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Transformation type</source>
         <translation>变换类型</translation>
@@ -11895,6 +11889,12 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
     <message>
         <source>All waypoints remain within reach.</source>
         <translation>全部仍可达。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Offset, rotate or mirror %n waypoints</source>
+        <translation>
+            <numerusform>偏移、旋转或镜像 %n 个路点</numerusform>
+        </translation>
     </message>
 </context>
 <context>

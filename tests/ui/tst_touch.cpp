@@ -46,7 +46,7 @@ struct Bench : WindowBench {
 };
 
 /// True for a widget inside a table row. The height of the row (44 px) limits the widget, so it is not checked.
-bool standsInARow(const QWidget& widget) {
+bool isInTableRow(const QWidget& widget) {
     for (const QWidget* up = widget.parentWidget(); up != nullptr; up = up->parentWidget()) {
         if (up->inherits("QAbstractItemView")) {
             return true;
@@ -68,7 +68,7 @@ QStringList tooLow(const QWidget& window) {
     QStringList found;
     for (const QWidget* widget : window.findChildren<QWidget*>()) {
         if (!isTouched(*widget) || !widget->isVisible() || widget->window() != &window ||
-            clipping::isInner(*widget) || standsInARow(*widget)) {
+            clipping::isInner(*widget) || isInTableRow(*widget)) {
             continue;
         }
         if (widget->height() < kFinger) {

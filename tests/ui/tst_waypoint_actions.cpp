@@ -294,7 +294,7 @@ private Q_SLOTS:
         QVERIFY(isAt(0));
         QVERIFY(!output(1));
         QVERIFY2(wasSaid("DI 5") && wasSaid("0.6 s") && wasSaid("point 1"), qPrintable(said_.join('\n')));
-        // The next press must wait again.
+        // Pressing again repeats the wait action.
         cell().robot.setDigitalInput(5, true);
         holdToTheEnd(through());
         QVERIFY(output(1));

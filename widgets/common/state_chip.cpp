@@ -254,7 +254,7 @@ StateChip::FittedText StateChip::fittedText() const {
     return {font, QFontMetrics(font).elidedText(text_, Qt::ElideRight, room), false};
 }
 
-int StateChip::leastWidth(const QString& text, Shape shape, Emphasis emphasis, const QString& mark) const {
+int StateChip::minWidth(const QString& text, Shape shape, Emphasis emphasis, const QString& mark) const {
     QFont font = textFont(kSmallestFont, isStrong(emphasis) ? QFont::Bold : QFont::Normal);
     const int caption = QFontMetrics(captionFont(isStrong(emphasis))).horizontalAdvance(leastCaption());
     const int value = twoLines(text, QFontMetrics(font)).widthWith(menuArrow_ ? kArrowRoom : 0);

@@ -68,7 +68,7 @@ public:
     /// elided.
     void setRoom(int width);
     /// Smallest width at which this value is not elided [px].
-    int leastWidth(const QString& text, Shape shape, Emphasis emphasis, const QString& mark) const;
+    int minWidth(const QString& text, Shape shape, Emphasis emphasis, const QString& mark) const;
     /// True if the value is not elided at this width.
     bool isWhole() const { return fittedText().isWhole; }
     void setMenuArrow(bool arrow);

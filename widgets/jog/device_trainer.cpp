@@ -203,7 +203,7 @@ void DeviceTrainer::listDevices() {
 }
 
 QString DeviceTrainer::directionText() const {
-    return way_;
+    return directionText_;
 }
 
 void DeviceTrainer::refresh() {
@@ -216,8 +216,8 @@ void DeviceTrainer::refresh() {
         hint_->setText(
             tr("No gamepad or SpaceMouse found. Connect a device. Tiller detects the device automatically."));
         deadMan_->setText(QStringLiteral("–"));
-        way_ = QStringLiteral("–");
-        direction_->setText(way_);
+        directionText_ = QStringLiteral("–");
+        direction_->setText(directionText_);
         bars_->show(Vector6::Zero(), Vector6::Zero(), 0);
         fitToContents(*this);
         return;
@@ -228,8 +228,8 @@ void DeviceTrainer::refresh() {
     deadMan_->setText(wish.deadMan ? tr("● held (%1)").arg(shape.deadManName)
                                    : tr("○ not held: hold the %1").arg(shape.deadManName));
     const QString way = motionText(selection_(), wish, limits_());
-    way_ = way.isEmpty() ? tr("none (neutral)") : way;
-    direction_->setText(unbroken(way_));
+    directionText_ = way.isEmpty() ? tr("none (neutral)") : way;
+    direction_->setText(unbroken(directionText_));
     bars_->show(devices_.reading(device).axes, wish.axes, shape.deadZone);
     fitToContents(*this);
 }

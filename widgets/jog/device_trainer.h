@@ -47,7 +47,7 @@ private:
     DeviceBars* bars_;
     QLabel* deadMan_;
     QLabel* direction_;
-    QString way_;  ///< displayed text
+    QString directionText_;
     QCheckBox* use_;
     QCheckBox* dominant_;
     QTimer timer_;

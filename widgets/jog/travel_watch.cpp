@@ -128,7 +128,7 @@ QString TravelWatch::heldText() const {
         const control::Limiter& end = travel_.at(static_cast<std::size_t>(*held)).end;
         switch (end.kind) {
             case control::LimiterKind::JointLimit:
-                return tr("%1: %2 left to the %3 limit")
+                return tr("%1: %2 left until the %3 joint limit")
                     .arg(key->text(), key->travel(), jointName(end.joint));
             case control::LimiterKind::SelfCollision:
             case control::LimiterKind::Obstacle:
@@ -137,7 +137,8 @@ QString TravelWatch::heldText() const {
                     .arg(key->text(), key->travel(), linkText(end.link), format::length(end.distance, 0),
                          limiterText(end, state_.check->surroundings()));
             default:
-                return tr("%1: %2 left to the reach limit or a singularity").arg(key->text(), key->travel());
+                return tr("%1: %2 left until the reach limit or a singularity")
+                    .arg(key->text(), key->travel());
         }
     }
     return {};

@@ -78,7 +78,7 @@ int LogModel::rowAt(const QDateTime& time) const {
 QString LogModel::shown(const Entry& entry, const QString& clock) const {
     return entry.count == 1
                ? entry.text
-               : tr("(×%1 until %2) %3").arg(entry.count).arg(entry.last.toString(clock), entry.text);
+               : tr("(×%1, last at %2) %3").arg(entry.count).arg(entry.last.toString(clock), entry.text);
 }
 
 QString LogModel::details(int row) const {

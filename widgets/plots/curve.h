@@ -34,7 +34,7 @@ public:
         }
     };
 
-    /// Treatment of samples without a value between two samples with one.
+    /// How to draw samples without a value that lie between samples with values.
     enum class Missing {
         Bridged,   ///< draws a line: a field may be sampled less often than others in the same table
         Undefined  ///< draws no line over an interruption: a computed signal has no result there

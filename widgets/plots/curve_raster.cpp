@@ -132,8 +132,8 @@ void CurveRaster::setView(const QRectF& area, double t0, double t1, double y0, d
     const std::int64_t raster = (*found)->raster();
     const bool keeps = !std::exchange(isOutdated_, false) && painted_ == now &&
                        std::abs(raster - raster_) < static_cast<std::int64_t>(columns);
-    // Use an odd number of cache lines as the stride, so that the pixels of neighbouring columns do not evict
-    // each other from the cache.
+    // Use an odd number of cache lines as the stride, so that the rows of a column do not all map to the same
+    // cache set.
     constexpr int kCacheLine = 16;  // pixels
     const int lines = (now.size.width() + kCacheLine - 1) / kCacheLine;
     if (const QSize wide((lines | 1) * kCacheLine, now.size.height()); ring_.size() != wide) {

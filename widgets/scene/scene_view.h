@@ -88,7 +88,8 @@ public:
     /// Text with values of the ghost, e.g. "ghost “above tray” · reachable · largest turn Wrist 2 41° · 2.4 s
     /// at 35 %"; empty without a ghost.
     QString ghostText() const;
-    /// Returns R_base_view for the jog frame "View": columns are X to the right, Y up, Z towards the eye.
+    /// Axes of the view in the base frame: columns are X to the right, Y up, Z towards the eye. MainWindow
+    /// converts them to the jog frame.
     Eigen::Matrix3d viewRotation() const { return camera_.viewRotation(); }
     const Camera& camera() const { return camera_; }
     /// The labels of waypoints and frames in the last image, and the number of labels without a free

@@ -616,7 +616,7 @@ const std::array<int, 3>& HeaderBar::contentWidths(bool tight) {
         const auto widest = [](const StateChip& chip, const std::vector<ModeLook>& looks) {
             int width = 0;
             for (const ModeLook& look : looks) {
-                width = std::max(width, chip.leastWidth(look.text, look.shape, look.emphasis, look.mark));
+                width = std::max(width, chip.minWidth(look.text, look.shape, look.emphasis, look.mark));
             }
             return width;
         };

@@ -102,8 +102,9 @@ void WaypointDialogs::moveSelection() {
         return;
     }
     if (const auto moved = dialog.moved()) {
-        document_.changeWaypoints(rows, *moved,
-                                  tr("Move %n waypoints", nullptr, static_cast<int>(rows.size())));
+        document_.changeWaypoints(
+            rows, *moved,
+            tr("Offset, rotate or mirror %n waypoints", nullptr, static_cast<int>(rows.size())));
     }
 }
 

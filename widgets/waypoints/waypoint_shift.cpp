@@ -33,7 +33,7 @@ WaypointShift::WaypointShift(const ProjectDocument& document, std::vector<projec
     , angle_(new DecimalSpinBox)
     , feedback_(new QLabel) {
     setObjectName(QStringLiteral("waypoint.shift"));
-    setWindowTitle(tr("Move %n waypoints", nullptr, static_cast<int>(waypoints_.size())));
+    setWindowTitle(tr("Offset, rotate or mirror %n waypoints", nullptr, static_cast<int>(waypoints_.size())));
     kind_->setObjectName(QStringLiteral("waypoint.shift.kind"));
     kind_->setAccessibleName(tr("Transformation type"));
     kind_->addItems({tr("Offset"), tr("Rotation"), tr("Mirror")});

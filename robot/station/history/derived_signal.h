@@ -13,8 +13,8 @@
 //     integral(x, seconds)       integral over the time window, by the trapezoidal rule
 //     lowpass(x, hertz, order)   Butterworth filter of order 1 to 8; 2 without an order. No value if the cut-off
 //     highpass(x, hertz, order)  frequency is half the sample rate or higher
-// The time window ends with the sample, and filters use only the samples before it. A gap or a missing value
-// restarts both.
+// The time window ends with the sample, and filters use only the current and earlier samples. A gap or a missing
+// value restarts both.
 // Names with characters other than letters, digits, _ and . are written in braces, for example signals of a
 // recording:
 //     |F| [N] = norm({run 1.mcap/actual_TCP_force_0}, {run 1.mcap/actual_TCP_force_1})

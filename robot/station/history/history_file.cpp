@@ -15,8 +15,9 @@ constexpr std::int64_t kBlock = SeriesColumn::kBlockRows;
 /// Recordings with up to this number of rows (two minutes at 500 Hz) are read faster as a whole than in
 /// parts.
 constexpr std::uint64_t kShort = 60'000;
-/// Number of rows read before the first drawing and in each later step.
+/// Ranges of up to this number of rows are read completely in the first call.
 constexpr std::int64_t kRowsAtOnce = 8'000;
+/// Ranges of up to this number of rows are read completely by later calls; longer ranges are drawn from extents.
 constexpr std::int64_t kRowsInTheEnd = 64'000;
 constexpr std::int64_t kBlocksInTurn = 1;
 constexpr std::int64_t kExtentsInTurn = 1500;
@@ -62,7 +63,7 @@ std::vector<SeriesBuffer::Mark> marksOf(const recording::Recording& file,
 
 }  // namespace
 
-bool HistoryFile::isWorthIt(const recording::Recording& file) {
+bool HistoryFile::benefitsFromSummaries(const recording::Recording& file) {
     const std::vector<std::uint64_t> kept = file.summaryRows();
     const auto keeps = [&kept](std::int64_t rows) {
         return std::find(kept.begin(), kept.end(), static_cast<std::uint64_t>(rows)) != kept.end();

@@ -19,7 +19,7 @@ namespace tiller {
 class HistoryFile : public SampleFile {
 public:
     /// False for files without summaries and for short files, which are read faster as a whole.
-    static bool isWorthIt(const recording::Recording& file);
+    static bool benefitsFromSummaries(const recording::Recording& file);
 
     /// begin   time of the first row on the time axis [s]
     /// Errors  those of Recording

@@ -487,7 +487,7 @@ Result<QString> SignalStore::open(std::unique_ptr<recording::Recording> file, do
     auto history =
         std::make_unique<SeriesBuffer>(0, HistoryLimits{1e12, std::numeric_limits<std::size_t>::max()});
     std::unique_ptr<HistoryFile> pieces;
-    if (HistoryFile::isWorthIt(*file)) {
+    if (HistoryFile::benefitsFromSummaries(*file)) {
         auto made = HistoryFile::make(*file, *history, begin);
         if (!made) {
             return made.error();

@@ -27,7 +27,7 @@ public:
     /// detail  explanation and suggested action, as sentences; may be empty
     void add(Severity severity, const QString& text, Origin origin = Origin::Tiller,
              const QString& detail = {});
-    /// Adds a message about an event that was recognized only `agoNs` later. The entry carries the time of the event.
+    /// Adds a message about an event that occurred `agoNs` ago. The entry has the time of the event.
     void addLate(Severity severity, const QString& text, Origin origin, std::int64_t agoNs);
     /// utcNs  the time that the note describes [ns since 1970]
     void addNote(const QString& text, std::int64_t utcNs);

@@ -35,8 +35,9 @@ struct OutputOrder {
     /// Cancels a queued command. A command already sent is not undone, but a pulse ends.
     CancelToken token = {};
     std::optional<Pulse> pulse = {};
-    /// Called with the result in the GUI thread: Cancelled if the command was not sent. May be empty. Results
-    /// other than Cancelled are also logged.
+    /// Called in the GUI thread with the result: Cancelled if the command was cancelled before it was sent;
+    /// Rejected, NotConnected or NotInControl if it was refused. May be empty. Results other than Cancelled are
+    /// also logged.
     std::function<void(const Result<void>&)> done = {};
 };
 
@@ -46,7 +47,7 @@ class RobotOutputs {
 public:
     RobotOutputs(RobotSession& session, SessionBackend& backend) : session_(session), d_(backend) {}
 
-    /// fraction  0.02 ... 1; other values are rejected with a message
+    /// fraction  0.02 ... 1; other values are refused with a message
     void setSpeedSlider(double fraction);
     /// output  0-7 standard, 8-15 configurable, 16-17 tool
     void setDigitalOutput(int output, bool on);
@@ -54,7 +55,7 @@ public:
     /// what  prefix in the log, e.g. "Gripper: close"
     void setDigitalOutputs(std::uint32_t mask, std::uint32_t values, const QString& what,
                            const OutputOrder& order = {});
-    /// Switches the output on, and off after `seconds`, measured by the robot. Without control, rejected with
+    /// Switches the output on, and off after `seconds`, measured by the robot. Without control, refused with
     /// a message.
     void pulseDigitalOutput(int output, double seconds);
     /// Why outputs cannot be pulsed now, as a sentence; empty if they can.

@@ -3,7 +3,7 @@
 
 // Requests from the session to the controller: power, recovery and programs, and stopping external programs.
 // Also queries the values that RTDE does not report: control mode, operational mode and loaded program.
-// Messages report the results, and the next state shows them.
+// Results are logged and appear in the next session state.
 
 #include <QCoreApplication>
 #include <QString>

@@ -928,7 +928,7 @@ void RobotSession::reportReplacement() {
         return;
     }
     d_->replacementNs = nowNs;
-    journal_.add(Severity::Info, tr("Another program of another client has replaced the running program."),
+    journal_.add(Severity::Info, tr("A program from another client has replaced the running program."),
                  Origin::Robot);
 }
 

@@ -112,12 +112,12 @@ public:
     RobotTooling& tooling() { return tooling_; }
     SessionRecording& recording() { return recording_; }
 
-    /// In monitor-only mode, every command that changes the robot is rejected with a message, regardless of
+    /// In monitor-only mode, every command that changes the robot is refused with a message, regardless of
     /// the caller. stop() still works. Control is released before the mode is set.
     void setMonitorOnly(bool on);
     bool isMonitorOnly() const;
     /// Must be called first by every command that changes the robot, here and in the parts of the session. In
-    /// monitor-only mode, reports that `command` is rejected and returns true.
+    /// monitor-only mode, logs that `command` is refused and returns true.
     bool refusesCommand(const QString& command);
 
     /// Asks the operator before a change of outputs, registers, gripper or speed slider. If a program of

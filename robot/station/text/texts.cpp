@@ -221,7 +221,7 @@ QString stopCauseText(control::StopCause cause) {
         case StopCause::Unreachable:
             return TextsText::tr("target cannot be reached");
         case StopCause::TargetTooFar:
-            return TextsText::tr("target too far away for one step");
+            return TextsText::tr("servo target too far from the previous target");
         case StopCause::HoldUnproven:
             return TextsText::tr("could not verify that the button or key is still pressed");
         case StopCause::HeldTooLong:

@@ -139,7 +139,7 @@ constexpr quint8 kXInferior = 2;
 constexpr quint8 kXNonlinear = 3;
 constexpr quint8 kXPointer = 5;
 
-/// Passes an event of the display server to the program, as the X11 plugin of Qt does before evaluating it.
+/// Passes an X event to the native event filters, as Qt's xcb plugin does before handling it.
 void fromServer(quint8 type, quint8 detail, quint8 mode, WId window) {
     std::array<quint8, 32> event{};
     const auto id = static_cast<quint32>(window);

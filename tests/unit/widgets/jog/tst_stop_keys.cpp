@@ -333,8 +333,8 @@ private Q_SLOTS:
         s.press(Qt::Key_Escape);
         QCOMPARE(s.passed, QList<int>{Qt::Key_Escape});
     }
-    // A stop key that is held longer than the reaction time must not close the dialog in which it was
-    // pressed.
+    // Auto-repeats of a key press that stopped the arm must not reach the focused widget, even after the motion
+    // has ended.
     void repeatsOfAStopKeyAreIgnored() {
         Scene s;
         QTest::keyPress(s.edit, Qt::Key_Space);

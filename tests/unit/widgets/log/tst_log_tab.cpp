@@ -80,7 +80,7 @@ private Q_SLOTS:
             time_ = time_.addSecs(1);
         }
         QCOMPARE(rows(), 1);
-        QCOMPARE(cell(0, LogModel::Text), QString("(×3 until 14:02:13) Elbow near its limit"));
+        QCOMPARE(cell(0, LogModel::Text), QString("(×3, last at 14:02:13) Elbow near its limit"));
         QCOMPARE(cell(0, LogModel::Time), QString("14:02:11"));
         journal_->add(Severity::Error, "Elbow near its limit");
         QCOMPARE(rows(), 2);

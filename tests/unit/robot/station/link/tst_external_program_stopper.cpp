@@ -101,8 +101,7 @@ private Q_SLOTS:
         moving.moving = true;
         QVERIFY(meansIt(moving));
     }
-    // A stop is sent to Tiller's own program first. If it is not confirmed, it is sent through all
-    // connections.
+    // Only Esc, Space and STOP also stop programs of other clients.
     void onlyOperatorStopsAreSent() {
         for (int cause = 0; cause <= static_cast<int>(StopCause::TargetTooFar); ++cause) {
             const auto which = static_cast<StopCause>(cause);
