@@ -126,7 +126,7 @@ void print(const divergence::Report& report) {
                          .arg(outcome.greatest->seconds, 0, 'f', 3);
         }
         if (outcome.parted) {
-            out() << QStringLiteral("    above the limit from %1 s on (row %2): %3, up to %4\n")
+            out() << QStringLiteral("    above the limit starting at %1 s (row %2): %3, up to %4\n")
                          .arg(outcome.parted->seconds, 0, 'f', 3)
                          .arg(outcome.parted->row)
                          .arg(placeOf(*outcome.parted), amountOf(*outcome.parted));
@@ -146,7 +146,7 @@ void print(const divergence::Report& report) {
                       : "arm and model agree\n");
         return;
     }
-    out() << QStringLiteral("arm and model differ from %1 s on: %2, %3 of %4\n")
+    out() << QStringLiteral("arm and model differ starting at %1 s: %2, %3 of %4\n")
                  .arg(first->seconds, 0, 'f', 3)
                  .arg(placeOf(*first), amountOf(*first), QLatin1String(spellingOf(first->quantity).name));
     if (report.partedFromStart()) {

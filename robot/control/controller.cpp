@@ -142,7 +142,7 @@ void Controller::release() {
     d_->end([this] {
         stop(StopCause::ControlLost);
         d_->loop.requestEnd();
-        // This time is sufficient to stop a jog. The deceleration of a longer path continues unsupervised.
+        // This time is sufficient to stop a jog. A deceleration that takes longer continues unsupervised.
         waitUntil(Deadline::after(kLastWords), [this] { return !d_->isInControl(); });
     });
 }
@@ -212,10 +212,11 @@ Result<void> Controller::Private::awaitPulses(std::uint64_t stops, const Deadlin
     if (over) {
         return {};
     }
-    return Error{deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout, context,
-                 QStringLiteral("the pulse of digital output %1 ends only in %2 s: wait, or end the pulse")
-                     .arg(std::distance(pulseEndsNs.begin(), last()))
-                     .arg(static_cast<double>(last()->load() - now()) * 1e-9, 0, 'f', 1)};
+    return Error{
+        deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout, context,
+        QStringLiteral("the pulse of digital output %1 is active for another %2 s: wait, or end the pulse")
+            .arg(std::distance(pulseEndsNs.begin(), last()))
+            .arg(static_cast<double>(last()->load() - now()) * 1e-9, 0, 'f', 1)};
 }
 
 Result<std::uint64_t> Controller::Private::sendSection(const QString& section, const QString& name,

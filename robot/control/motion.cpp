@@ -46,7 +46,7 @@ Error errorOf(StopCause cause, MotionKind kind, const MotionDelay& delay) {
             return {ErrorCode::NoSolution, context, QStringLiteral("the arm cannot reach the target")};
         case StopCause::TargetTooFar:
             return {ErrorCode::LimitExceeded, context,
-                    QStringLiteral("a target was farther away than the arm can move in one step")};
+                    QStringLiteral("a target was too far from the previous target")};
         case StopCause::LinkLost:
             return {ErrorCode::LinkLost, context, QStringLiteral("the connection ended")};
         case StopCause::ControlLost:

@@ -44,7 +44,7 @@ struct CircularServoParameters {
 struct SpeedParameters {
     double acceleration = 0.5;        ///< joint [rad/s2] or tool acceleration [m/s2]
     double rotationAcceleration = 0;  ///< tool rotation [rad/s2]; 0: the same value as acceleration
-    /// Duration of each set point [s]; 0: the control period. Source: URScript speedj, t
+    /// Duration of each setpoint [s]; 0: the control period. Source: URScript speedj, t
     double duration = 0;
     JogFrame frame = JogFrame::Base;  ///< tool: frame of the twist
     Pose T_base_frame = {};           ///< only for JogFrame::Custom; only the rotation is used

@@ -10,7 +10,7 @@ namespace tiller::native_socket {
 
 namespace {
 
-// Options of TCP that the headers of MinGW-w64 lack. Source: ws2ipdef.h of the Windows SDK
+// TCP options that are missing from the MinGW-w64 headers. Source: ws2ipdef.h of the Windows SDK
 constexpr int kTcpMaxRetransmission = 5;  ///< TCP_MAXRT [s]
 constexpr int kTcpKeepIdle = 3;           ///< TCP_KEEPIDLE [s]
 constexpr int kTcpKeepCount = 16;         ///< TCP_KEEPCNT

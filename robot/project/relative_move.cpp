@@ -39,7 +39,9 @@ Result<std::vector<Waypoint>> movedBy(const std::vector<Waypoint>& waypoints, co
                                       const RobotModel& model, const FrameList& frames) {
     const std::optional<Pose> T_base_frame = frames.pose(move.frame);
     if (!T_base_frame) {
-        return Error{ErrorCode::InvalidArgument, QStringLiteral("the frame is not in the project"), {}};
+        return Error{ErrorCode::InvalidArgument,
+                     QStringLiteral("the frame selected for the move is not in the project"),
+                     {}};
     }
     std::vector<Waypoint> result;
     QStringList outOfReach;
@@ -47,7 +49,7 @@ Result<std::vector<Waypoint>> movedBy(const std::vector<Waypoint>& waypoints, co
         const std::optional<Pose> place = placeOf(point, model, frames);
         if (!place) {
             return Error{ErrorCode::InvalidArgument,
-                         QStringLiteral("the frame of %1 is not in the project").arg(point.name),
+                         QStringLiteral("the frame of waypoint '%1' is not in the project").arg(point.name),
                          {}};
         }
         const Pose target = movedPose(*place, move, *T_base_frame);

@@ -31,7 +31,7 @@ public:
     virtual void beginTurn() {}
     /// missing  packets lost before this sample, for any reason; 0 for the first sample
     virtual Next take(const receive::Sample& sample, std::uint64_t missing) = 0;
-    /// last  the publisher ends the sink; all samples received before were taken
+    /// last  true if the publisher is ending the sink and has passed all samples to take()
     /// Returns  false to end the sink
     virtual bool endTurn(bool last) { return !last; }
     /// Called once, after the last turn.

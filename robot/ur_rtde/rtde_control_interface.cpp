@@ -490,7 +490,7 @@ int RTDEControlInterface::getAsyncOperationProgress() {
     return status.isAsyncOperationRunning() ? status.progress() : status.operationId() % 2 - 2;
 }
 
-// ---- streams of set points ------------------------------------------------------------------------------
+// ---- streams of setpoints ------------------------------------------------------------------------------
 
 bool RTDEControlInterface::speedJ(const List& qd, double acceleration, double time) {
     check::jointSpeeds("qd", qd, d_->limits());

@@ -15,7 +15,7 @@
 // the heartbeat 500 times per second. If the process ends for any reason, is killed or suspended, or the
 // connection transmits nothing for 0.1 s, every motion ends, including moves, paths and custom scripts. A
 // program that only sleeps does not end its motion. Motions also end after a protective, safeguard or
-// emergency stop, and when the program is paused. They never resume automatically: set points (speed, servo)
+// emergency stop, and when the program is paused. They never resume automatically: setpoints (speed, servo)
 // are refused until servoStop(), speedStop(), jogStop() or another command is called. disconnect() and the
 // destructor also stop the arm. The arm moves without this process only if `unattended` is true. ENDS.md
 // lists every call.
@@ -165,7 +165,7 @@ public:
                   bool asynchronous = false);
     bool movePath(const Path& path, bool asynchronous = false);
     /// Moves with velocity xd until the tool makes contact, and then back to the pose of the first contact.
-    /// Does not move if there is already a contact. Before 5.4, which has no contact detection, returns false
+    /// Does not move if there is already a contact. Software before 5.4 has no contact detection: returns false
     /// without moving.
     /// direction  direction of the contacts in the base frame; zeros: direction of xd
     bool moveUntilContact(const std::vector<double>& xd,
@@ -176,9 +176,9 @@ public:
     int getAsyncOperationProgress();
     AsyncOperationStatus getAsyncOperationProgressEx();
 
-    // ---- streams of set points
-    /// time  minimum time before the next set point is read [s]; 0: one control period. As in ur_rtde, the
-    ///       motion continues until the next set point, a stop, or another end described above
+    // ---- streams of setpoints
+    /// time  minimum time before the next setpoint is read [s]; 0: one control period. As in ur_rtde, the
+    ///       motion continues until the next setpoint, a stop, or another end described above
     bool speedJ(const std::vector<double>& qd, double acceleration = 0.5, double time = 0.0);
     bool speedL(const std::vector<double>& xd, double acceleration = 0.25, double time = 0.0);
     bool speedStop(double a = 10.0);

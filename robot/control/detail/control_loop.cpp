@@ -272,7 +272,7 @@ bool ControlLoop::early(std::int64_t nowNs, Command& out) {
     if (motion != nullptr && (motion->id != followed_ || motion->kind != MotionCommand::Kind::Program)) {
         return false;  // the start depends on the current arm position
     }
-    // Set points are limited to one per packet. Stops are not limited.
+    // Setpoints are limited to one per packet. Stops are not limited.
     if (motion != nullptr ? sentEarly_ : !isStopPending()) {
         return false;
     }

@@ -90,7 +90,7 @@ public:
     /// Returns  true if `out` must be sent at once
     bool fallback(std::int64_t nowNs, Command& out);
     /// Call after a change by another thread while no packet is due. Commands are sent at once, but only one
-    /// set point between two packets.
+    /// setpoint between two packets.
     /// Returns  true if `out` must be sent
     bool early(std::int64_t nowNs, Command& out);
     /// Call after loss of the connection.
@@ -213,7 +213,7 @@ private:
     std::atomic<bool> finishReceived_{false};
     std::int32_t finishSequence_ = 0;  ///< sequence number of the first package with the permission; 0: none
     std::int64_t dataTimeoutNs_ = kMaxDataAgeNs;
-    bool sentEarly_ = false;  ///< a set point was sent since the newest packet
+    bool sentEarly_ = false;  ///< a setpoint was sent since the newest packet
     std::atomic<ScriptState> scriptState_{ScriptState::Ready};
     std::atomic<CycleHook*> hook_{nullptr};
     std::atomic<bool> hookInUse_{false};

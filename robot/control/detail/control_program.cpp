@@ -14,8 +14,8 @@ using std::chrono::milliseconds;
 
 namespace {
 
-/// Formats a version without a zero bugfix number, e.g. "5.4", "5.25.1".
-QString shortly(const SoftwareVersion& version) {
+/// Version text; omits the bugfix number if it is 0, e.g. "5.4", "5.25.1".
+QString shortVersionText(const SoftwareVersion& version) {
     const QString both = QStringLiteral("%1.%2").arg(version.major).arg(version.minor);
     return version.bugfix > 0 ? both + QStringLiteral(".%1").arg(version.bugfix) : both;
 }
@@ -85,8 +85,8 @@ Result<void> ControlProgram::needs(const SoftwareVersion& eSeries, const Softwar
     }
     QString since = QStringLiteral("not available on this controller series");
     if (least.major > 0) {
-        since = QStringLiteral("%1 or newer is required").arg(shortly(has.isCb3() ? cb3 : eSeries));
-        since += ownOfX ? QStringLiteral(", on PolyScope X %1").arg(shortly(polyScopeX)) : QString();
+        since = QStringLiteral("%1 or newer is required").arg(shortVersionText(has.isCb3() ? cb3 : eSeries));
+        since += ownOfX ? QStringLiteral(", on PolyScope X %1").arg(shortVersionText(polyScopeX)) : QString();
     }
     return Error{
         ErrorCode::VersionUnsupported, context,

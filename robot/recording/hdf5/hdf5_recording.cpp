@@ -29,7 +29,7 @@ struct DataSet {
     std::uint64_t rows = 0;
     std::size_t numbers = 1;
     bool whole = false;
-    bool isTransposed = false;  ///< one row of the data set per column
+    bool isTransposed = false;  ///< each row of the dataset contains one column of the recording
     std::optional<double> missing;
 };
 

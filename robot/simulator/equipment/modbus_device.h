@@ -24,7 +24,7 @@ class ModbusDevice {
 public:
     using Kind = urscript::ModbusSignal::Kind;
 
-    // Actions of programs, see urscript::ModbusHost.
+    // Functions called by URScript programs; see urscript::ModbusHost.
     Result<void> add(const urscript::ModbusSignal& signal);
     void remove(std::string_view name);
     Result<urscript::ModbusStatus> status(std::string_view name) const;

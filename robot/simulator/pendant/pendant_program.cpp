@@ -97,7 +97,8 @@ Result<PendantProgram> readUrpx(const QByteArray& content) {
     QString reason =
         QStringLiteral("the program contains no URScript, and there is no .script file in the same folder");
     if (!types.isEmpty()) {
-        reason += QStringLiteral("; its nodes are not translated: %1").arg(types.join(QStringLiteral(", ")));
+        reason += QStringLiteral("; the simulated controller cannot run these nodes of the program: %1")
+                      .arg(types.join(QStringLiteral(", ")));
     }
     return Error{ErrorCode::FileCorrupt, reason, {}};
 }

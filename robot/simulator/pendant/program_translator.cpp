@@ -652,7 +652,7 @@ void ProgramTranslator::writeWait(const XmlElement& node) {
         const QString seconds = numberList(textOf(node, "waitTime"), 1);
         t_.label(node, QStringLiteral("Wait: %1").arg(seconds));
         if (seconds.isEmpty() || seconds.toDouble() < 0) {
-            t_.refuse(node, QStringLiteral("'%1' is not a time to wait").arg(textOf(node, "waitTime")));
+            t_.refuse(node, QStringLiteral("'%1' is not a valid wait time").arg(textOf(node, "waitTime")));
         }
         statement(QStringLiteral("sleep(%1)").arg(seconds));
     } else if (type == QLatin1String("DigitalInput")) {
@@ -760,7 +760,8 @@ void ProgramTranslator::writeToolSettings(const XmlElement& node) {
         const QString mass = numberList(node.attribute("payload"), 1);
         const QString center = numberList(node.attribute("centerOfGravity"), 3);
         if (mass.isEmpty() || (center.isEmpty() && !node.isTrue("tcpAsCog"))) {
-            t_.refuse(node, QStringLiteral("this payload is not simulated"));
+            t_.refuse(node, QStringLiteral(
+                                "the payload is not simulated: mass and centre of gravity must be numbers"));
         }
         // Without a centre of gravity, the TCP is used.
         writePayload({{}, mass, node.isTrue("tcpAsCog") ? QString() : center, {}});

@@ -112,7 +112,7 @@ public:
     /// Sends the command at once and cancels the wait of another thread.
     /// wait  false: return after sending
     virtual bool stop(const RecipeCommand& command, bool wait = true) = 0;
-    /// Sends one set point of a stream.
+    /// Sends one setpoint of a stream.
     virtual bool stream(const RecipeCommand& command) = 0;
     virtual bool follow(const ur_rtde::Path& path, bool asynchronous) = 0;
     virtual bool kickWatchdog() = 0;

@@ -64,7 +64,7 @@ private:
     Outcome move(bool asynchronous, Start start);
     Outcome begin(const Result<control::Motion>& motion, bool asynchronous);
     void remember(const control::Motion& motion);
-    /// Returns true if set points may start a new stream; otherwise prints an error.
+    /// Returns true if setpoints may start a new stream; otherwise prints an error.
     bool mayBegin(const control::Motion& before);
     template <class Stream, class Target, class Parameters, class Start>
     bool send(Stream& stream, const Target& target, const Parameters& parameters, Start start);
@@ -90,7 +90,7 @@ private:
 
     Turn turn_;  ///< serializes motions; protects the streams below
     std::atomic<int> stopsMade_{0};
-    std::atomic<int> starts_{0};  ///< number of calls that started or ended a motion, excluding set points
+    std::atomic<int> starts_{0};  ///< number of calls that started or ended a motion, excluding setpoints
     int streamStart_ = 0;         ///< value of starts_ at the start of the current stream
     std::atomic<bool> disconnecting_{false};
     control::JointServo jointServo_;

@@ -255,8 +255,9 @@ private Q_SLOTS:
         const auto late =
             cell.during([&] { return cell.motions().movePath({entry}, Deadline::after(milliseconds(200))); });
         QCOMPARE(late.error().code, ErrorCode::Timeout);
-        QVERIFY2(late.error().controllerMessage.startsWith("the pulse of digital output 1 ends only in "),
-                 why(late));
+        QVERIFY2(
+            late.error().controllerMessage.startsWith("the pulse of digital output 1 is active for another "),
+            why(late));
         QVERIFY((cell.robot.truth().digitalOutputs & 2U) != 0);
         // After a pulse has ended, it does not block other commands.
         const auto ended = cell.during([&] { return pulses.end(2, limit); });

@@ -208,9 +208,9 @@ private Q_SLOTS:
             {"contributedNode": {"type": "ur-functions"}, "children": [{"contributedNode": {"type": "ur-move-to"}},
              {"contributedNode": {"type": "ur-wait"}}, {"contributedNode": {"type": "ur-move-to"}}]}]}}})json");
         QVERIFY(!bare.ok());
-        QVERIFY2(
-            bare.error().context.endsWith("its nodes are not translated: ur-functions, ur-move-to, ur-wait"),
-            qPrintable(bare.error().context));
+        QVERIFY2(bare.error().context.endsWith("the simulated controller cannot run these nodes of the "
+                                               "program: ur-functions, ur-move-to, ur-wait"),
+                 qPrintable(bare.error().context));
         const auto whole = pendant::readUrpx(R"json({"application": {"urscript": {"script": "global a = 1"}},
             "program": {"urscript": {"script": "textmsg(a)"}}})json");
         QVERIFY(whole.ok() && urscript::compile(whole->script));
