@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Measures the latency of jogging: from a press on a jog button to the first motion packet, and from the
-// release to the stop packet. Uses the whole window including plots and 3D view, and optional load on the
-// other core. A relay between the application and the simulated controller adds time stamps, and its own
-// delay is included. Prints a table. Does not check limits.
+// release to the stop packet. Uses the whole window including plots and 3D view. Loads one core unless --no-load
+// is set. A relay between the application and the simulated controller adds time stamps; the results include
+// the delay of the relay. Prints a table. Does not check limits.
 //
 //   jog_latency [--presses 200] [--no-load] [--json]
 
@@ -213,9 +213,9 @@ int main(int argc, char* argv[]) {
     QApplication application(argc, argv);
     QCommandLineParser parser;
     parser.addHelpOption();
-    parser.addOptions({{"presses", "How many presses.", "n", "200"},
-                       {"no-load", "Leave the other core alone."},
-                       {"json", "One JSON object instead of a table."}});
+    parser.addOptions({{"presses", "Number of presses.", "n", "200"},
+                       {"no-load", "Do not load a core."},
+                       {"json", "Print a JSON object instead of a table."}});
     parser.process(application);
 
     simulator::SimulatorOptions options;

@@ -71,7 +71,7 @@ struct Heard {
     }
 };
 
-/// Sends a script and steps until no more messages are expected.
+/// Sends a script, advances the simulation by `seconds`, and returns the received messages.
 inline Heard run(VirtualRobot& robot, RawPrimary& primary, const QByteArray& script, double seconds) {
     primary.takeAll();
     primary.send(script);

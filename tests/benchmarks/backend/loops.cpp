@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The circle with a timer and with the packet-locked loop, and the round trip of the speed slider. With and
-// without real-time priority, idle and under load.
+// Measures a circular servo path (equation (1) of the publication), driven by a timer and by the packet-locked
+// loop, and the round trip of the speed slider. With and without real-time priority, idle and under load.
 #include <QTextStream>
 #include <atomic>
 #include <chrono>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Two simple types of client. One is like Universal Robots' RTDE Python library (an input recipe, an output
-// recipe, a set point program). The other is like python-urx (single script lines on the secondary interface,
+// recipe, a setpoint program). The other is like python-urx (single script lines on the secondary interface,
 // the state parsed from its packages, the realtime records).
 
 #include <QTest>
@@ -211,7 +211,7 @@ class TestLineClients : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    // The control loop example of the library: set points in registers, a watchdog bit, and a program that
+    // The control loop example of the library: setpoints in registers, a watchdog bit, and a program that
     // moves.
     void aRecipeClientRunsItsControlLoop() {
         VirtualRobot robot;

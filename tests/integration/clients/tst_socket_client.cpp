@@ -51,7 +51,7 @@ private Q_SLOTS:
             client_->step();
         }
         QVERIFY(largest(client_->data().actualQ, before) < 1e-3);
-        // Sends poses. The solution nearest to the last set point is used.
+        // Sends poses. The solution nearest to the last setpoint is used.
         Six goal = pose();
         for (int n = 0; n < 250; ++n) {
             goal[2] += 0.0001;

@@ -171,7 +171,7 @@ public:
     }
     /// Waits until data newer than `before` have been answered and the reply has arrived. Returns false after
     /// 20 s. The next package from the controller is not necessarily the reply, because the controller also
-    /// sends other packages: a stop, or a set point between two packages. If the test treated such a package
+    /// sends other packages: a stop, or a setpoint between two packages. If the test treated such a package
     /// as the reply, it would be one package ahead.
     bool waitForAnswer(const Answers& before) {
         const Deadline deadline = Deadline::after(std::chrono::seconds(20));

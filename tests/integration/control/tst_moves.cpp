@@ -124,7 +124,7 @@ private Q_SLOTS:
         QVERIFY(cell.stepMs(3000));
         QCOMPARE(move->state().cause, StopCause::Completed);
         QVERIFY(distance(cell.robot.truth().q, target) < 1e-3);
-        // A move must not be rejected because the speed limit is below the usual speed.
+        // A move must not be refused because the speed cap is below the default speed.
         QVERIFY(cell.controller->setSpeedCap(0.05).ok());
         Pose up = cell.tcp();
         up.position.z() += 0.02;

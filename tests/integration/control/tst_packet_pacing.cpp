@@ -184,7 +184,7 @@ private Q_SLOTS:
         QVERIFY(servo.ok());
         const JointPositions here = cell.robot.truth().q;
         for (int i = 0; i < 500; ++i) {
-            // The set point is sent immediately unless the next packet arrives first.
+            // The setpoint is sent immediately unless the next packet arrives first.
             QVERIFY(servo->send(here).ok());
             QVERIFY(cell.step());
             QCOMPARE(cell.controller->status().answeredTime, cell.robot.truth().timestamp);

@@ -101,9 +101,8 @@ class TestProgramFiles : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    // The program that the vendor supplies with its RTDE control loop. A thread reads set points into a
-    // variable defined in Before Start. On command, the program moves to the set point and reports when it
-    // has arrived.
+    // The program of the RTDE control loop example from Universal Robots. A thread reads setpoints into a
+    // variable defined in Before Start. On command, the program moves to the setpoint and reports its arrival.
     void aProgramFollowsSetpointsOfAnRtdeClient() {
         const QString goal = QStringLiteral("SpecialSequence/children/Assignment/variable");
         const QString up = QStringLiteral("../");
@@ -121,7 +120,7 @@ private Q_SLOTS:
         const QString go = branch("If",
                                   QStringLiteral("read_input_integer_register(0)\u225F1 and @") +
                                       up.repeated(6) + goal + QStringLiteral("@\u2260p[0, 0, 0, 0, 0, 0]"),
-                                  "<Comment comment=\"a set point has come\"/>" + move +
+                                  "<Comment comment=\"a setpoint was received\"/>" + move +
                                       line("write_output_integer_register(0, 0)") + wait +
                                       line("write_output_integer_register(0, 1)"));
         QString reading = assign("name=\"read\"", "p[0,0,0,0,0,0]");
@@ -163,7 +162,7 @@ private Q_SLOTS:
                 values += bigEndian(v);
             }
             rtde.sendPackage('U', values);
-            QVERIFY(until(1, 0));  // the thread has read the set points
+            QVERIFY(until(1, 0));  // the thread has read the setpoints
             QVERIFY(until(0, 1));
             QVERIFY(std::abs(doubleAt(state, 5 + 16) - z) < 1e-3);
         }

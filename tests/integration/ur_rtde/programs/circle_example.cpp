@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Listing 6 of the ur_rtde publication with a shorter circle. The set points follow the speed slider.
+// Listing 6 of the ur_rtde publication with a shorter circle. The setpoints follow the speed slider.
 #include <ur_rtde/rtde_control_interface.h>
 #include <ur_rtde/rtde_receive_interface.h>
 

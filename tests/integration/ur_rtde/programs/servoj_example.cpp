@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A joint follows a stream of set points.
+// A joint follows a stream of setpoints.
 #include <ur_rtde/rtde_control_interface.h>
 #include <ur_rtde/rtde_receive_interface.h>
 

@@ -70,7 +70,7 @@ struct LoopBench {
         return mailbox.start(jog, now());
     }
 
-    /// A stream of set points, as created by Motions::startSpeedL.
+    /// A stream of setpoints, as created by Motions::startSpeedL.
     MotionId startStream() {
         MotionCommand stream;
         stream.kind = MotionCommand::Kind::Program;

@@ -319,7 +319,7 @@ private Q_SLOTS:
         QCOMPARE(out.kind, ScriptCommand::Idle);
     }
 
-    // Applies to a jog, to force mode alone, and to a stream that has just sent a set point.
+    // Applies to a jog, to force mode alone, and to a stream that has just sent a setpoint.
     void aStopIsSentBetweenTwoPackages() {
         LoopBench bench;
         bench.takeControl();
