@@ -29,8 +29,8 @@ inline constexpr int kStandardOutputs = 8;    ///< 0 ... 7
 inline constexpr int kFirstConfigurable = 8;  ///< 8 ... 15
 inline constexpr int kFirstTool = 16;         ///< 16, 17
 inline constexpr int kDigitalOutputs = 18;
-/// Minimum of the speed slider. At lower values the arm would creep, and zero has caused protective stops.
-/// Lower requests are rejected, not clamped. To stop the arm, use stop or pause.
+/// Minimum of the speed slider. Lower values are refused, not clamped, because 0 has caused protective stops. To
+/// stop the arm, stop or pause the program.
 inline constexpr double kLowestSpeedFraction = 0.02;
 
 /// Values reported by the robot, used for confirmation.

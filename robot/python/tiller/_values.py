@@ -63,7 +63,7 @@ _Meaning = TypeVar("_Meaning", bound=_SixNumbers)
 class Pose(_SixNumbers):
     """A pose in the base frame: position and rotation vector [m, rad], shape (6,).
 
-    Sample.tcp_pose and forward kinematics are of this type. Calls that expect joint positions reject it, so a
+    Sample.tcp_pose and forward kinematics are of this type. Calls that expect joint positions refuse a Pose, so a
     pose is never interpreted as joint angles; a plain sequence of six numbers has the meaning that the argument documents.
     """
 
@@ -71,7 +71,7 @@ class Pose(_SixNumbers):
 class Joints(_SixNumbers):
     """Joint positions, base to wrist 3 [rad], shape (6,).
 
-    Sample.q and inverse kinematics are of this type. Calls that expect a pose reject it.
+    Sample.q and inverse kinematics are of this type. Calls that expect a pose refuse Joints.
     """
 
 

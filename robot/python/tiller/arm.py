@@ -57,7 +57,7 @@ class Tool(_Part):
 
     def use_external_sensor(self, mass: float, measuring_offset: Floats = (0.0, 0.0, 0.0),
                             centre_of_gravity: Floats = (0.0, 0.0, 0.0), timeout: float | None = TIMEOUT) -> None:
-        """Uses the forces of set_external_wrench() instead of the robot's sensor. mass: of the sensor [kg].
+        """Uses the forces from set_external_wrench() instead of the robot's sensor. mass: mass of the sensor [kg].
         measuring_offset, centre_of_gravity: relative to the flange [m]. The robot pauses the program if it receives no
         value for 100 ms."""
         offset = floats(measuring_offset, "measuring_offset", 3)
@@ -75,7 +75,7 @@ class Tool(_Part):
         self._native.set_external_wrench(floats(wrench, "wrench"))
 
     def set_watchdog(self, min_frequency: float, timeout: float | None = TIMEOUT) -> None:
-        """Makes the robot end the program if kick_watchdog() is called less often than this frequency [Hz]."""
+        """Makes the robot end the program if kick_watchdog() is called less often than `min_frequency` [Hz]."""
         with self._waiting():
             self._native.set_watchdog(min_frequency, timeout)
 
@@ -147,7 +147,7 @@ class Queries(_Part):
             return Pose(self._native.target_waypoint(timeout))
 
     def joint_positions_history(self, steps: int, timeout: float | None = TIMEOUT) -> Joints:
-        """Joint positions this number of control periods ago [rad]."""
+        """Joint positions `steps` control periods ago [rad]."""
         with self._waiting():
             return Joints(self._native.joint_positions_history(steps, timeout))
 
@@ -172,8 +172,8 @@ class Queries(_Part):
             return self._native.freedrive_status(timeout)
 
     def start_contact_detection(self, direction: Floats = ZEROS, timeout: float | None = TIMEOUT) -> None:
-        """Starts contact detection: a contact ends the current motion with the cause CONTACT. direction: in the base
-        frame; zeros: direction of the tool motion."""
+        """Starts contact detection: a contact ends the current motion with the cause CONTACT. direction: direction of the
+        contact in the base frame; zeros: direction of the tool motion."""
         vector = floats(direction, "direction")
         with self._waiting():
             self._native.start_contact_detection(vector, timeout)
@@ -191,12 +191,12 @@ class Queries(_Part):
 
 @checked
 class Pulses(_Part):
-    """Digital outputs that are switched for a limited time. The robot measures the time, and switches the outputs back
+    """Pulses on digital outputs. The robot measures the time, and switches the outputs back
     even if this process ends. Outputs: 0-7 standard, 8-15 configurable, 16-17 tool; bit 0 of a mask is output 0."""
 
     def begin(self, mask: int, values: int, duration: float, *, held: bool = True,
               timeout: float | None = TIMEOUT) -> None:
-        """Sets the outputs in `mask` to the bits of `values`, and inverts them after `duration` [s], at most one hour.
+        """Sets the outputs in `mask` to the bits of `values`, and inverts them after `duration` [s], at most 3600 s.
         held: a missing heartbeat of this process for 100 ms also ends the pulse."""
         with self._waiting():
             self._native.begin_pulses(mask, values, duration, held, timeout)

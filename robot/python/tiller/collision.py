@@ -105,7 +105,7 @@ class CollisionCheck:
                                               _number(safety_distance, "safety_distance", 0))
 
     def at(self, q: Floats) -> Contact | None:
-        """The contact at these joint positions [rad], if any. The safety distance has no effect."""
+        """The contact at these joint positions [rad], or None. The safety distance has no effect."""
         return _contact(self._native.at(joint_positions(q, "q")))
 
     def along(self, path: Sequence[Floats]) -> Contact | None:
@@ -116,7 +116,7 @@ class CollisionCheck:
     def examine(self, start: Floats, target: Floats, *, linear: bool = False, speed: float | None = None,
                 acceleration: float | None = None) -> MoveReport:
         """Examines a move between joint positions [rad]: move_j(), or with linear=True the straight line of
-        move_l_to_joints(). speed and acceleration as for these; None: their defaults."""
+        move_l_to_joints(). speed, acceleration: as in these methods; None: their defaults."""
         values: dict[str, Any] = self._native.examine(
             joint_positions(start, "start"), joint_positions(target, "target"), linear,
             (0.25 if linear else 1.05) if speed is None else _number(speed, "speed", SMALLEST),

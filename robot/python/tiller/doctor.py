@@ -44,7 +44,7 @@ class Report(list[Finding]):
 
 @checked_call
 def examine(address: str, port_offset: int = 0, timeout: float | None = 30.0) -> Report:
-    """Checks network, ports, protocol, software, modes, registers and data rate, without changes to the robot.
+    """Checks network, ports, protocol, software, modes, registers and data rate, without changing anything on the robot.
 
     Takes about two seconds with a healthy robot. Returns one finding for every condition.
     """

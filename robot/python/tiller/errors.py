@@ -30,7 +30,7 @@ class Error(Exception):
 
 
 class AddressInvalid(Error, ValueError):
-    """Not an address or a host name that resolves."""
+    """Not an IP address or a host name that can be resolved."""
 
     code = "AddressInvalid"
 
@@ -84,7 +84,7 @@ class VersionUnsupported(Error):
 
 
 class FieldUnknown(Error, LookupError):
-    """An RTDE field that does not exist, or that this controller does not have."""
+    """The RTDE field does not exist, or this controller does not have it."""
 
     code = "FieldUnknown"
 
@@ -120,19 +120,19 @@ class RemoteControlRequired(Error):
 
 
 class LimitExceeded(Error, ValueError):
-    """A value or target outside the allowed range."""
+    """A value or target is outside the allowed range."""
 
     code = "LimitExceeded"
 
 
 class InvalidArgument(Error, ValueError):
-    """Wrong size, NaN, or a value that suggests a wrong unit."""
+    """An invalid argument: wrong size, NaN, not an allowed value, or a value that suggests a wrong unit."""
 
     code = "InvalidArgument"
 
 
 class NoSolution(Error):
-    """A pose that the arm cannot reach."""
+    """The arm cannot reach the pose."""
 
     code = "NoSolution"
 

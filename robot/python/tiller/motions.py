@@ -23,9 +23,9 @@ Waiting = Callable[[], AbstractContextManager[Any]]
 class Progress:
     """Progress of a motion.
 
-    active: accepted and not ended. cause: of the end, see Move.cause. fraction: completed fraction of the path, 0 ... 1,
-    from the actual position of the arm; 0 for motions without a known end, and after an end before the target.
-    waypoint, waypoints: of a path, the current target (from 1) and the number of targets. executing: the robot has
+    active: accepted and not ended. cause: cause of the end; see Move.cause. fraction: completed fraction of the path,
+    0 ... 1, from the actual position of the arm; 0 for motions without a known end, and for motions that ended before the
+    target. waypoint, waypoints: in a path, the current target (from 1) and the number of targets. executing: the robot has
     confirmed the execution of this motion. speed_fraction: the speed slider, 0 ... 1. speed_scaling: reduction by the
     controller's own limits, 0 ... 1.
     """
@@ -33,8 +33,8 @@ class Progress:
     active: bool  #: accepted and not ended
     cause: StopCause  #: cause of the end, e.g. COMPLETED, API_CALL, LINK_LOST; NONE while active
     fraction: float  #: completed fraction of the path, 0 ... 1; 0 for motions without a known end
-    waypoint: int  #: of a path: current target, counted from 1
-    waypoints: int  #: of a path: number of targets
+    waypoint: int  #: in a path: current target, counted from 1
+    waypoints: int  #: in a path: number of targets
     executing: bool  #: the robot has confirmed the execution of this motion
     speed_fraction: float  #: the speed slider, 0 ... 1
     speed_scaling: float  #: reduction by the controller's own limits, 0 ... 1
@@ -61,8 +61,8 @@ class Move:
 
     The motion does not depend on this object: `robot.move_j(q)` alone also moves to its target. The arm stops on
     cancel(), Robot.stop(), the next motion, Robot.close() or the end of the robot's `with` block, on Ctrl+C or any
-    other exception in wait(), when a task awaiting it is cancelled, on an uncaught exception (in a script, a thread, an
-    interactive session or a notebook cell), and when the process ends.
+    other exception in wait(), when a task awaiting the motion is cancelled, on an uncaught exception (in a script, a thread,
+    an interactive session or a notebook cell), and when the process ends.
     """
 
     def __init__(self, native: _native.Motion, waiting: Waiting) -> None:
@@ -98,8 +98,8 @@ class Move:
         self._native.wait(1.0)
 
     def cancel(self) -> bool:
-        """Ends the motion with a deceleration, without waiting. Returns False if it has already ended; a motion that
-        has replaced it is not affected."""
+        """Decelerates the arm and ends the motion, without waiting. Returns False if the motion has already ended; a motion
+        that has replaced it is not affected."""
         return self._native.cancel()
 
     @property
@@ -127,7 +127,7 @@ class Move:
 
     @property
     def plan(self) -> Plan | None:
-        """Duration of the move and the limit that slows it down; None for paths and motions without a known end."""
+        """Duration of the move and the limit that reduces its speed; None for paths and motions without a known end."""
         values = self._native.plan()
         if values is None:
             return None
@@ -225,7 +225,7 @@ class Jog:
         self._waiting = waiting
 
     def refresh(self, velocity: Floats | None = None) -> bool:
-        """Keeps the jog active, optionally with another velocity. Returns False if it has ended."""
+        """Keeps the jog active, optionally with a new velocity. Returns False if the jog has ended."""
         if velocity is None:
             return self._native.refresh()
         return self._native.change(self._frame, floats(velocity, "velocity"), self._custom_frame, self._contact_force)
@@ -259,9 +259,9 @@ class ForceMode:
     """Force mode, active when Robot.force_mode() returns. Motions remain possible.
 
     In a `with` block, force mode always ends with the block; a nested block restores the settings of the outer block at
-    its end. Without `with` it lasts until stop(), Robot.end_force_mode(), Robot.stop(), Robot.close(), other settings
-    or 100 ms without a connection, even if this object is deleted. Settings ended by a stop are not restored at the end
-    of a block.
+    its end. Without `with`, force mode lasts until stop(), Robot.end_force_mode(), Robot.stop(), Robot.close(), new
+    settings, or 100 ms without a connection, even if this object is deleted. Settings ended by a stop are not restored at the
+    end of a block.
     """
 
     def __init__(self, blocks: list[ForceMode], stops: Callable[[], int], begin: Callable[[list[float], int], None],

@@ -50,7 +50,7 @@ class StepField:
 
 @dataclass(frozen=True)
 class StepKind:
-    """A kind of steps."""
+    """A kind of step."""
 
     kind: str  #: name for Program.add()
     name: str  #: name in the window
@@ -246,7 +246,7 @@ class Program:
             robot.take_control()
             program.run(robot)
 
-    name: of the program. model: of the robot, e.g. "UR5e". Program.open() reads a program from a project file.
+    name: name of the program. model: robot model, e.g. "UR5e". Program.open() reads a program from a project file.
     """
 
     def __init__(self, name: str = "program", *, model: str = "UR5e") -> None:
@@ -256,7 +256,7 @@ class Program:
     def open(cls, path: str | os.PathLike[str], name: str | None = None) -> Program:
         """Reads a program from a project file (.tiller). name: None for the only program of the project.
 
-        Raises InvalidArgument with the names of the programs, FileNotReadable, FileCorrupt.
+        Raises InvalidArgument if no program or several programs match (lists their names), FileNotReadable, FileCorrupt.
         """
         program = cls.__new__(cls)
         program._native = _native.Program.open(os.fspath(path), name)
@@ -333,8 +333,9 @@ class Program:
         """Runs the program in the simulated controller, faster than real time.
 
         start: joint positions [rad]; None: the first waypoint. from_step: first step, at the top level. inputs: changes
-        of digital inputs: (time [s], channel, on). time_limit: of the simulated program [s]. sample_interval: of the
-        path [s]. Raises InvalidArgument with the problems if the program cannot run. Ctrl+C ends the simulation.
+        of digital inputs: (time [s], channel, on). time_limit: maximum simulated time [s]. sample_interval: interval
+        between samples of the path [s]. Raises InvalidArgument with the problems if the program cannot run. Ctrl+C
+        ends the simulation.
         """
         result = self._native.preview(None if start is None else joint_positions(start, "start"), _id(from_step),
                                       _inputs(inputs), time_limit, sample_interval)
@@ -347,7 +348,7 @@ class Program:
             outputs=result["outputs"])
 
     def recoverability(self, *, inputs: Sequence[Input] = (), time_limit: float = 3600.0) -> tuple[Recovery, ...]:
-        """Simulates stops in each step, and whether the program can continue after them. May take up to a minute.
+        """Simulates stops in each step, and checks whether the program can continue after them. May take up to a minute.
 
         inputs, time_limit: as in preview(). Raises ScriptError if the simulated program does not complete.
         """

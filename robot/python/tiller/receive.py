@@ -29,7 +29,7 @@ DIGITAL_PINS = range(18)
 class Sample:
     """All values of one data packet. Values that the robot does not send are NaN.
 
-    sample["actual_q"] returns any field by its RTDE name: an array of its numbers, or a float if it has only one; Joints
+    sample["actual_q"] returns a field by its RTDE name: an array, or a float if the field is a single number; Joints
     and Pose for joint positions and TCP poses. The modes are unknown in a sample that Robot.state returned while the link
     was lost.
     """
@@ -40,7 +40,7 @@ class Sample:
         self.sequence = parts[0]  #: 1 for the first packet; 0: no data yet
         self.host_time = parts[1] * 1e-9  #: time of arrival on this machine's monotonic clock [s]
         self.connection = parts[2]  #: a change means that the stream was interrupted
-        self.lost_before = parts[3]  #: packets missing before this one
+        self.lost_before = parts[3]  #: packets lost immediately before this packet
         self.values = parts[4]  #: all numbers in the order of the fields
         self._layout = layout
         self._connected = connected
@@ -145,12 +145,12 @@ class Sample:
 
     def digital_input(self, number: int) -> bool | None:
         """One digital input: 0-7 standard, 8-15 configurable, 16-17 tool; None if unknown. Raises InvalidArgument for
-        another number."""
+        any other number."""
         return self._bit("actual_digital_input_bits", number)
 
     def digital_output(self, number: int) -> bool | None:
         """One digital output: 0-7 standard, 8-15 configurable, 16-17 tool; None if unknown. Raises InvalidArgument for
-        another number."""
+        any other number."""
         return self._bit("actual_digital_output_bits", number)
 
     def _bit(self, field: str, number: int) -> bool | None:
@@ -164,13 +164,13 @@ class Sample:
 
 #: A stream is considered interrupted if no packet arrives for this time [s].
 SILENT = 2.5
-#: Time between two checks for data in a coroutine [s]. A Subscription cannot wake up an event loop.
+#: Interval between checks for data in a coroutine [s]. A Subscription cannot wake up an event loop.
 _POLL = 0.001
 
 
 @checked
 class Samples(Iterator[Sample], AsyncIterator[Sample]):
-    """Iterates over all packets from now on: `for sample in robot.samples():`, in a coroutine `async for`.
+    """Iterates over all packets from now on: `for sample in robot.samples():`, or `async for` in a coroutine.
 
     A slow reader loses the oldest packets, which are counted in `lost`; the buffer holds 8 s at 500 Hz. Ends when the
     robot is closed.
@@ -254,14 +254,14 @@ class Condition:
         self._test = test
 
     def _met(self, sample: Sample) -> bool:
-        """Checks a sample. One that meets the condition is kept for the next call."""
+        """Checks a sample. A sample that meets the condition is returned again by the next call."""
         met = bool(self._test(sample))
         self._given = sample if met else None
         return met
 
     def wait(self, timeout: float | None = None) -> Sample:
         """Waits until the condition is met, timeout [s]; None: no limit. Raises Timeout, also if no packet arrives for
-        2.5 s; NotConnected; errors of the condition."""
+        2.5 s; NotConnected; and any exception raised by the condition."""
         end = float("inf") if timeout is None else time.monotonic() + timeout
         while True:
             left = end - time.monotonic()
@@ -298,7 +298,7 @@ class Recording:
 
     @property
     def lost(self) -> int:
-        """Packets missing in the file."""
+        """Packets missing from the file."""
         return int(self._native.progress()["lost"])
 
     def frame(self) -> pandas.DataFrame:
@@ -326,16 +326,16 @@ def read_recording(path: str | os.PathLike[str], *, time_column: str | None = No
 
     The keyword arguments describe a CSV or HDF5 table that another program wrote. With any of them, and for HDF5
     tables without `timestamp`, the column `seconds` is the time since the first row [s]. Without any of them, a CSV
-    file is read by pandas.read_csv(), which does not look for the time. Arguments:
+    file is read by pandas.read_csv(), which does not detect the time column. Arguments:
     time_column      name of the time column; "none": the table has no time column
-    time_unit        unit of this column: "s", "ms", "us" or "ns"
+    time_unit        unit of the time column: "s", "ms", "us" or "ns"
     table_rate       rows per second of a table without a time column [Hz]
     table_separator  comma, ";", "|", tab, or a space for any number of blanks
-    table_decimal    decimal sign: "." or ","
+    table_decimal    decimal separator: "." or ","
     no_header        the first row is data; columns are named "column 1", "column 2", ...
 
-    Raises OSError (including FileNotReadable), FileCorrupt, and InvalidArgument with the arguments that decide if the
-    time of a table, its unit or its separator cannot be detected.
+    Raises OSError (including FileNotReadable), FileCorrupt, and InvalidArgument if the time of a table, its unit or
+    its separator cannot be detected; the error contains the arguments to set.
     """
     import pandas
 

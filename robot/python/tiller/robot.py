@@ -43,7 +43,7 @@ _recordings: weakref.WeakSet[Recording] = weakref.WeakSet()
 
 @atexit.register
 def _end_of_process() -> None:
-    """The interpreter is shutting down. The remaining threads are daemons and must not enter it again."""
+    """Called at interpreter shutdown. The remaining threads are daemons and must not run Python code again."""
     _native.park_other_threads()
     for recording in list(_recordings):
         with contextlib.suppress(Error):
@@ -54,7 +54,7 @@ def _end_of_process() -> None:
 
 
 def _in_forked_child() -> None:
-    """Threads and connections belong to the parent process: the child discards them without touching them."""
+    """Threads and connections belong to the parent process: the child discards its copies without closing them."""
     _native.forget_parent()
     for robot in list(_open):
         robot._links = None
@@ -105,7 +105,7 @@ class LoopReport:
 
     cycles: calls of the callback. missed: control periods without a call. stale: cycles that ran in time but without a
     new packet; the callback received the previous values. late: cycles that began more than half a period late.
-    overruns: calls that took longer than a period. longest_call [s]. longest_wait: the longest time that a call waited
+    overruns: calls that took longer than a period. longest_call [s]. longest_wait: maximum time that a call waited
     for other Python threads (the interpreter lock), included in its duration [s]. fast_wake_ups: the system kept its
     processors out of deep sleep. A few stale or late cycles are normal on a busy machine; many missed cycles make the
     motion rough.
@@ -129,7 +129,7 @@ class Cycle:
     time: float  #: since the start of the loop [s]
     period: float  #: control period [s]
     age: float  #: age of the values at the start of the call, from the robot's timestamps [s]
-    fresh: bool  #: False: the packet did not arrive and the values are the previous ones, or age exceeds two periods
+    fresh: bool  #: False: no new packet arrived, so the values are those of the previous packet, or age exceeds two periods
     missed: int  #: periods without a call since the start
     q: Joints  #: actual joint positions [rad]
     qd: Array  #: actual joint velocities [rad/s]
@@ -137,7 +137,7 @@ class Cycle:
     tcp_speed: Array  #: actual speed of the TCP in the base frame [m/s, rad/s]
     speed_fraction: float  #: the speed slider, 0 ... 1
     speed_scaling: float  #: reduction by the controller's own limits, 0 ... 1
-    packet: Sample  #: all values of this packet, such as its tcp_force and the fields=[...] of the Robot
+    packet: Sample  #: all values of this packet, e.g. tcp_force and the fields requested by Robot(fields=[...])
 
 
 @dataclass(frozen=True)
@@ -184,10 +184,10 @@ class Robot:
             robot.move_j(robot.state.q + [0.1, 0, 0, 0, 0, 0]).wait()
 
     Data are received immediately; take_control() takes control. A refused connection is not retried.
-    address: of the controller. fields: RTDE outputs to receive, also in the packets of packet_loop(); None: a default
-    selection. frequency: packets per second [Hz]; 0: maximum of the controller. speed_cap: maximum speed of the TCP and
+    address: address of the controller. fields: RTDE outputs to receive, also in the packets of packet_loop(); None: a
+    default selection. frequency: packets per second [Hz]; 0: maximum of the controller. speed_cap: maximum speed of the TCP and
     the elbow for all commands, including moves [m/s]. timeout: for the first packet [s]. upper_registers: use registers
-    24-47 instead of 0-23. priority: of the threads for receiving and control; 0: normal.
+    24-47 instead of 0-23. priority: priority of the receive and control threads; 0: normal.
     All methods may be called from any thread and let other Python threads run while they wait; Ctrl+C ends every wait.
     Methods that wait are refused only in a callback of packet_loop(). An uncaught exception stops the arm.
     A Robot is closed when neither a variable nor a handle refers to it. After fork() it is closed in the child process.
@@ -286,7 +286,7 @@ class Robot:
 
     @property
     def state(self) -> Sample:
-        """The newest packet; the last one when the robot is closed. Values that the robot does not send are NaN;
+        """The newest packet; after close(), the last packet received. Values that the robot does not send are NaN;
         see wait_for_data(). While the link is lost, robot_mode, safety_mode and runtime_state are unknown."""
         links, last = self._links, self._last
         if links is None and last is not None:
@@ -301,25 +301,25 @@ class Robot:
         return float("inf") if links is None else links[0].age()
 
     def wait_for_data(self, timeout: float | None = 5.0) -> Sample:
-        """Waits for a packet that is at most 100 ms old. Raises the reason if there is none."""
+        """Waits for a packet that is at most 100 ms old. Raises an error with the reason if there is none."""
         with self._waiting():
             return Sample(self._receiver.wait_for_data(timeout), self._layout)
 
     def samples(self, timeout: float | None = SILENT) -> Samples:
-        """Returns every packet once, from now on: `for sample in robot.samples():`, in a coroutine `async for`. timeout:
-        for each packet [s]; raises Timeout.
+        """Iterates over every packet from now on: `for sample in robot.samples():`, or `async for` in a coroutine.
+        timeout: for each packet [s]; raises Timeout.
 
-        At 500 Hz this costs a few percent of a CPU core.
+        At 500 Hz, this uses a few percent of a CPU core.
         """
         return Samples(self._receiver.subscribe(), self._layout, timeout, self._waiting)
 
     def until(self, condition: Callable[[Sample], Any]) -> Condition:
-        """Waits for a condition on the data, which is a function of a sample:
+        """Returns a Condition that is met when `condition(sample)` is true:
 
             robot.until(lambda sample: sample.digital_input(3)).wait(timeout=10)
             sample = await robot.until(lambda sample: sample.tcp_force[2] > 20)
 
-        Checks the newest packet and then every packet. Waiting does not affect motions.
+        Checks the newest packet and then every new packet. Waiting does not affect motions.
         """
         samples = self.samples()
         return Condition(samples, self.state, condition)
@@ -354,11 +354,11 @@ class Robot:
     # ---- control
 
     def take_control(self, timeout: float | None = 10.0) -> Robot:
-        """Uploads the control program, which ends a program running on the robot. Returns immediately if already in
+        """Uploads the control program, which ends any program running on the robot. Returns immediately if already in
         control.
 
         An earlier Robot object in this process that controls the same robot without a motion releases control, e.g.
-        when a notebook cell is run again. Raises RegisterInUse if it has an active motion or force mode;
+        when a notebook cell is run again. Raises RegisterInUse if that object has an active motion or force mode;
         RemoteControlRequired, UnsafeState, NotConnected (after close()) and others, each with a suggested action.
         """
         controller = self._controller
@@ -423,14 +423,14 @@ class Robot:
 
     def move_j(self, q: Floats, speed: float = 1.05, acceleration: float = 1.4, silence: float = 0.1) -> Move:
         """Moves linearly in joint space to joint positions [rad]; speed [rad/s] and acceleration [rad/s2] of the
-        leading joint. The speed cap applies as well: Move.plan contains the resulting speed and the duration. A Pose
+        leading joint. The speed cap also applies: Move.plan contains the resulting speed and the duration. A Pose
         is refused.
 
-        Returns immediately; the arm moves to its target even if the handle is discarded. See Move for the ends of a
+        Returns immediately; the arm moves to its target even if the handle is discarded. See Move for what ends a
         motion.
-        silence: 0.1 ... 4 [s]; the move continues without a heartbeat of this computer for this time (e.g. while the
-        machine is busy or a cable is replugged). During this time the arm moves unattended; then the robot ends the
-        move.
+        silence: heartbeat timeout, 0.1 ... 4 [s]: the move continues for this time without a heartbeat from this
+        computer, e.g. while the machine is busy or a cable is replugged. During this time, the arm moves unattended;
+        then the robot ends the move.
         """
         return self._move(self._controller.move_j(joint_positions(q, "q", "move_j_to_pose()"), speed, acceleration, silence))
 
@@ -462,18 +462,18 @@ class Robot:
                            timeout: float | None = 5.0) -> Move:
         """Moves the tool [m/s, rad/s] until contact, then back to the pose of the first contact.
 
-        direction: of the contact in the base frame; zeros: any direction. timeout: for the start [s].
+        direction: direction of the contact in the base frame; zeros: any direction. timeout: for the start [s].
         """
         with self._waiting():
             return self._move(self._controller.move_until_contact(floats(velocity, "velocity"),
                                                                   floats(direction, "direction"), acceleration, timeout))
 
     def stop_j(self, deceleration: float = 4.0) -> Move:
-        """Stops with this deceleration of the leading joint [rad/s2]; wait() returns at standstill."""
+        """Stops with the given deceleration of the leading joint [rad/s2]; wait() returns at standstill."""
         return self._move(self._controller.stop_j(deceleration))
 
     def stop_l(self, deceleration: float = 2.0) -> Move:
-        """Stops with this deceleration of the tool [m/s2]; wait() returns at standstill."""
+        """Stops with the given deceleration of the tool [m/s2]; wait() returns at standstill."""
         return self._move(self._controller.stop_l(deceleration))
 
     def freedrive(self) -> Move:
@@ -509,7 +509,7 @@ class Robot:
         return self._waiting()
 
     def _receiver_of(self, fields: Sequence[str], timeout: float | None) -> _native.Receiver:
-        """Another receiver with data. The caller lets virtual time advance."""
+        """An additional receiver that has received data. The caller must let virtual time advance."""
         simulator = self._simulator
         clock = None if simulator is None else simulator._native.clock()
         receiver = _native.Receiver(self.address, 30004 + self._port_offset, 0.0, list(fields), 0, clock)
@@ -533,7 +533,7 @@ class Robot:
         return Stream(self._controller.servo_l(lookahead, gain), self._handle_waits, pose_numbers)
 
     def servo_c(self, speed: float = 0.25, acceleration: float = 1.2, blend: float = 0.0) -> Stream:
-        """Starts a stream of TCP poses in the base frame [m, rad] that are approached at a configured speed [m/s] and
+        """Starts a stream of TCP poses in the base frame [m, rad] that are approached at the given speed [m/s] and
         acceleration [m/s2]; blend 0 ... 2 [m]."""
         return Stream(self._controller.servo_c(speed, acceleration, blend), self._handle_waits, pose_numbers)
 
@@ -549,7 +549,7 @@ class Robot:
         """Starts a stream of joint torques [Nm], one per cycle, without gravity, which the controller compensates.
 
         viscous_scale, coulomb_scale: friction compensation per joint, 0 ... 1; None: settings of the controller. Until
-        the first torques are sent the arm holds its position. The stream ends with the cause LIMIT_REACHED if the TCP
+        the first torques are sent, the arm holds its position. The stream ends with the cause LIMIT_REACHED if the TCP
         or the elbow exceeds the speed cap, because a torque stream cannot be slowed down. At its end, the arm is first
         decelerated by torques for 0.1 s at most. Raises VersionUnsupported before PolyScope 5.25.1 and 10.12.1; send()
         raises LimitExceeded for torques above the limits of the joints.
@@ -563,8 +563,8 @@ class Robot:
         """Jogs with a tool velocity [m/s, rad/s], or with joint velocities [rad/s] in frame "joints".
 
         frame: "base", "tool", "custom" (axes of custom_frame, a pose in the base frame) or "joints". contact_force:
-        if above 0, the jog ends when the force at the TCP has changed by more than this value [N]. Refresh the jog at least every
-        100 ms.
+        if above 0, the jog ends when the force at the TCP has changed by more than this value [N]. Refresh the jog
+        at least every 100 ms.
         """
         one_of(frame, "frame", JOG_FRAMES)
         axes = pose_numbers(custom_frame, "custom_frame")
@@ -587,7 +587,7 @@ class Robot:
 
     def packet_loop(self, kind: LoopKind, callback: Callable[[Cycle], Floats | None], *,
                     timeout: float | None = None, at_once: bool = False) -> LoopReport:
-        """Calls the callback once per packet, synchronized with the robot; its result is sent in the answer to the same
+        """Calls the callback once per packet, synchronized with the robot; its result is sent in response to the same
         packet. None ends the loop: the arm stops, which may take about 0.1 s longer than this call. Use this for
         targets with precise timing; servo_j() and similar functions are for targets at irregular times.
 

@@ -18,7 +18,7 @@ TIMEOUT = 3.0
 @checked
 class Outputs:
     """Sets outputs and the speed slider, with or without a running program. Each call returns when the robot reports
-    the new value. Raises Timeout if it does not, RegisterInUse if another client or a fieldbus uses the input."""
+    the new value. Raises Timeout if it does not, RegisterInUse if another client or a fieldbus uses the RTDE input."""
 
     def __init__(self, native: _native.Outputs, waiting: Waiting) -> None:
         self._native = native
@@ -40,7 +40,8 @@ class Outputs:
             self._native.set_analog(output, False, (amperes - 0.004) / 0.016, timeout)
 
     def set_speed_slider(self, fraction: float, timeout: float | None = TIMEOUT) -> None:
-        """Sets the speed slider, 0.02 ... 1. Lower values are refused, because they have caused protective stops."""
+        """Sets the speed slider, 0.02 ... 1. Lower values are refused, because 0 has caused
+        protective stops."""
         with self._waiting():
             self._native.set_speed_slider(fraction, timeout)
 
@@ -96,7 +97,7 @@ class Dashboard:
             self._open(timeout).perform(command, timeout)
 
     def power_on(self, timeout: float | None = TIMEOUT) -> None:
-        """Switches the power of the arm on."""
+        """Switches on the power of the arm."""
         self._perform("PowerOn", timeout)
 
     def release_brakes(self, timeout: float | None = TIMEOUT) -> None:
@@ -104,7 +105,7 @@ class Dashboard:
         self._perform("ReleaseBrakes", timeout)
 
     def power_off(self, timeout: float | None = TIMEOUT) -> None:
-        """Switches the power of the arm off."""
+        """Switches off the power of the arm."""
         self._perform("PowerOff", timeout)
 
     def restart_safety(self, timeout: float | None = TIMEOUT) -> None:
@@ -146,7 +147,7 @@ class Dashboard:
 
 @dataclass(frozen=True)
 class Consent:
-    """Explicit consents of a person for one recovery. The default permits nothing, so that error handling
+    """The steps of one recovery that a person permits. The default permits nothing, so that error handling
     alone cannot unlock a robot."""
 
     cause_inspected: bool = False  #: the cause was inspected: required to unlock a protective stop

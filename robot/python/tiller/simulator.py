@@ -64,12 +64,13 @@ class Simulator:
         with tiller.Simulator() as simulator:
             robot = tiller.Robot(simulator.address)
 
-    model: e.g. "UR5e"; software: e.g. "5.22.1"; address: to listen on; None: a separate loopback address, available
-    immediately as `simulator.address`. start: joint positions [rad]. programs: folder of the programs for the dashboard.
+    model: e.g. "UR5e". software: e.g. "5.22.1". address: address to listen on; None: a separate loopback address, available
+    immediately as `simulator.address`. start: joint positions [rad]. programs: folder from which the dashboard server
+    loads programs.
     priority: SCHED_FIFO priority of the simulator's thread in real time, if permitted; 0: none. A real controller does
     not wait for clients, so this thread has precedence over their threads.
-    virtual: time advances only in step() and while a call of one of its robots waits. It runs as fast as the machine
-    allows, with the same result on every machine. Create the robots with simulator.robot().
+    virtual: time advances only in step() and while a method of one of its robots waits. The simulation runs as fast as
+    the machine allows, with the same result on every machine. Create the robots with simulator.robot().
     """
 
     def __init__(self, model: str = "UR5e", *, software: str = "", address: str | None = None, virtual: bool = False,
@@ -121,16 +122,16 @@ class Simulator:
             self._native.end_flow()
 
     def fault(self, words: str) -> str:
-        """Triggers a fault by its name: "protective-stop", "delay 20 5"; "help" lists all."""
+        """Triggers a fault by its name: "protective-stop", "delay 20 5"; "help" lists all faults."""
         return self._native.inject(words)
 
     def set_digital_input(self, number: int, on: bool) -> None:
-        """Sets a digital input: 0-7 standard, 8-15 configurable, 16-17 tool. Raises InvalidArgument for another number."""
+        """Sets a digital input: 0-7 standard, 8-15 configurable, 16-17 tool. Raises InvalidArgument for any other number."""
         one_of(number, "number", DIGITAL_PINS)
         self._native.set_digital_input(number, on)
 
     def set_analog_input(self, number: int, value: float) -> None:
-        """Sets an analog input: 0, 1 [A or V]; 2, 3 of the tool. Raises InvalidArgument for another number."""
+        """Sets an analog input: 0, 1 [A or V]; 2, 3 of the tool. Raises InvalidArgument for any other number."""
         one_of(number, "number", range(4))
         self._native.set_analog_input(number, value)
 
