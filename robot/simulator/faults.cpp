@@ -175,7 +175,8 @@ QString plane(ControllerServices& controlBox, Words& words) {
     arm::ContactPlane plane;
     plane.point.z() = words.number(-kFar, kFar);
     if (words.good() && !controlBox.plant.arm().environment().addPlane(plane)) {
-        words.complain(QStringLiteral("there are too many planes"));
+        words.complain(QStringLiteral(
+            "the maximum number of planes is reached; 'no-surfaces' removes all planes and boxes"));
     }
     return {};
 }
@@ -189,7 +190,8 @@ QString box(ControllerServices& controlBox, Words& words) {
         box.size[i] = words.number(0.001, kFar);
     }
     if (words.good() && !controlBox.plant.arm().environment().addBox(box)) {
-        words.complain(QStringLiteral("there are too many boxes"));
+        words.complain(QStringLiteral(
+            "the maximum number of boxes is reached; 'no-surfaces' removes all planes and boxes"));
     }
     return {};
 }
@@ -364,7 +366,7 @@ const Verb kVerbs[] = {
          const int joint = w.has() ? w.integer(1, kJointCount) : 0;
          if (w.good()) { m.plant.protectiveStop({code, joint, primary::ReportLevel::Warning, ""}); }
          return QString(); }},
-    {"emergency-stop", "on|off", "the emergency stop button of the pendant", &safetyInput<Input::RobotEmergencyStop>},
+    {"emergency-stop", "on|off", "the emergency stop button of the teach pendant", &safetyInput<Input::RobotEmergencyStop>},
     {"system-emergency-stop", "on|off", "the external emergency stop input", &safetyInput<Input::SystemEmergencyStop>},
     {"safeguard", "on|off", "on: the safeguard input is open", &safetyInput<Input::Safeguard>},
     {"automatic-safeguard", "on|off", "on: the safeguard input of mode AUTOMATIC is open", &safetyInput<Input::AutomaticModeSafeguard>},
@@ -392,7 +394,7 @@ const Verb kVerbs[] = {
          const QString text = w.has() ? w.rest() : QStringLiteral("injected_runtime_error");
          m.plant.failProgram(text.toStdString());
          return QString(); }},
-    {"popup", "TEXT", "a popup on the pendant, which blocks `play`",
+    {"popup", "TEXT", "a popup on the teach pendant, which blocks `play`",
      [](ControllerServices& m, Words& w) {
          const QString text = w.has() ? w.rest() : w.word();
          if (w.good()) { m.plant.showPopup(text.toStdString(), true); }
@@ -437,7 +439,7 @@ const Verb kVerbs[] = {
     {"joint-near-limit", "JOINT [DEGREES]", "moves a joint (1 to 6) to this distance from the end of its range (default 1); below 0: beyond the range, in RECOVERY", &jointNearLimit},
     {"calibration", "SIZE", "the reported kinematics deviate from the arm by up to SIZE mm and mrad; 0: no deviation",
      [](ControllerServices& m, Words& w) { const double size = w.number(0, 1000); if (w.good()) { m.plant.setCalibrationError(size); } return QString(); }},
-    {"remote", "on|off", "the pendant's Local/Remote switch",
+    {"remote", "on|off", "the Local/Remote switch of the teach pendant",
      [](ControllerServices& m, Words& w) { const bool on = w.on(); if (w.good()) { m.setRemoteControl(on); } return QString(); }},
     {"operational-mode", "manual|automatic|none", "", &operationalMode},
     {"freedrive-button", "on|off", "",
@@ -472,7 +474,7 @@ const Verb kVerbs[] = {
     {"modbus-link", "on|off", "off: the Modbus device cannot be reached",
      [](ControllerServices& m, Words& w) { const bool on = w.on(); if (w.good()) { m.plant.scriptHost().modbus().setConnected(on); } return QString(); }},
     {"device", "NAME answers|refuses|silent", "a device of --device: answers, refuses connections, or accepts connections without answering", &changeDevice},
-    {"assume", "NAME=VALUE", "changes an assumption from now on; see 'tiller-cli simulate --assume help'",
+    {"assume", "NAME=VALUE", "changes an assumption of the running controller; see 'tiller-cli simulate --assume help'",
      [](ControllerServices& m, Words& w) {
          const QString words = w.word();
          if (w.good()) {

@@ -49,7 +49,7 @@ const std::vector<Row>& rows() {
         row(&A::pause, "pause", {"holds", "frees"},
             "force mode and freedrive hold the arm during a pause, or continue"),
         row(&A::stopReturns, "stop-returns", {"standing", "target"},
-            "stopj and stopl wait for the standstill of the arm, or of its target"),
+            "stopj and stopl return when the arm, or its target position, is at standstill"),
         row(&A::threadStart, "thread-start", {"same-period", "next-period"},
             "period in which a new thread starts"),
         row(&A::eventNode, "event-node", {"level", "edge"},
@@ -58,7 +58,7 @@ const std::vector<Row>& rows() {
             "a program with a URCap node without a stand-in: does not load, asks the operator at the node, "
             "or continues"),
         row(&A::rpcFactory, "rpc-factory", {"connects", "defers"},
-            "without a server, rpc_factory ends the program, or only calls of its methods do"),
+            "if there is no server, rpc_factory ends the program, or only a call of a method ends it"),
         row(&A::threadOrder, "thread-order", {"threads-first", "main-first"},
             "whether the threads of a program run before its main program in each period"),
         row(&A::firstVersions, "first-versions", {"earliest", "latest"},

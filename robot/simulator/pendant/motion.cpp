@@ -389,7 +389,7 @@ void Motion::writeCircle(const XmlElement& node) {
         return;
     }
     if (points.size() != 2) {
-        t_.unfinished(node, QStringLiteral("a circle has two waypoints"));
+        t_.unfinished(node, QStringLiteral("a circle must contain exactly two waypoints"));
         return;
     }
     applyTcp(move);
@@ -464,11 +464,12 @@ std::vector<Motion::Until> Motion::untilsOf(const XmlElement& node, bool ofWaypo
         const QString type = child->attribute("type");
         if (isSuppressed(*child) || child->is("Comment")) {
             t_.out->mark(NodeMark::Kind::Omitted, t_.numberOf(*child),
-                         QStringLiteral("a disabled node or a comment is not translated here"));
+                         QStringLiteral("disabled nodes and comments are not imported at this position"));
             continue;
         }
         if (!child->is("Until")) {
-            t_.refuse(*child, QStringLiteral("this node is not simulated below a direction or a waypoint"));
+            t_.refuse(*child,
+                      QStringLiteral("this node is not simulated inside a Direction or Waypoint node"));
         } else if (type == QLatin1String("DISTANCE") && !ofWaypoint) {
             const XmlElement* const distance = child->child("Distance");
             const QString metres = distance == nullptr ? QString() : numberList(distance->text, 1);
@@ -504,7 +505,7 @@ std::vector<Motion::Until> Motion::untilsOf(const XmlElement& node, bool ofWaypo
         } else if (type == QLatin1String("NONE")) {
             t_.unfinished(*child, QStringLiteral("the condition is missing"));
         } else {
-            t_.refuse(*child, QStringLiteral("until '%1' is not simulated").arg(type));
+            t_.refuse(*child, QStringLiteral("the Until condition '%1' is not simulated").arg(type));
         }
     }
     return untils;
@@ -516,7 +517,7 @@ void Motion::writeDirection(const XmlElement& node) {
         {"YMinus", {"[0,-1,0]", "Y-"}}, {"ZPlus", {"[0,0,1]", "Z+"}},   {"ZMinus", {"[0,0,-1]", "Z-"}}};
     const Definer move = definerOf(node);
     if (move.node == nullptr) {
-        t_.refuse(node, QStringLiteral("this node is not inside a move"));
+        t_.refuse(node, QStringLiteral("this node must be inside a Move node"));
         return;
     }
     const Expressions::Frame frame = x_.frame(node, move.node);

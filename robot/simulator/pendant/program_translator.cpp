@@ -435,7 +435,7 @@ void ProgramTranslator::markOmitted(const XmlElement& node) {
                      QStringLiteral("comment: ") + node.attribute("comment"));
     } else {
         t_.out->mark(NodeMark::Kind::Omitted, t_.numberOf(node),
-                     QStringLiteral("a disabled node is not translated here"));
+                     QStringLiteral("a disabled node is not imported at this position"));
     }
 }
 
@@ -448,7 +448,7 @@ void ProgramTranslator::writeDisabled(const XmlElement& suppressed) {
     t_.out->mark(Kind::DisabledBegin, number);
     for (const auto& node : suppressed.children) {
         if (continuesIf(*node)) {
-            t_.refuse(*node, QStringLiteral("a disabled branch of an If is not translated"));
+            t_.refuse(*node, QStringLiteral("a disabled branch of an If node is not simulated"));
         } else if (node->is("If")) {
             std::vector<const XmlElement*> branches = branchesBelow(*node, t_);
             branches.insert(branches.begin(), node.get());
@@ -477,7 +477,7 @@ void ProgramTranslator::writeBranches(const std::vector<const XmlElement*>& bran
         t_.label(node, QStringLiteral("Else"));
         writeChildren(node);
         if (hasNext) {
-            t_.refuse(*branches[first + 1], QStringLiteral("this branch comes after an Else"));
+            t_.refuse(*branches[first + 1], QStringLiteral("this branch follows an Else branch"));
         }
         return;
     }

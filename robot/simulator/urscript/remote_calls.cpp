@@ -73,7 +73,7 @@ Result<std::int64_t> RemoteCalls::begin(std::int32_t handle, std::string_view me
 Result<std::optional<Value>> RemoteCalls::result(std::int64_t number) {
     const auto it = calls_.find(number);
     if (it == calls_.end()) {
-        return scriptError("Too many simultaneous calls of XML-RPC servers");
+        return scriptError("Too many simultaneous calls to XML-RPC servers");
     }
     const std::string socket = socketOf(number);
     const SocketHost::State state = host_.socketState(socket);
