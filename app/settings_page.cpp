@@ -321,8 +321,8 @@ void SettingsPage::showCap() {
     // Set the style sheet again, so that the changed property takes effect.
     capNote_->setStyleSheet(capNote_->styleSheet());
     capNote_->setText(
-        raised ? tr("▲ Above %1. Manual mode and the enabling device of the pendant do not limit jogging "
-                    "from a PC. The header shows a warning. The cap resets when Tiller is closed.")
+        raised ? tr("▲ Above %1. Manual mode and the enabling device of the teach pendant do not limit "
+                    "jogging from a PC. The header shows a warning. The cap is reset when Tiller is closed.")
                      .arg(format::speed(Preferences::kOrdinaryCap))
                : tr("Maximum speed of the TCP and elbow for all motion commanded by Tiller. A change takes "
                     "effect immediately and stops any motion."));

@@ -1590,10 +1590,6 @@
         <translation>Stopp Zustimmtaste Pendant</translation>
     </message>
     <message>
-        <source>The pendant&apos;s enabling button is not held. Hold it in its middle position.</source>
-        <translation>Die Zustimmtaste des Pendants wird nicht gehalten. Halten Sie sie in ihrer Mittelstellung.</translation>
-    </message>
-    <message>
         <source>IMMI emergency stop</source>
         <translation>IMMI-Not-Halt</translation>
     </message>
@@ -1732,6 +1728,10 @@
     <message>
         <source>The PROFIsafe controller requests an emergency stop. Clear the request on that controller, then power on the arm and release the brakes.</source>
         <translation>Die PROFIsafe-Steuerung fordert einen Not-Halt an. Heben Sie ihn dort auf, schalten Sie dann ein und lösen Sie die Bremsen.</translation>
+    </message>
+    <message>
+        <source>The enabling button of the teach pendant is not held. Hold it in its middle position.</source>
+        <translation>Die Zustimmtaste des Pendants wird nicht gehalten. Halten Sie sie in ihrer Mittelstellung.</translation>
     </message>
 </context>
 <context>
@@ -3169,18 +3169,6 @@
         <translation>Geschwindigkeit, Beschleunigung oder Überschleifen ist keine Zahl, oder es ist eine Zeit angegeben</translation>
     </message>
     <message>
-        <source>%1. Save the program on the pendant and copy its .script file to the same folder, or change the program.</source>
-        <translation>%1. Speichern Sie das Programm am Teach-Pendant und kopieren Sie seine .script-Datei in denselben Ordner, oder ändern Sie das Programm.</translation>
-    </message>
-    <message>
-        <source>The nodes cannot be translated: %1. The script that the pendant saved was imported instead.</source>
-        <translation>Die Knoten können nicht übersetzt werden: %1. Stattdessen wurde das vom Teach-Pendant gespeicherte Skript importiert.</translation>
-    </message>
-    <message>
-        <source>%1. Complete the program on the pendant first.</source>
-        <translation>%1. Vervollständigen Sie das Programm zuerst am Teach-Pendant.</translation>
-    </message>
-    <message>
         <source>not imported</source>
         <translation>nicht importiert</translation>
     </message>
@@ -3468,6 +3456,18 @@
     <message>
         <source>the type or the scope of the variable cannot be determined</source>
         <translation>Typ oder Gültigkeitsbereich der Variablen ist nicht eindeutig</translation>
+    </message>
+    <message>
+        <source>%1. Save the program on the teach pendant and copy its .script file to the same folder, or change the program.</source>
+        <translation>%1. Speichern Sie das Programm am Teach-Pendant und kopieren Sie seine .script-Datei in denselben Ordner, oder ändern Sie das Programm.</translation>
+    </message>
+    <message>
+        <source>The nodes cannot be imported: %1. The script saved by the teach pendant was imported instead.</source>
+        <translation>Die Knoten können nicht übersetzt werden: %1. Stattdessen wurde das vom Teach-Pendant gespeicherte Skript importiert.</translation>
+    </message>
+    <message>
+        <source>%1. Complete the program on the teach pendant first.</source>
+        <translation>%1. Vervollständigen Sie das Programm zuerst am Teach-Pendant.</translation>
     </message>
 </context>
 <context>
@@ -13481,10 +13481,6 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Wird beim nächsten Start von Tiller wirksam.</translation>
     </message>
     <message>
-        <source>▲ Above %1. Manual mode and the enabling device of the pendant do not limit jogging from a PC. The header shows a warning. The cap resets when Tiller is closed.</source>
-        <translation>▲ Über %1. Der manuelle Modus und die Zustimmeinrichtung des Teach-Pendants begrenzen das Verfahren vom PC nicht. Der Kopf zeigt eine Warnung. Die Grenze wird beim Schließen von Tiller zurückgesetzt.</translation>
-    </message>
-    <message>
         <source>Keyboard shortcuts</source>
         <translation>Tastenkürzel</translation>
     </message>
@@ -13559,6 +13555,10 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     <message>
         <source>Maximum speed of the TCP and elbow for all motion commanded by Tiller. A change takes effect immediately and stops any motion.</source>
         <translation>Höchstgeschwindigkeit von TCP und Ellbogen für alle von Tiller befohlenen Bewegungen. Wird sofort wirksam und stoppt laufende Bewegungen.</translation>
+    </message>
+    <message>
+        <source>▲ Above %1. Manual mode and the enabling device of the teach pendant do not limit jogging from a PC. The header shows a warning. The cap is reset when Tiller is closed.</source>
+        <translation>▲ Über %1. Der manuelle Modus und die Zustimmeinrichtung des Teach-Pendants begrenzen das Verfahren vom PC nicht. Der Kopf zeigt eine Warnung. Die Grenze wird beim Schließen von Tiller zurückgesetzt.</translation>
     </message>
 </context>
 <context>

@@ -1590,10 +1590,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The pendant&apos;s enabling button is not held. Hold it in its middle position.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>IMMI emergency stop</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1731,6 +1727,10 @@
     </message>
     <message>
         <source>The PROFIsafe controller requests an emergency stop. Clear the request on that controller, then power on the arm and release the brakes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The enabling button of the teach pendant is not held. Hold it in its middle position.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3169,18 +3169,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1. Save the program on the pendant and copy its .script file to the same folder, or change the program.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The nodes cannot be translated: %1. The script that the pendant saved was imported instead.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1. Complete the program on the pendant first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>not imported</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3467,6 +3455,18 @@
     </message>
     <message>
         <source>the type or the scope of the variable cannot be determined</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1. Save the program on the teach pendant and copy its .script file to the same folder, or change the program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The nodes cannot be imported: %1. The script saved by the teach pendant was imported instead.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1. Complete the program on the teach pendant first.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -13409,10 +13409,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>▲ Above %1. Manual mode and the enabling device of the pendant do not limit jogging from a PC. The header shows a warning. The cap resets when Tiller is closed.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Maximum speed of the TCP and elbow for all motion commanded by Tiller. A change takes effect immediately and stops any motion.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -13542,6 +13538,10 @@ Jog the arm to a position and press “Teach here” (T).</source>
     </message>
     <message>
         <source>Takes effect when Tiller is restarted or the window is reopened. The plots then restart.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ Above %1. Manual mode and the enabling device of the teach pendant do not limit jogging from a PC. The header shows a warning. The cap is reset when Tiller is closed.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -1590,10 +1590,6 @@
         <translation>Parada de habilitación de la consola</translation>
     </message>
     <message>
-        <source>The pendant&apos;s enabling button is not held. Hold it in its middle position.</source>
-        <translation>El botón de habilitación de la consola no está pulsado. Manténgalo en su posición media.</translation>
-    </message>
-    <message>
         <source>IMMI emergency stop</source>
         <translation>Parada de emergencia IMMI</translation>
     </message>
@@ -1732,6 +1728,10 @@
     <message>
         <source>The PROFIsafe controller requests an emergency stop. Clear the request on that controller, then power on the arm and release the brakes.</source>
         <translation>El controlador PROFIsafe solicita una parada de emergencia. Anúlela allí, después encienda y libere los frenos.</translation>
+    </message>
+    <message>
+        <source>The enabling button of the teach pendant is not held. Hold it in its middle position.</source>
+        <translation>El botón de habilitación de la consola no está pulsado. Manténgalo en su posición media.</translation>
     </message>
 </context>
 <context>
@@ -3169,18 +3169,6 @@
         <translation>la velocidad, la aceleración o el radio de fusión no es un número, o se indica un tiempo</translation>
     </message>
     <message>
-        <source>%1. Save the program on the pendant and copy its .script file to the same folder, or change the program.</source>
-        <translation>%1. Guarde el programa en la consola portátil y copie su archivo .script en la misma carpeta, o modifique el programa.</translation>
-    </message>
-    <message>
-        <source>The nodes cannot be translated: %1. The script that the pendant saved was imported instead.</source>
-        <translation>Los nodos no se pueden traducir: %1. En su lugar se ha importado el script que guardó la consola portátil.</translation>
-    </message>
-    <message>
-        <source>%1. Complete the program on the pendant first.</source>
-        <translation>%1. Complete primero el programa en la consola portátil.</translation>
-    </message>
-    <message>
         <source>not imported</source>
         <translation>no importado</translation>
     </message>
@@ -3468,6 +3456,18 @@
     <message>
         <source>the type or the scope of the variable cannot be determined</source>
         <translation>el tipo o el ámbito de la variable no está claro</translation>
+    </message>
+    <message>
+        <source>%1. Save the program on the teach pendant and copy its .script file to the same folder, or change the program.</source>
+        <translation>%1. Guarde el programa en la consola portátil y copie su archivo .script en la misma carpeta, o modifique el programa.</translation>
+    </message>
+    <message>
+        <source>The nodes cannot be imported: %1. The script saved by the teach pendant was imported instead.</source>
+        <translation>Los nodos no se pueden traducir: %1. En su lugar se ha importado el script que guardó la consola portátil.</translation>
+    </message>
+    <message>
+        <source>%1. Complete the program on the teach pendant first.</source>
+        <translation>%1. Complete primero el programa en la consola portátil.</translation>
     </message>
 </context>
 <context>
@@ -13481,10 +13481,6 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Se aplica en el próximo inicio de Tiller.</translation>
     </message>
     <message>
-        <source>▲ Above %1. Manual mode and the enabling device of the pendant do not limit jogging from a PC. The header shows a warning. The cap resets when Tiller is closed.</source>
-        <translation>▲ Por encima de %1. El modo manual y el dispositivo de habilitación de la consola no limitan el movimiento desde un PC. La cabecera muestra un aviso. El límite se restablece al cerrar Tiller.</translation>
-    </message>
-    <message>
         <source>Keyboard shortcuts</source>
         <translation>Atajos de teclado</translation>
     </message>
@@ -13559,6 +13555,10 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     <message>
         <source>Maximum speed of the TCP and elbow for all motion commanded by Tiller. A change takes effect immediately and stops any motion.</source>
         <translation>Velocidad máxima de TCP y codo para todo movimiento ordenado por Tiller. Se aplica de inmediato y detiene el movimiento en curso.</translation>
+    </message>
+    <message>
+        <source>▲ Above %1. Manual mode and the enabling device of the teach pendant do not limit jogging from a PC. The header shows a warning. The cap is reset when Tiller is closed.</source>
+        <translation>▲ Por encima de %1. El modo manual y el dispositivo de habilitación de la consola no limitan el movimiento desde un PC. La cabecera muestra un aviso. El límite se restablece al cerrar Tiller.</translation>
     </message>
 </context>
 <context>

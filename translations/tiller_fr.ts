@@ -1590,10 +1590,6 @@
         <translation>Arrêt de validation du pupitre</translation>
     </message>
     <message>
-        <source>The pendant&apos;s enabling button is not held. Hold it in its middle position.</source>
-        <translation>Le bouton de validation du pupitre n’est pas tenu. Tenez-le en position médiane.</translation>
-    </message>
-    <message>
         <source>IMMI emergency stop</source>
         <translation>Arrêt d’urgence IMMI</translation>
     </message>
@@ -1732,6 +1728,10 @@
     <message>
         <source>The PROFIsafe controller requests an emergency stop. Clear the request on that controller, then power on the arm and release the brakes.</source>
         <translation>Le contrôleur PROFIsafe demande un arrêt d’urgence. Annulez la demande sur ce contrôleur, puis mettez sous tension et desserrez les freins.</translation>
+    </message>
+    <message>
+        <source>The enabling button of the teach pendant is not held. Hold it in its middle position.</source>
+        <translation>Le bouton de validation du pupitre n’est pas tenu. Tenez-le en position médiane.</translation>
     </message>
 </context>
 <context>
@@ -3169,18 +3169,6 @@
         <translation>la vitesse, l’accélération ou le raccordement n’est pas un nombre, ou une durée est indiquée</translation>
     </message>
     <message>
-        <source>%1. Save the program on the pendant and copy its .script file to the same folder, or change the program.</source>
-        <translation>%1. Enregistrez le programme sur le pupitre et copiez son fichier .script dans le même dossier, ou modifiez le programme.</translation>
-    </message>
-    <message>
-        <source>The nodes cannot be translated: %1. The script that the pendant saved was imported instead.</source>
-        <translation>Les nœuds ne peuvent pas être traduits : %1. Le script enregistré par le pupitre a été importé à la place.</translation>
-    </message>
-    <message>
-        <source>%1. Complete the program on the pendant first.</source>
-        <translation>%1. Complétez d’abord le programme sur le pupitre.</translation>
-    </message>
-    <message>
         <source>not imported</source>
         <translation>non importé</translation>
     </message>
@@ -3468,6 +3456,18 @@
     <message>
         <source>the type or the scope of the variable cannot be determined</source>
         <translation>le type ou la portée de la variable n’est pas certain</translation>
+    </message>
+    <message>
+        <source>%1. Save the program on the teach pendant and copy its .script file to the same folder, or change the program.</source>
+        <translation>%1. Enregistrez le programme sur le pupitre et copiez son fichier .script dans le même dossier, ou modifiez le programme.</translation>
+    </message>
+    <message>
+        <source>The nodes cannot be imported: %1. The script saved by the teach pendant was imported instead.</source>
+        <translation>Les nœuds ne peuvent pas être traduits : %1. Le script enregistré par le pupitre a été importé à la place.</translation>
+    </message>
+    <message>
+        <source>%1. Complete the program on the teach pendant first.</source>
+        <translation>%1. Complétez d’abord le programme sur le pupitre.</translation>
     </message>
 </context>
 <context>
@@ -13481,10 +13481,6 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Prend effet au prochain démarrage de Tiller.</translation>
     </message>
     <message>
-        <source>▲ Above %1. Manual mode and the enabling device of the pendant do not limit jogging from a PC. The header shows a warning. The cap resets when Tiller is closed.</source>
-        <translation>▲ Au-dessus de %1. Le mode manuel et le dispositif de validation du pupitre ne limitent pas le déplacement depuis un PC. L’en-tête affiche un avertissement. Le plafond est réinitialisé à la fermeture de Tiller.</translation>
-    </message>
-    <message>
         <source>Keyboard shortcuts</source>
         <translation>Raccourcis clavier</translation>
     </message>
@@ -13559,6 +13555,10 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     <message>
         <source>Maximum speed of the TCP and elbow for all motion commanded by Tiller. A change takes effect immediately and stops any motion.</source>
         <translation>Vitesse maximale du TCP et du coude pour tout mouvement commandé par Tiller. Prend effet aussitôt et arrête le mouvement en cours.</translation>
+    </message>
+    <message>
+        <source>▲ Above %1. Manual mode and the enabling device of the teach pendant do not limit jogging from a PC. The header shows a warning. The cap is reset when Tiller is closed.</source>
+        <translation>▲ Au-dessus de %1. Le mode manuel et le dispositif de validation du pupitre ne limitent pas le déplacement depuis un PC. L’en-tête affiche un avertissement. Le plafond est réinitialisé à la fermeture de Tiller.</translation>
     </message>
 </context>
 <context>

@@ -1590,10 +1590,6 @@
         <translation>ペンダントイネーブル停止</translation>
     </message>
     <message>
-        <source>The pendant&apos;s enabling button is not held. Hold it in its middle position.</source>
-        <translation>ペンダントのイネーブルスイッチが握られていません。中間位置で握ってください。</translation>
-    </message>
-    <message>
         <source>IMMI emergency stop</source>
         <translation>IMMI 非常停止</translation>
     </message>
@@ -1732,6 +1728,10 @@
     <message>
         <source>The PROFIsafe controller requests an emergency stop. Clear the request on that controller, then power on the arm and release the brakes.</source>
         <translation>PROFIsafe コントローラーが非常停止を要求しています。そちらで解除してから電源を入れ、ブレーキを解除してください。</translation>
+    </message>
+    <message>
+        <source>The enabling button of the teach pendant is not held. Hold it in its middle position.</source>
+        <translation>ペンダントのイネーブルスイッチが握られていません。中間位置で握ってください。</translation>
     </message>
 </context>
 <context>
@@ -3169,18 +3169,6 @@
         <translation>速度、加速度またはブレンドが数値でないか、時間が指定されています</translation>
     </message>
     <message>
-        <source>%1. Save the program on the pendant and copy its .script file to the same folder, or change the program.</source>
-        <translation>%1。ティーチペンダントでプログラムを保存し、その.scriptファイルを同じフォルダーにコピーするか、プログラムを変更してください。</translation>
-    </message>
-    <message>
-        <source>The nodes cannot be translated: %1. The script that the pendant saved was imported instead.</source>
-        <translation>ノードを変換できません：%1。代わりに、ティーチペンダントが保存したスクリプトをインポートしました。</translation>
-    </message>
-    <message>
-        <source>%1. Complete the program on the pendant first.</source>
-        <translation>%1。先にティーチペンダントでプログラムを完成させてください。</translation>
-    </message>
-    <message>
         <source>not imported</source>
         <translation>インポートされていません</translation>
     </message>
@@ -3468,6 +3456,18 @@
     <message>
         <source>the type or the scope of the variable cannot be determined</source>
         <translation>変数の型またはスコープを特定できません</translation>
+    </message>
+    <message>
+        <source>%1. Save the program on the teach pendant and copy its .script file to the same folder, or change the program.</source>
+        <translation>%1。ティーチペンダントでプログラムを保存し、その.scriptファイルを同じフォルダーにコピーするか、プログラムを変更してください。</translation>
+    </message>
+    <message>
+        <source>The nodes cannot be imported: %1. The script saved by the teach pendant was imported instead.</source>
+        <translation>ノードを変換できません：%1。代わりに、ティーチペンダントが保存したスクリプトをインポートしました。</translation>
+    </message>
+    <message>
+        <source>%1. Complete the program on the teach pendant first.</source>
+        <translation>%1。先にティーチペンダントでプログラムを完成させてください。</translation>
     </message>
 </context>
 <context>
@@ -13437,10 +13437,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>Tiller の次の起動から有効です。</translation>
     </message>
     <message>
-        <source>▲ Above %1. Manual mode and the enabling device of the pendant do not limit jogging from a PC. The header shows a warning. The cap resets when Tiller is closed.</source>
-        <translation>▲ %1 を超えています。手動モードとペンダントのイネーブル装置は、PC からのジョグを制限しません。ヘッダーに警告が表示されます。上限は Tiller を閉じると元に戻ります。</translation>
-    </message>
-    <message>
         <source>Keyboard shortcuts</source>
         <translation>キーボードショートカット</translation>
     </message>
@@ -13515,6 +13511,10 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>Maximum speed of the TCP and elbow for all motion commanded by Tiller. A change takes effect immediately and stops any motion.</source>
         <translation>Tiller の全動作での TCP と肘の最高速度です。すぐに有効になり、実行中の動作を停止します。</translation>
+    </message>
+    <message>
+        <source>▲ Above %1. Manual mode and the enabling device of the teach pendant do not limit jogging from a PC. The header shows a warning. The cap is reset when Tiller is closed.</source>
+        <translation>▲ %1 を超えています。手動モードとペンダントのイネーブル装置は、PC からのジョグを制限しません。ヘッダーに警告が表示されます。上限は Tiller を閉じると元に戻ります。</translation>
     </message>
 </context>
 <context>

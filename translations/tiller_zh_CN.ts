@@ -1590,10 +1590,6 @@
         <translation>示教器使能停止</translation>
     </message>
     <message>
-        <source>The pendant&apos;s enabling button is not held. Hold it in its middle position.</source>
-        <translation>未按住示教器的使能按钮。请保持在中间位置。</translation>
-    </message>
-    <message>
         <source>IMMI emergency stop</source>
         <translation>IMMI 紧急停止</translation>
     </message>
@@ -1732,6 +1728,10 @@
     <message>
         <source>The PROFIsafe controller requests an emergency stop. Clear the request on that controller, then power on the arm and release the brakes.</source>
         <translation>PROFIsafe 控制器请求紧急停止。请在该控制器上解除请求，然后上电并松开制动器。</translation>
+    </message>
+    <message>
+        <source>The enabling button of the teach pendant is not held. Hold it in its middle position.</source>
+        <translation>未按住示教器的使能按钮。请保持在中间位置。</translation>
     </message>
 </context>
 <context>
@@ -3169,18 +3169,6 @@
         <translation>速度、加速度或交融半径不是数字，或者设置了时间</translation>
     </message>
     <message>
-        <source>%1. Save the program on the pendant and copy its .script file to the same folder, or change the program.</source>
-        <translation>%1。请在示教器上保存程序，并将其 .script 文件复制到同一文件夹，或者修改程序。</translation>
-    </message>
-    <message>
-        <source>The nodes cannot be translated: %1. The script that the pendant saved was imported instead.</source>
-        <translation>无法转换节点：%1。已改为导入示教器保存的脚本。</translation>
-    </message>
-    <message>
-        <source>%1. Complete the program on the pendant first.</source>
-        <translation>%1。请先在示教器上完成程序。</translation>
-    </message>
-    <message>
         <source>not imported</source>
         <translation>未导入</translation>
     </message>
@@ -3468,6 +3456,18 @@
     <message>
         <source>the type or the scope of the variable cannot be determined</source>
         <translation>无法确定变量的类型或作用域</translation>
+    </message>
+    <message>
+        <source>%1. Save the program on the teach pendant and copy its .script file to the same folder, or change the program.</source>
+        <translation>%1。请在示教器上保存程序，并将其 .script 文件复制到同一文件夹，或者修改程序。</translation>
+    </message>
+    <message>
+        <source>The nodes cannot be imported: %1. The script saved by the teach pendant was imported instead.</source>
+        <translation>无法转换节点：%1。已改为导入示教器保存的脚本。</translation>
+    </message>
+    <message>
+        <source>%1. Complete the program on the teach pendant first.</source>
+        <translation>%1。请先在示教器上完成程序。</translation>
     </message>
 </context>
 <context>
@@ -13437,10 +13437,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>从下次启动 Tiller 起生效。</translation>
     </message>
     <message>
-        <source>▲ Above %1. Manual mode and the enabling device of the pendant do not limit jogging from a PC. The header shows a warning. The cap resets when Tiller is closed.</source>
-        <translation>▲ 高于 %1。手动模式和示教器的使能装置不限制从 PC 的点动。页眉会显示警告。关闭 Tiller 后上限复位。</translation>
-    </message>
-    <message>
         <source>Keyboard shortcuts</source>
         <translation>键盘快捷键</translation>
     </message>
@@ -13515,6 +13511,10 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>Maximum speed of the TCP and elbow for all motion commanded by Tiller. A change takes effect immediately and stops any motion.</source>
         <translation>Tiller 所有运动中 TCP 和肘部的最大速度。立即生效，并停止正在进行的运动。</translation>
+    </message>
+    <message>
+        <source>▲ Above %1. Manual mode and the enabling device of the teach pendant do not limit jogging from a PC. The header shows a warning. The cap is reset when Tiller is closed.</source>
+        <translation>▲ 高于 %1。手动模式和示教器的使能装置不限制从 PC 的点动。页眉会显示警告。关闭 Tiller 后上限复位。</translation>
     </message>
 </context>
 <context>

@@ -102,8 +102,9 @@ constexpr auto kSafety = std::to_array<Row<SafetyStatus>>({
     {SafetyMode::SystemThreePositionEnablingStop, QT_TRANSLATE_NOOP("ModeWords", "Enabling device stop"),
      QT_TRANSLATE_NOOP("ModeWords", "The enabling device is not held. Hold it in its middle position.")},
     {SafetyMode::TpThreePositionEnablingStop, QT_TRANSLATE_NOOP("ModeWords", "Pendant enabling stop"),
-     QT_TRANSLATE_NOOP("ModeWords",
-                       "The pendant's enabling button is not held. Hold it in its middle position.")},
+     QT_TRANSLATE_NOOP(
+         "ModeWords",
+         "The enabling button of the teach pendant is not held. Hold it in its middle position.")},
     {SafetyMode::ImmiEmergencyStop, QT_TRANSLATE_NOOP("ModeWords", "IMMI emergency stop"),
      QT_TRANSLATE_NOOP(
          "ModeWords",

@@ -52,22 +52,21 @@ Result<PendantProgram> readScriptFile(const ImportSource& source, QString& note)
                                ? pendant.files(QFileInfo(source.file).completeBaseName() + ".script")
                                : std::nullopt;
         if (!saved) {
-            return importError(
-                source.file,
-                ProgramText::tr("%1. Save the program on the pendant and copy its .script file to "
-                                "the same folder, or change the program.")
-                    .arg(read.error().context));
+            return importError(source.file,
+                               ProgramText::tr("%1. Save the program on the teach pendant and copy its "
+                                               ".script file to the same folder, or change the program.")
+                                   .arg(read.error().context));
         }
         note = ProgramText::tr(
-                   "The nodes cannot be translated: %1. The script that the pendant saved was "
-                   "imported instead.")
+                   "The nodes cannot be imported: %1. The script saved by the teach pendant was imported "
+                   "instead.")
                    .arg(read.error().context);
         return PendantProgram{saved->toStdString(), {}, {}};
     }
     if (read->unfinished) {
-        return importError(
-            source.file,
-            ProgramText::tr("%1. Complete the program on the pendant first.").arg(read->unfinished->context));
+        return importError(source.file,
+                           ProgramText::tr("%1. Complete the program on the teach pendant first.")
+                               .arg(read->unfinished->context));
     }
     return read;
 }
