@@ -92,25 +92,24 @@ QWidget* HelpPage::buildRules(int longestHold, const QString& commands) {
     text->setAccessibleName(tr("Jogging and keys"));
     text->setHtml(
         tr("<h2>Moving the arm</h2><p>The arm moves while you hold a jog button, and stops when you release "
-           "it. It also stops when</p><ul><li>the pointer leaves the button, another mouse button is "
+           "it. It also stops when</p><ul><li>the pointer leaves the button, a different mouse button is "
            "pressed, or a second input device is used;</li><li>a modifier or an opposite key is pressed "
            "while a keyboard key is held;</li><li>the window loses focus, a dialog or menu opens, or the "
            "frame, speed, step or tab changes;</li><li>data from the robot are late, Tiller hangs, or the "
-           "robot mode, the safety mode or Remote control changes;</li><li>the screen is locked, the "
-           "PC goes to sleep, or the input device is unplugged or stops sending data;</li><li>the key-state "
-           "check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is "
-           "still pressed. If the button or key is not pressed, or if the server does not respond for 100 "
-           "ms, the motion ends. If the check is not available, the header and Settings show a "
-           "note;</li><li>the maximum hold time is "
-           "reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 "
-           "s for a move to a position. The last 3 s are counted down.</li></ul><p>After a stop, press the "
-           "button or key again to move the arm. While Tiller is in control, <b>Space</b> and <b>Esc</b> "
-           "stop the arm from every window, dialog and text field. When Tiller is not in control, they act "
-           "on the focused element; click <b>STOP</b> to stop a program of another client. This is a "
-           "software stop, not an emergency stop: keep the emergency stop within reach.</p><p>Hold "
-           "<b>Ctrl</b> for one-tenth of the speed, or <b>Shift</b> for three times the speed, up to the "
-           "speed cap. On a keyboard without Latin letters, the letters below refer to key positions on a US "
-           "keyboard.</p><h2>Commands</h2>")
+           "robot mode, the safety mode or Remote control changes;</li><li>the screen is locked, the PC goes "
+           "to sleep, or the input device is unplugged or stops sending data;</li><li>the key-state check "
+           "fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still "
+           "pressed. If the button or key is not pressed, or if the server does not respond for 100 ms, the "
+           "motion ends. If the check is not available, the header and Settings show a note;</li><li>the "
+           "maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the "
+           "duration of the move plus 5 s for a move to a position. The last 3 s are counted "
+           "down.</li></ul><p>After a stop, press the button or key again to move the arm. While Tiller is "
+           "in control, <b>Space</b> and <b>Esc</b> stop the arm from every window, dialog and text field. "
+           "When Tiller is not in control, they act on the focused element; click <b>STOP</b> to stop a "
+           "program from another client. This is a software stop, not an emergency stop: keep the emergency "
+           "stop within reach.</p><p>Hold <b>Ctrl</b> for one-tenth of the speed, or <b>Shift</b> for three "
+           "times the speed, up to the speed cap. On a keyboard without Latin letters, the letters below "
+           "refer to key positions on a US keyboard.</p><h2>Commands</h2>")
             .arg(longestHold) +
         commands);
     return text;

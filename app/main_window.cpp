@@ -411,7 +411,7 @@ void MainWindow::connectProject() {
     const auto showFile = [this] { status_->setProjectText(station_->file().statusText()); };
     station_->file().setReplaceGuard([tab = QPointer(program_)] {
         return tab && tab->runsFreely()
-                   ? tr("A program is running. Stop the program before you open another project.")
+                   ? tr("A program is running. Stop the program before you open a different project.")
                    : QString();
     });
     connect(program_, &ProgramTab::runEnded, files_.get(), &ProjectFiles::endRefusal);
@@ -1110,12 +1110,12 @@ void MainWindow::addProjectActions() {
                    tr("Opens a copy of a sample project to try on the simulated robot."),
                    {},
                    [this] { showSamples(); }});
-    actions_->add(
-        {"project.adapt",
-         tr("Adapt project to this robot…"),
-         tr("Converts a project for another robot model, keeping either the poses or the joint positions."),
-         {},
-         [this] { fit_->ask(); }});
+    actions_->add({"project.adapt",
+                   tr("Adapt project to this robot…"),
+                   tr("Converts a project for a different robot model, keeping either the poses or the joint "
+                      "positions."),
+                   {},
+                   [this] { fit_->ask(); }});
     actions_->add(
         {"project.save", tr("Save project"),
          tr("Saves the project now. Tiller also saves all changes automatically. If another window or "

@@ -52,7 +52,7 @@ void PerspectiveActions::addCommands() {
                 tr("Saves the current panel layout to the current perspective."),
                 {},
                 [this] { perspectives_.save(); },
-                own(tr("This perspective is built in. Save it under another name."))});
+                own(tr("This perspective is built in. Save it under a different name."))});
     table_.add({"perspective.saveAs",
                 tr("Save perspective as…"),
                 tr("Saves the current panel layout under a new name."),

@@ -155,7 +155,7 @@ QString Perspectives::obstacle(const QString& name, const QString& except) const
     const bool taken = std::any_of(entries.begin(), entries.end(), [&](const Entry& entry) {
         return entry.id != except && entry.name.compare(wanted, Qt::CaseInsensitive) == 0;
     });
-    return taken ? tr("A perspective with this name already exists. Choose another name.") : QString();
+    return taken ? tr("A perspective with this name already exists. Choose a different name.") : QString();
 }
 
 void Perspectives::saveAs(const QString& name) {

@@ -260,10 +260,6 @@
         <translation>%1: immer innerhalb von %2, Maximum %3 bei %4 s</translation>
     </message>
     <message>
-        <source>%1: exceeds %2 from %3 s on (%4), maximum %5 at %6 s</source>
-        <translation>%1: überschreitet %2 ab %3 s (%4), Maximum %5 bei %6 s</translation>
-    </message>
-    <message>
         <source>TCP</source>
         <translation>TCP</translation>
     </message>
@@ -335,6 +331,10 @@
     <message>
         <source>This recording cannot be compared with a model: target or actual joint positions are missing. Record all signals to an MCAP file.</source>
         <translation>Diese Aufzeichnung lässt sich nicht mit einem Modell vergleichen: Soll- oder Ist-Gelenkpositionen fehlen. Zeichnen Sie alle Signale als MCAP auf.</translation>
+    </message>
+    <message>
+        <source>%1: exceeds %2 starting at %3 s (%4), maximum %5 at %6 s</source>
+        <translation>%1: überschreitet %2 ab %3 s (%4), Maximum %5 bei %6 s</translation>
     </message>
 </context>
 <context>
@@ -3153,16 +3153,8 @@
         <translation>Ein Programm kann mitten in diesem Schritt nicht fortgesetzt werden. Der nächste Start beginnt am Anfang.</translation>
     </message>
     <message>
-        <source>ended on the robot (pendant, another client or halt)</source>
-        <translation>auf dem Roboter beendet (Teach-Pendant, anderer Client oder halt)</translation>
-    </message>
-    <message>
         <source>paused on the robot</source>
         <translation>auf dem Roboter pausiert</translation>
-    </message>
-    <message>
-        <source>a program of another client has taken over</source>
-        <translation>ein Programm eines anderen Clients hat übernommen</translation>
     </message>
     <message>
         <source>the speed, acceleration or blend is not a number, or a time is set</source>
@@ -3334,10 +3326,6 @@
         <translation>Matrix</translation>
     </message>
     <message>
-        <source>The values of a program of another client cannot be changed.</source>
-        <translation>Die Werte eines Programms eines anderen Clients können nicht geändert werden.</translation>
-    </message>
-    <message>
         <source>A URScript step in this program could move the arm after a change.</source>
         <translation>Ein URScript-Schritt dieses Programms könnte den Arm nach einer Änderung bewegen.</translation>
     </message>
@@ -3442,10 +3430,6 @@
         <translation>ein deaktivierter Knoten in einem Teil, der Text ist</translation>
     </message>
     <message>
-        <source>it is nested too deeply</source>
-        <translation>sie ist zu tief verschachtelt</translation>
-    </message>
-    <message>
         <source>the condition cannot be used in a step</source>
         <translation>die Bedingung kann nicht Bedingung eines Schritts sein</translation>
     </message>
@@ -3468,6 +3452,22 @@
     <message>
         <source>%1. Complete the program on the teach pendant first.</source>
         <translation>%1. Vervollständigen Sie das Programm zuerst am Teach-Pendant.</translation>
+    </message>
+    <message>
+        <source>ended on the robot (teach pendant, another client or halt)</source>
+        <translation>auf dem Roboter beendet (Teach-Pendant, anderer Client oder halt)</translation>
+    </message>
+    <message>
+        <source>a program from another client has taken over</source>
+        <translation>ein Programm eines anderen Clients hat übernommen</translation>
+    </message>
+    <message>
+        <source>The values of a program from another client cannot be changed.</source>
+        <translation>Die Werte eines Programms eines anderen Clients können nicht geändert werden.</translation>
+    </message>
+    <message>
+        <source>the statement is nested too deeply</source>
+        <translation>sie ist zu tief verschachtelt</translation>
     </message>
 </context>
 <context>
@@ -4029,10 +4029,6 @@
 <context>
     <name>SessionRecording</name>
     <message>
-        <source>The robot cannot send so many signals at once. These signals are not recorded: %1</source>
-        <translation>Der Roboter kann nicht so viele Signale gleichzeitig senden. Nicht aufgezeichnete Signale: %1</translation>
-    </message>
-    <message>
         <source>Cannot record: connect to a robot first.</source>
         <translation>Aufzeichnen nicht möglich: Verbinden Sie sich zuerst mit einem Roboter.</translation>
     </message>
@@ -4065,6 +4061,10 @@
     <message>
         <source>The current recording does not contain %1. Start a new recording to record displayed signals.</source>
         <translation>Die laufende Aufzeichnung enthält %1 nicht. Starten Sie eine neue Aufzeichnung, um angezeigte Signale aufzuzeichnen.</translation>
+    </message>
+    <message>
+        <source>The robot cannot send this many signals at once. These signals are not recorded: %1</source>
+        <translation>Der Roboter kann nicht so viele Signale gleichzeitig senden. Nicht aufgezeichnete Signale: %1</translation>
     </message>
 </context>
 <context>
@@ -5219,10 +5219,6 @@ F2: Umbenennen, Umschalt+F2: Skalieren, oder Rechtsklick.</translation>
         <translation>Geben Sie einen Namen für den Quader oder die Ebene ein.</translation>
     </message>
     <message>
-        <source>The cell already contains “%1”. Choose another name.</source>
-        <translation>Die Zelle enthält bereits „%1“. Wählen Sie einen anderen Namen.</translation>
-    </message>
-    <message>
         <source>Rename “%1” to “%2”</source>
         <translation>„%1“ in „%2“ umbenennen</translation>
     </message>
@@ -5471,6 +5467,10 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie „Ecke hi
     <message>
         <source>Turn collision check on or off</source>
         <translation>Kollisionsprüfung ein- oder ausschalten</translation>
+    </message>
+    <message>
+        <source>The cell already contains “%1”. Choose a different name.</source>
+        <translation>Die Zelle enthält bereits „%1“. Wählen Sie einen anderen Namen.</translation>
     </message>
 </context>
 <context>
@@ -5831,14 +5831,6 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Blick</translation>
     </message>
     <message>
-        <source>“%1” is a built-in frame. Choose another name.</source>
-        <translation>„%1“ ist ein vordefiniertes Koordinatensystem. Wählen Sie einen anderen Namen.</translation>
-    </message>
-    <message>
-        <source>A frame named “%1” already exists. Choose another name.</source>
-        <translation>Ein Koordinatensystem mit dem Namen „%1“ ist bereits vorhanden. Wählen Sie einen anderen Namen.</translation>
-    </message>
-    <message>
         <source>Rename “%1” to “%2”</source>
         <translation>„%1“ in „%2“ umbenennen</translation>
     </message>
@@ -5885,6 +5877,14 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
     <message>
         <source>Distance from the TCP, %1</source>
         <translation>Abstand vom TCP, %1</translation>
+    </message>
+    <message>
+        <source>“%1” is a built-in frame. Choose a different name.</source>
+        <translation>„%1“ ist ein vordefiniertes Koordinatensystem. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>A frame named “%1” already exists. Choose a different name.</source>
+        <translation>Ein Koordinatensystem mit dem Namen „%1“ ist bereits vorhanden. Wählen Sie einen anderen Namen.</translation>
     </message>
 </context>
 <context>
@@ -7700,16 +7700,8 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Geben Sie einen Namen für das Muster ein.</translation>
     </message>
     <message>
-        <source>A pattern with this name already exists. Choose another name.</source>
-        <translation>Ein Muster mit diesem Namen ist bereits vorhanden. Wählen Sie einen anderen Namen.</translation>
-    </message>
-    <message>
         <source>Teach the three corners first, then select a waypoint for each corner.</source>
         <translation>Teachen Sie zuerst die drei Ecken und wählen Sie dann für jede Ecke einen Wegpunkt.</translation>
-    </message>
-    <message>
-        <source>The layer height is not a number or is out of range. Enter another layer height.</source>
-        <translation>Die Lagenhöhe ist keine Zahl oder außerhalb des Bereichs. Geben Sie eine andere Lagenhöhe ein.</translation>
     </message>
     <message>
         <source>The layer height must not be 0. Enter a layer height.</source>
@@ -7748,6 +7740,14 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
             <numerusform>%1, davon %n außer Reichweite und markiert.</numerusform>
             <numerusform>%1, davon %n außer Reichweite und markiert.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>A pattern with this name already exists. Choose a different name.</source>
+        <translation>Ein Muster mit diesem Namen ist bereits vorhanden. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>The layer height is not a number or is out of range. Enter a different layer height.</source>
+        <translation>Die Lagenhöhe ist keine Zahl oder außerhalb des Bereichs. Geben Sie eine andere Lagenhöhe ein.</translation>
     </message>
 </context>
 <context>
@@ -7824,10 +7824,6 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>%1 Die Genauigkeit ist gering: Pose %2 weicht am stärksten ab. Entfernen Sie sie und nehmen Sie eine andere Pose.</translation>
     </message>
     <message>
-        <source>The tool orientations are too similar. Record one more pose with the tool rotated in another direction.</source>
-        <translation>Die Werkzeugorientierungen sind zu ähnlich. Nehmen Sie eine weitere Pose mit anders gedrehtem Werkzeug.</translation>
-    </message>
-    <message>
         <source>The load of %1 kg is too light to measure the centre of gravity. Enter the payload manually.</source>
         <translation>Die Last von %1 kg ist zu leicht, um den Schwerpunkt zu messen. Geben Sie die Nutzlast manuell ein.</translation>
     </message>
@@ -7855,8 +7851,12 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <source>  ◀ least accurate</source>
         <translation>  ◀ am ungenauesten</translation>
     </message>
+    <message>
+        <source>The tool orientations are too similar. Record one more pose with the tool rotated in a different direction.</source>
+        <translation>Die Werkzeugorientierungen sind zu ähnlich. Nehmen Sie eine weitere Pose mit anders gedrehtem Werkzeug.</translation>
+    </message>
     <message numerus="yes">
-        <source>Rotate the wrist in another direction and record the pose. Poses still needed: %n.</source>
+        <source>Rotate the wrist in a different direction and record the pose. Poses still needed: %n.</source>
         <translation>
             <numerusform>Drehen Sie das Handgelenk in eine andere Richtung und nehmen Sie die Pose. Noch benötigte Posen: %n.</numerusform>
             <numerusform>Drehen Sie das Handgelenk in eine andere Richtung und nehmen Sie die Pose. Noch benötigte Posen: %n.</numerusform>
@@ -7888,10 +7888,6 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
     <message>
         <source>Enter a name for the payload.</source>
         <translation>Geben Sie einen Namen für die Nutzlast ein.</translation>
-    </message>
-    <message>
-        <source>A payload named “%1” already exists. Choose another name.</source>
-        <translation>Eine Nutzlast mit dem Namen „%1“ ist bereits vorhanden. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
         <source>Rename “%1” to “%2”</source>
@@ -8103,6 +8099,10 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>Noch keine Nutzlasten.
 Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translation>
     </message>
+    <message>
+        <source>A payload named “%1” already exists. Choose a different name.</source>
+        <translation>Eine Nutzlast mit dem Namen „%1“ ist bereits vorhanden. Wählen Sie einen anderen Namen.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotAnalysis</name>
@@ -8169,10 +8169,6 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <source>Reading the recording: %1</source>
         <translation>Aufzeichnung wird gelesen: %1</translation>
     </message>
-    <message>
-        <source>This range contains samples of different robots. Place cursors A and B around the data of one robot.</source>
-        <translation>Dieser Bereich enthält Messwerte verschiedener Roboter. Setzen Sie die Cursor A und B um die Daten eines Roboters.</translation>
-    </message>
     <message numerus="yes">
         <source>Hann window of %1 samples · resolution %2 Hz · mean of %n segment(s) · %3 to %4 s</source>
         <translation>
@@ -8190,6 +8186,10 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
     <message>
         <source>%1 · %2 to %3 s</source>
         <translation>%1 · %2 bis %3 s</translation>
+    </message>
+    <message>
+        <source>This range contains samples from different robots. Place cursors A and B around data from one robot.</source>
+        <translation>Dieser Bereich enthält Messwerte verschiedener Roboter. Setzen Sie die Cursor A und B um die Daten eines Roboters.</translation>
     </message>
 </context>
 <context>
@@ -8552,10 +8552,6 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>Der Bereich enthält zu viele Werte, um ihn aus diesem Fenster zu exportieren. Exportieren Sie einen kürzeren Bereich, oder führen Sie „tiller-cli export“ aus.</translation>
     </message>
     <message>
-        <source>The range contains samples of different robots. Select a range of one robot with the cursors A and B, then export again.</source>
-        <translation>Der Bereich enthält Werte verschiedener Roboter. Wählen Sie mit den Cursorn A und B einen Bereich eines Roboters und exportieren Sie erneut.</translation>
-    </message>
-    <message>
         <source>Robot: %1</source>
         <translation>Roboter: %1</translation>
     </message>
@@ -8612,10 +8608,6 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>Ordner: %1…</translation>
     </message>
     <message>
-        <source>The image %1 could not be created. Choose another image format.</source>
-        <translation>Das Bild %1 konnte nicht erstellt werden. Wählen Sie ein anderes Bildformat.</translation>
-    </message>
-    <message>
         <source>The file type is not supported. Use the suffix .png, .svg or .pdf for an image, or .csv for values.</source>
         <translation>Der Dateityp wird nicht unterstützt. Verwenden Sie die Endung .png, .svg oder .pdf für ein Bild oder .csv für Werte.</translation>
     </message>
@@ -8645,6 +8637,14 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
     <message>
         <source>Part of the recording %1 could not be read. %2</source>
         <translation>Ein Teil der Aufzeichnung %1 konnte nicht gelesen werden. %2</translation>
+    </message>
+    <message>
+        <source>The range contains samples from different robots. Use cursors A and B to select a range with data from one robot, then export again.</source>
+        <translation>Der Bereich enthält Werte verschiedener Roboter. Wählen Sie mit den Cursorn A und B einen Bereich eines Roboters und exportieren Sie erneut.</translation>
+    </message>
+    <message>
+        <source>The image %1 could not be created. Choose a different image format.</source>
+        <translation>Das Bild %1 konnte nicht erstellt werden. Wählen Sie ein anderes Bildformat.</translation>
     </message>
 </context>
 <context>
@@ -8880,10 +8880,6 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>Geben Sie einen Namen für die Position ein.</translation>
     </message>
     <message>
-        <source>A position named “%1” already exists. Choose another name.</source>
-        <translation>Eine Position mit dem Namen „%1“ ist bereits vorhanden. Wählen Sie einen anderen Namen.</translation>
-    </message>
-    <message>
         <source>Rename “%1” to “%2”</source>
         <translation>„%1“ in „%2“ umbenennen</translation>
     </message>
@@ -9028,6 +9024,10 @@ Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Pos
     <message>
         <source>%1 · %2 %3 from the current position</source>
         <translation>%1 · %2 %3 von hier</translation>
+    </message>
+    <message>
+        <source>A position named “%1” already exists. Choose a different name.</source>
+        <translation>Eine Position mit dem Namen „%1“ ist bereits vorhanden. Wählen Sie einen anderen Namen.</translation>
     </message>
 </context>
 <context>
@@ -9707,16 +9707,16 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Neues Projekt</translation>
     </message>
     <message>
-        <source>%1 already exists. Choose another name for the new project.</source>
-        <translation>%1 existiert bereits. Wählen Sie einen anderen Namen für das neue Projekt.</translation>
-    </message>
-    <message>
         <source>Saved %1</source>
         <translation>%1 gespeichert</translation>
     </message>
     <message>
         <source>The project could not be taken over</source>
         <translation>Das Projekt konnte nicht übernommen werden</translation>
+    </message>
+    <message>
+        <source>%1 already exists. Choose a different name for the new project.</source>
+        <translation>%1 existiert bereits. Wählen Sie einen anderen Namen für das neue Projekt.</translation>
     </message>
 </context>
 <context>
@@ -9749,14 +9749,6 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Kein Roboter ist verbunden. Verbinden Sie den Roboter, der zu diesem Projekt gehört.</translation>
     </message>
     <message>
-        <source>Project for another robot model</source>
-        <translation>Projekt für ein anderes Robotermodell</translation>
-    </message>
-    <message>
-        <source>“Keep poses” recalculates the joint positions; the tool reaches the same poses. “Keep joints” keeps the arm configuration; the tool reaches different poses. Until you decide, moves to positions of the project are blocked.</source>
-        <translation>„Posen beibehalten“ berechnet die Gelenkstellungen neu; das Werkzeug erreicht dieselben Posen. „Gelenke beibehalten“ behält die Stellung des Arms; das Werkzeug erreicht andere Posen. Bis Sie entscheiden, sind Bewegungen zu Positionen des Projekts gesperrt.</translation>
-    </message>
-    <message>
         <source>Keep poses</source>
         <translation>Posen beibehalten</translation>
     </message>
@@ -9767,10 +9759,6 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     <message>
         <source>TCP differs from the project</source>
         <translation>TCP weicht vom Projekt ab</translation>
-    </message>
-    <message>
-        <source>With the robot&apos;s TCP, the flange moves to the same poses as taught, but the TCP does not. Until you decide, moves to positions of the project are blocked.</source>
-        <translation>Mit dem TCP des Roboters erreicht der Flansch die geteachten Posen, der TCP jedoch nicht. Bis Sie entscheiden, sind Bewegungen zu Positionen des Projekts gesperrt.</translation>
     </message>
     <message>
         <source>Set “%1” on the robot</source>
@@ -9801,16 +9789,28 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Einige Positionen sind außer Reichweite</translation>
     </message>
     <message>
-        <source>Moves to positions of this project are blocked</source>
-        <translation>Bewegungen zu Positionen dieses Projekts sind gesperrt</translation>
-    </message>
-    <message>
         <source>Choose…</source>
         <translation>Wählen…</translation>
     </message>
     <message>
         <source>The robot model is not known yet. Wait until the robot reports the model.</source>
         <translation>Das Robotermodell ist noch nicht bekannt. Warten Sie, bis der Roboter es meldet.</translation>
+    </message>
+    <message>
+        <source>Project for a different robot model</source>
+        <translation>Projekt für ein anderes Robotermodell</translation>
+    </message>
+    <message>
+        <source>“Keep poses” recalculates the joint positions; the tool reaches the same poses. “Keep joints” keeps the arm configuration; the tool reaches different poses. Until you decide, moves to positions in the project are blocked.</source>
+        <translation>„Posen beibehalten“ berechnet die Gelenkstellungen neu; das Werkzeug erreicht dieselben Posen. „Gelenke beibehalten“ behält die Stellung des Arms; das Werkzeug erreicht andere Posen. Bis Sie entscheiden, sind Bewegungen zu Positionen des Projekts gesperrt.</translation>
+    </message>
+    <message>
+        <source>With the robot&apos;s TCP, the flange moves to the same poses as taught, but the TCP does not. Until you decide, moves to positions in the project are blocked.</source>
+        <translation>Mit dem TCP des Roboters erreicht der Flansch die geteachten Posen, der TCP jedoch nicht. Bis Sie entscheiden, sind Bewegungen zu Positionen des Projekts gesperrt.</translation>
+    </message>
+    <message>
+        <source>Moves to positions in this project are blocked</source>
+        <translation>Bewegungen zu Positionen dieses Projekts sind gesperrt</translation>
     </message>
 </context>
 <context>
@@ -9856,26 +9856,26 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Ungespeichertes Projekt</translation>
     </message>
     <message>
-        <source>%1 is open in another window (%2). Close the project in that window, or save under another name.</source>
-        <translation>%1 ist in einem anderen Fenster geöffnet (%2). Schließen Sie die Datei dort, oder speichern Sie unter einem anderen Namen.</translation>
-    </message>
-    <message>
         <source>another program</source>
         <translation>ein anderes Programm</translation>
-    </message>
-    <message>
-        <source>%1 was changed by another program. Reload the project, or save it under another name.</source>
-        <translation>%1 wurde von einem anderen Programm geändert. Laden Sie die Datei neu, oder speichern Sie unter einem anderen Namen.</translation>
     </message>
     <message>
         <source>%1 — new</source>
         <translation>%1 — neu</translation>
     </message>
+    <message>
+        <source>%1 is open in another window (%2). Close the project in that window, or save under a different name.</source>
+        <translation>%1 ist in einem anderen Fenster geöffnet (%2). Schließen Sie die Datei dort, oder speichern Sie unter einem anderen Namen.</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program. Reload the project, or save it under a different name.</source>
+        <translation>%1 wurde von einem anderen Programm geändert. Laden Sie die Datei neu, oder speichern Sie unter einem anderen Namen.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RangeStatisticsCache</name>
     <message>
-        <source>The range contains samples of different robots. Place cursors A and B in the data of one robot.</source>
+        <source>The range contains samples from different robots. Place cursors A and B around data from one robot.</source>
         <translation>Der Bereich enthält Messwerte verschiedener Roboter. Setzen Sie die Cursor A und B in die Daten eines Roboters.</translation>
     </message>
 </context>
@@ -10156,36 +10156,16 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Ein Programm läuft. Warten Sie, bis das Programm endet, oder stoppen Sie es.</translation>
     </message>
     <message>
-        <source>A program of another client has taken over the robot. Taking control ends that program.</source>
-        <translation>Ein Programm eines anderen Clients hat den Roboter übernommen. Übernehmen der Steuerung beendet es.</translation>
-    </message>
-    <message>
         <source>Stopping the other client&apos;s program to take control.</source>
         <translation>Das Programm des anderen Clients wird beendet, um die Steuerung zu übernehmen.</translation>
-    </message>
-    <message>
-        <source>A program of another client has taken over the robot, and control was lost. Taking control again ends that program.</source>
-        <translation>Ein Programm eines anderen Clients hat den Roboter übernommen, die Steuerung ging verloren. Erneutes Übernehmen der Steuerung beendet dieses Programm.</translation>
-    </message>
-    <message>
-        <source>A program of another client is running on the robot.</source>
-        <translation>Auf dem Roboter läuft ein Programm eines anderen Clients.</translation>
     </message>
     <message>
         <source>The program on the robot is paused.</source>
         <translation>Das Programm auf dem Roboter ist pausiert.</translation>
     </message>
     <message>
-        <source>on the way to point %1 of %2: %3</source>
-        <translation>auf dem Weg zu Punkt %1 von %2: %3</translation>
-    </message>
-    <message>
         <source>Robot mode: %1</source>
         <translation>Roboter-Modus: %1</translation>
-    </message>
-    <message>
-        <source>The program of the other client has ended.</source>
-        <translation>Das Programm des anderen Clients ist beendet.</translation>
     </message>
     <message>
         <source>Stopped: %1 (%2)</source>
@@ -10194,10 +10174,6 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     <message>
         <source>Not stopped: a program is still running (%1). Press STOP again.</source>
         <translation>Nicht gestoppt: Ein Programm läuft noch (%1). Drücken Sie erneut STOP.</translation>
-    </message>
-    <message>
-        <source>The program started without connection to Tiller, at most %1 s before this entry.</source>
-        <translation>Das Programm startete ohne Verbindung zu Tiller, höchstens %1 s vor diesem Eintrag.</translation>
     </message>
     <message>
         <source>Not stopped: the arm is still moving (%1). Press STOP again.</source>
@@ -10210,6 +10186,30 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     <message>
         <source>A program from another client has replaced the running program.</source>
         <translation>Ein Programm eines anderen Clients hat das laufende Programm ersetzt.</translation>
+    </message>
+    <message>
+        <source>A program from another client has taken over the robot. Taking control ends that program.</source>
+        <translation>Ein Programm eines anderen Clients hat den Roboter übernommen. Übernehmen der Steuerung beendet es.</translation>
+    </message>
+    <message>
+        <source>A program from another client has taken over the robot, and control was lost. Taking control again ends that program.</source>
+        <translation>Ein Programm eines anderen Clients hat den Roboter übernommen, die Steuerung ging verloren. Erneutes Übernehmen der Steuerung beendet dieses Programm.</translation>
+    </message>
+    <message>
+        <source>A program from another client is running on the robot.</source>
+        <translation>Auf dem Roboter läuft ein Programm eines anderen Clients.</translation>
+    </message>
+    <message>
+        <source>while moving to point %1 of %2: %3</source>
+        <translation>auf dem Weg zu Punkt %1 von %2: %3</translation>
+    </message>
+    <message>
+        <source>The program from the other client has ended.</source>
+        <translation>Das Programm des anderen Clients ist beendet.</translation>
+    </message>
+    <message>
+        <source>The program started while Tiller was not connected, at most %1 s before this entry.</source>
+        <translation>Das Programm startete ohne Verbindung zu Tiller, höchstens %1 s vor diesem Eintrag.</translation>
     </message>
 </context>
 <context>
@@ -10613,12 +10613,12 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>WIEDERGABE</translation>
     </message>
     <message>
-        <source>ghost “%1” · taught with another robot model</source>
-        <translation>Vorschau „%1“ · mit einem anderen Robotermodell geteacht</translation>
-    </message>
-    <message>
         <source>LIVE ARM</source>
         <translation>ROBOTERARM LIVE</translation>
+    </message>
+    <message>
+        <source>ghost “%1” · taught with a different robot model</source>
+        <translation>Vorschau „%1“ · mit einem anderen Robotermodell geteacht</translation>
     </message>
 </context>
 <context>
@@ -10822,10 +10822,6 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Geben Sie einen Namen für den TCP ein.</translation>
     </message>
     <message>
-        <source>A TCP named “%1” already exists. Choose another name.</source>
-        <translation>Ein TCP mit dem Namen „%1“ ist bereits vorhanden. Wählen Sie einen anderen Namen.</translation>
-    </message>
-    <message>
         <source>Rename “%1” to “%2”</source>
         <translation>„%1“ in „%2“ umbenennen</translation>
     </message>
@@ -10967,6 +10963,10 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <source>Set TCP on robot</source>
         <translation>TCP am Roboter setzen</translation>
     </message>
+    <message>
+        <source>A TCP named “%1” already exists. Choose a different name.</source>
+        <translation>Ein TCP mit dem Namen „%1“ ist bereits vorhanden. Wählen Sie einen anderen Namen.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::TcpTeacher</name>
@@ -11019,16 +11019,8 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Spitze bei %1. Die Posen stimmen auf %2 (RMS) überein; Pose %3 weicht mit %4 am stärksten ab.</translation>
     </message>
     <message>
-        <source>The tool orientations are too similar. Record one more pose with the tool tilted by at least 30° in another direction.</source>
-        <translation>Die Werkzeugorientierungen sind zu ähnlich. Nehmen Sie eine weitere Pose, um 30° oder mehr in eine andere Richtung geneigt.</translation>
-    </message>
-    <message>
         <source>The robot sent an invalid position. Record the poses again.</source>
         <translation>Der Roboter hat eine ungültige Position gesendet. Nehmen Sie die Posen erneut.</translation>
-    </message>
-    <message>
-        <source>Jog the tip to a fixed, sharp point and record the pose. Record four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
-        <translation>Fahren Sie die Spitze an einen festen, spitzen Punkt und nehmen Sie die Pose. Nehmen Sie insgesamt vier Posen, jeweils mit der Spitze am selben Punkt und dem Werkzeug in eine andere Richtung geneigt.</translation>
     </message>
     <message>
         <source>The tool keeps the current orientation.</source>
@@ -11094,16 +11086,24 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <source>  ◀ least accurate</source>
         <translation>  ◀ am ungenauesten</translation>
     </message>
+    <message>
+        <source>Poses can be recorded only while the robot sends data. Connect to a robot, or wait for new data.</source>
+        <translation>Posen können nur genommen werden, solange der Roboter Daten sendet. Verbinden Sie sich mit einem Roboter oder warten Sie auf neue Daten.</translation>
+    </message>
+    <message>
+        <source>The tool orientations are too similar. Record one more pose with the tool tilted by at least 30° in a different direction.</source>
+        <translation>Die Werkzeugorientierungen sind zu ähnlich. Nehmen Sie eine weitere Pose, um 30° oder mehr in eine andere Richtung geneigt.</translation>
+    </message>
+    <message>
+        <source>Jog the tip to a fixed, sharp point and record the pose. Record four poses in total, each with the tip on the same point and the tool tilted in a different direction.</source>
+        <translation>Fahren Sie die Spitze an einen festen, spitzen Punkt und nehmen Sie die Pose. Nehmen Sie insgesamt vier Posen, jeweils mit der Spitze am selben Punkt und dem Werkzeug in eine andere Richtung geneigt.</translation>
+    </message>
     <message numerus="yes">
-        <source>Tilt the tool in another direction, move the tip to the same point again, and record the pose. Poses still needed: %n.</source>
+        <source>Tilt the tool in a different direction, move the tip to the same point again, and record the pose. Poses still needed: %n.</source>
         <translation>
             <numerusform>Neigen Sie das Werkzeug in eine andere Richtung, bringen Sie die Spitze wieder an denselben Punkt und nehmen Sie die Pose. Noch benötigte Posen: %n.</numerusform>
             <numerusform>Neigen Sie das Werkzeug in eine andere Richtung, bringen Sie die Spitze wieder an denselben Punkt und nehmen Sie die Pose. Noch benötigte Posen: %n.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Poses can be recorded only while the robot sends data. Connect to a robot, or wait for new data.</source>
-        <translation>Posen können nur genommen werden, solange der Roboter Daten sendet. Verbinden Sie sich mit einem Roboter oder warten Sie auf neue Daten.</translation>
     </message>
 </context>
 <context>
@@ -11412,16 +11412,16 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <source>The earlier version cannot be restored because its frame was deleted from the project. Select a different version.</source>
         <translation>Die frühere Version kann nicht wiederhergestellt werden, weil ihr Koordinatensystem aus dem Projekt gelöscht wurde. Wählen Sie eine andere Version.</translation>
     </message>
-    <message>
-        <source>%1 contains no waypoints. Choose another file.</source>
-        <translation>In %1 sind keine Wegpunkte. Wählen Sie eine andere Datei.</translation>
-    </message>
     <message numerus="yes">
         <source>Offset, rotate or mirror %n waypoints</source>
         <translation>
             <numerusform>%n Wegpunkt versetzen, drehen oder spiegeln</numerusform>
             <numerusform>%n Wegpunkte versetzen, drehen oder spiegeln</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 contains no waypoints. Choose a different file.</source>
+        <translation>In %1 sind keine Wegpunkte. Wählen Sie eine andere Datei.</translation>
     </message>
 </context>
 <context>
@@ -11579,18 +11579,6 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>✕ zu weit</translation>
     </message>
     <message>
-        <source>A joint would exceed its limit. Touch up the waypoint with another arm configuration.</source>
-        <translation>Ein Gelenk würde seinen Bereich überschreiten. Teachen Sie den Wegpunkt mit einer anderen Armstellung nach.</translation>
-    </message>
-    <message>
-        <source>The frame of the waypoint is not in this project. Choose another frame.</source>
-        <translation>Das Koordinatensystem des Wegpunkts ist nicht in diesem Projekt. Wählen Sie ein anderes.</translation>
-    </message>
-    <message>
-        <source>The straight line from the current position leaves the reach of the arm. Use MoveJ, or start from another position.</source>
-        <translation>Die gerade Linie von der aktuellen Position verlässt die Reichweite des Arms. Verwenden Sie MoveJ oder beginnen Sie an einer anderen Position.</translation>
-    </message>
-    <message>
         <source>Out of reach. Touch up the waypoint closer to the base.</source>
         <translation>Außer Reichweite. Teachen Sie den Wegpunkt näher an der Basis nach.</translation>
     </message>
@@ -11651,10 +11639,6 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Geben Sie einen Namen für den Wegpunkt ein.</translation>
     </message>
     <message>
-        <source>Waypoint %2 is already named “%1”. Choose another name.</source>
-        <translation>Wegpunkt %2 heißt bereits „%1“. Wählen Sie einen anderen Namen.</translation>
-    </message>
-    <message>
         <source>Rename “%1” to “%2”</source>
         <translation>„%1“ in „%2“ umbenennen</translation>
     </message>
@@ -11673,10 +11657,6 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
     <message>
         <source>Use joint positions for “%1”</source>
         <translation>Gelenkstellungen für „%1“ verwenden</translation>
-    </message>
-    <message>
-        <source>The project has no frame named “%1”. Choose another frame.</source>
-        <translation>Das Projekt hat kein Koordinatensystem „%1“. Wählen Sie ein anderes Koordinatensystem.</translation>
     </message>
     <message>
         <source>Change the frame of “%1” to %2</source>
@@ -11722,10 +11702,6 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>✕ Modell</translation>
     </message>
     <message>
-        <source>The project was taught with another robot model. Use “Adapt project to this robot…” first.</source>
-        <translation>Das Projekt wurde mit einem anderen Robotermodell geteacht. Verwenden Sie zuerst „Projekt an diesen Roboter anpassen…“.</translation>
-    </message>
-    <message>
         <source>✕ path</source>
         <translation>✕ Bahn</translation>
     </message>
@@ -11740,6 +11716,30 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
     <message>
         <source>%1 is out of range. Enter a value from %2 to %3.</source>
         <translation>%1 liegt außerhalb des Bereichs. Geben Sie einen Wert von %2 bis %3 ein.</translation>
+    </message>
+    <message>
+        <source>A joint would exceed its limit. Touch up the waypoint with a different arm configuration.</source>
+        <translation>Ein Gelenk würde seinen Bereich überschreiten. Teachen Sie den Wegpunkt mit einer anderen Armstellung nach.</translation>
+    </message>
+    <message>
+        <source>The frame of the waypoint is not in this project. Choose a different frame.</source>
+        <translation>Das Koordinatensystem des Wegpunkts ist nicht in diesem Projekt. Wählen Sie ein anderes.</translation>
+    </message>
+    <message>
+        <source>The straight line from the current position leaves the reach of the arm. Use MoveJ, or start from a different position.</source>
+        <translation>Die gerade Linie von der aktuellen Position verlässt die Reichweite des Arms. Verwenden Sie MoveJ oder beginnen Sie an einer anderen Position.</translation>
+    </message>
+    <message>
+        <source>Waypoint %2 is already named “%1”. Choose a different name.</source>
+        <translation>Wegpunkt %2 heißt bereits „%1“. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>The project has no frame named “%1”. Choose a different frame.</source>
+        <translation>Das Projekt hat kein Koordinatensystem „%1“. Wählen Sie ein anderes Koordinatensystem.</translation>
+    </message>
+    <message>
+        <source>The project was taught with a different robot model. Use “Adapt project to this robot…” first.</source>
+        <translation>Das Projekt wurde mit einem anderen Robotermodell geteacht. Verwenden Sie zuerst „Projekt an diesen Roboter anpassen…“.</translation>
     </message>
 </context>
 <context>
@@ -11912,10 +11912,6 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <source>The arm cannot reach these waypoints after the move: %1. Choose a different offset, rotation or mirror plane. No waypoint will be moved.</source>
         <translation>Der Arm kann diese Wegpunkte nach dem Verschieben nicht erreichen: %1. Wählen Sie einen anderen Versatz, eine andere Drehung oder Spiegelebene. Es wird kein Wegpunkt verschoben.</translation>
     </message>
-    <message>
-        <source>The frame of a selected waypoint is not in the project. Choose another frame for the waypoint first.</source>
-        <translation>Das Koordinatensystem eines ausgewählten Wegpunkts ist nicht im Projekt. Wählen Sie für den Wegpunkt zuerst ein anderes Koordinatensystem.</translation>
-    </message>
     <message numerus="yes">
         <source>%n of the moved waypoints will be out of reach. They will be kept and marked.</source>
         <translation>
@@ -11937,6 +11933,10 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
             <numerusform>%n Wegpunkt versetzen, drehen oder spiegeln</numerusform>
             <numerusform>%n Wegpunkte versetzen, drehen oder spiegeln</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The frame of a selected waypoint is not in the project. Choose a different frame for the waypoint first.</source>
+        <translation>Das Koordinatensystem eines ausgewählten Wegpunkts ist nicht im Projekt. Wählen Sie für den Wegpunkt zuerst ein anderes Koordinatensystem.</translation>
     </message>
 </context>
 <context>
@@ -12043,10 +12043,6 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>„%1“ teachen</translation>
     </message>
     <message>
-        <source>The frame of “%1” is not in this project. Choose another frame first.</source>
-        <translation>Das Koordinatensystem von „%1“ ist nicht in diesem Projekt. Wählen Sie zuerst ein anderes.</translation>
-    </message>
-    <message>
         <source>The current position is %1 away (%2, base frame). Largest joint change: %3 %4.</source>
         <translation>Die aktuelle Position ist %1 entfernt (%2, Basis-Koordinatensystem). Größte Gelenkänderung: %3 %4.</translation>
     </message>
@@ -12125,6 +12121,10 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     <message>
         <source>Create or edit pattern…</source>
         <translation>Muster erstellen oder ändern…</translation>
+    </message>
+    <message>
+        <source>The frame of “%1” is not in this project. Choose a different frame first.</source>
+        <translation>Das Koordinatensystem von „%1“ ist nicht in diesem Projekt. Wählen Sie zuerst ein anderes.</translation>
     </message>
 </context>
 <context>
@@ -12479,7 +12479,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>&lt;h2&gt;Das Handbuch ist auf diesem Rechner nicht installiert&lt;/h2&gt;&lt;p&gt;Das Debian-Paket von Tiller enthält es. Für einen eigenen Build installieren Sie das Paket python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Bauen Sie danach noch einmal. Sie können die Seiten auch als Text im Ordner packaging/manual des Quelltexts lesen. Die Regeln des Verfahrens und alle Tasten sind auf der anderen Seite dieses Fensters.&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, another mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, Tiller hangs, or the robot mode, the safety mode or Remote control changes;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If the button or key is not pressed, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show a note;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;After a stop, press the button or key again to move the arm. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;Hold &lt;b&gt;Ctrl&lt;/b&gt; for one-tenth of the speed, or &lt;b&gt;Shift&lt;/b&gt; for three times the speed, up to the speed cap. On a keyboard without Latin letters, the letters below refer to key positions on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, a different mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, Tiller hangs, or the robot mode, the safety mode or Remote control changes;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If the button or key is not pressed, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show a note;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;After a stop, press the button or key again to move the arm. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program from another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;Hold &lt;b&gt;Ctrl&lt;/b&gt; for one-tenth of the speed, or &lt;b&gt;Shift&lt;/b&gt; for three times the speed, up to the speed cap. On a keyboard without Latin letters, the letters below refer to key positions on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
         <translation>&lt;h2&gt;Den Arm bewegen&lt;/h2&gt;&lt;p&gt;Der Arm bewegt sich, solange Sie eine Verfahrtaste halten, und stoppt, wenn Sie sie loslassen. Er stoppt auch, wenn&lt;/p&gt;&lt;ul&gt;&lt;li&gt;der Zeiger die Taste verlässt, eine andere Maustaste gedrückt oder ein zweites Eingabegerät benutzt wird;&lt;/li&gt;&lt;li&gt;eine Umschalttaste oder eine entgegengesetzte Taste gedrückt wird, während eine Taste der Tastatur gehalten wird;&lt;/li&gt;&lt;li&gt;das Fenster den Fokus verliert, ein Dialog oder Menü sich öffnet oder sich Koordinatensystem, Geschwindigkeit, Schrittweite oder Register ändern;&lt;/li&gt;&lt;li&gt;die Daten vom Roboter verspätet sind, dieses Programm nicht reagiert oder der Roboter „Läuft“, seinen Sicherheitsmodus oder die Fernsteuerung verlässt;&lt;/li&gt;&lt;li&gt;der Bildschirm gesperrt wird, der PC in den Ruhezustand wechselt oder das Eingabegerät getrennt wird oder keine Daten mehr sendet;&lt;/li&gt;&lt;li&gt;die Tastenprüfung fehlschlägt: Unter X11 prüft Tiller alle 10 ms beim Display-Server, ob die Taste noch gedrückt ist. Ist sie es nicht oder antwortet der Server 100 ms lang nicht, endet die Bewegung. Ist die Prüfung nicht verfügbar, zeigen es die Kopfzeile und die Einstellungen;&lt;/li&gt;&lt;li&gt;die maximale Haltezeit erreicht ist: %1 s beim Verfahren (Einstellungen), fünf Minuten bei Freedrive, die Dauer der Bewegung plus 5 s bei einer Bewegung zu einer Position. Die letzten 3 s werden heruntergezählt.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;Nach einem Stopp muss die Taste erneut gedrückt werden. Solange Tiller die Steuerung hat, stoppen &lt;b&gt;Leertaste&lt;/b&gt; und &lt;b&gt;Esc&lt;/b&gt; den Arm aus jedem Fenster, Dialog und Textfeld. Hat Tiller die Steuerung nicht, wirken sie auf das fokussierte Bedienelement; klicken Sie auf &lt;b&gt;STOP&lt;/b&gt;, um ein Programm eines anderen Clients zu stoppen. Das ist ein Software-Stopp, kein Not-Halt: Halten Sie den Not-Halt in Reichweite.&lt;/p&gt;&lt;p&gt;Mit &lt;b&gt;Strg&lt;/b&gt; bewegt ein Druck zehnmal feiner, mit &lt;b&gt;Umschalt&lt;/b&gt; dreimal schneller, aber nie über der Grenze. Auf einer Tastatur ohne lateinische Buchstaben bezeichnet ein Buchstabe unten seine Position auf einer US-Tastatur.&lt;/p&gt;&lt;h2&gt;Befehle&lt;/h2&gt;</translation>
     </message>
 </context>
@@ -12812,10 +12812,6 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Projekt an diesen Roboter anpassen…</translation>
     </message>
     <message>
-        <source>Converts a project for another robot model, keeping either the poses or the joint positions.</source>
-        <translation>Rechnet ein Projekt für ein anderes Robotermodell um und behält die Posen oder die Gelenkpositionen bei.</translation>
-    </message>
-    <message>
         <source>Take control</source>
         <translation>Steuerung übernehmen</translation>
     </message>
@@ -12952,10 +12948,6 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Ein Programm läuft. Halten Sie zuerst das Programm an.</translation>
     </message>
     <message>
-        <source>A program is running. Stop the program before you open another project.</source>
-        <translation>Ein Programm läuft. Halten Sie das Programm an, bevor Sie ein anderes Projekt öffnen.</translation>
-    </message>
-    <message>
         <source>Save project</source>
         <translation>Projekt speichern</translation>
     </message>
@@ -12991,6 +12983,14 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     <message>
         <source>Saves the project now. Tiller also saves all changes automatically. If another window or program has changed the file, Tiller asks whether to reload the file or keep both versions.</source>
         <translation>Speichert das Projekt sofort. Tiller speichert alle Änderungen auch automatisch. Wenn ein anderes Fenster oder Programm die Datei geändert hat, wird gefragt, ob sie neu geladen wird oder beide Fassungen behalten werden.</translation>
+    </message>
+    <message>
+        <source>Converts a project for a different robot model, keeping either the poses or the joint positions.</source>
+        <translation>Rechnet ein Projekt für ein anderes Robotermodell um und behält die Posen oder die Gelenkpositionen bei.</translation>
+    </message>
+    <message>
+        <source>A program is running. Stop the program before you open a different project.</source>
+        <translation>Ein Programm läuft. Halten Sie das Programm an, bevor Sie ein anderes Projekt öffnen.</translation>
     </message>
 </context>
 <context>
@@ -13029,10 +13029,6 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     <message>
         <source>Saves the current panel layout to the current perspective.</source>
         <translation>Speichert die aktuelle Anordnung der Bereiche in der aktuellen Arbeitsansicht.</translation>
-    </message>
-    <message>
-        <source>This perspective is built in. Save it under another name.</source>
-        <translation>Diese Arbeitsansicht ist vordefiniert. Speichern Sie sie unter einem anderen Namen.</translation>
     </message>
     <message>
         <source>Save perspective as…</source>
@@ -13114,6 +13110,10 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <source>Keep</source>
         <translation>Behalten</translation>
     </message>
+    <message>
+        <source>This perspective is built in. Save it under a different name.</source>
+        <translation>Diese Arbeitsansicht ist vordefiniert. Speichern Sie sie unter einem anderen Namen.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::Perspectives</name>
@@ -13158,10 +13158,6 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Die maximale Zahl an Arbeitsansichten ist erreicht. Löschen Sie zuerst eine.</translation>
     </message>
     <message>
-        <source>A perspective with this name already exists. Choose another name.</source>
-        <translation>Eine Arbeitsansicht mit diesem Namen ist bereits vorhanden. Wählen Sie einen anderen Namen.</translation>
-    </message>
-    <message>
         <source>The panel layout was reset to the perspective “%1”: the layout of the earlier version is not compatible. Arrange the panels again. The new layout is saved automatically.</source>
         <translation>Die Anordnung der Bereiche wurde auf die Arbeitsansicht „%1“ zurückgesetzt: Die Anordnung der früheren Version ist nicht kompatibel. Ordnen Sie die Bereiche neu an. Die neue Anordnung wird automatisch gespeichert.</translation>
     </message>
@@ -13172,6 +13168,10 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     <message>
         <source>The name is too long. Enter a shorter name.</source>
         <translation>Der Name ist zu lang. Geben Sie einen kürzeren Namen ein.</translation>
+    </message>
+    <message>
+        <source>A perspective with this name already exists. Choose a different name.</source>
+        <translation>Eine Arbeitsansicht mit diesem Namen ist bereits vorhanden. Wählen Sie einen anderen Namen.</translation>
     </message>
 </context>
 <context>

@@ -260,10 +260,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: exceeds %2 from %3 s on (%4), maximum %5 at %6 s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>TCP</source>
         <translation type="unfinished"></translation>
     </message>
@@ -334,6 +330,10 @@
     </message>
     <message>
         <source>This recording cannot be compared with a model: target or actual joint positions are missing. Record all signals to an MCAP file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: exceeds %2 starting at %3 s (%4), maximum %5 at %6 s</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3153,15 +3153,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>ended on the robot (pendant, another client or halt)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>paused on the robot</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>a program of another client has taken over</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3334,10 +3326,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The values of a program of another client cannot be changed.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>A URScript step in this program could move the arm after a change.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3442,10 +3430,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>it is nested too deeply</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>the condition cannot be used in a step</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3467,6 +3451,22 @@
     </message>
     <message>
         <source>%1. Complete the program on the teach pendant first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ended on the robot (teach pendant, another client or halt)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a program from another client has taken over</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The values of a program from another client cannot be changed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the statement is nested too deeply</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4029,10 +4029,6 @@
 <context>
     <name>SessionRecording</name>
     <message>
-        <source>The robot cannot send so many signals at once. These signals are not recorded: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Cannot record: connect to a robot first.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4064,6 +4060,10 @@
     </message>
     <message>
         <source>The current recording does not contain %1. Start a new recording to record displayed signals.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot cannot send this many signals at once. These signals are not recorded: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5218,10 +5218,6 @@ To rename or scale the signal, right-click it, or press F2 or Shift+F2.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The cell already contains “%1”. Choose another name.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Rename “%1” to “%2”</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5468,6 +5464,10 @@ Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
     </message>
     <message>
         <source>Turn collision check on or off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cell already contains “%1”. Choose a different name.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5828,14 +5828,6 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” is a built-in frame. Choose another name.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A frame named “%1” already exists. Choose another name.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Rename “%1” to “%2”</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5881,6 +5873,14 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>Distance from the TCP, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is a built-in frame. Choose a different name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A frame named “%1” already exists. Choose a different name.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7693,15 +7693,7 @@ Right-click or press F2 to rename the input.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A pattern with this name already exists. Choose another name.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Teach the three corners first, then select a waypoint for each corner.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The layer height is not a number or is out of range. Enter another layer height.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7741,6 +7733,14 @@ Right-click or press F2 to rename the input.</source>
             <numerusform>%1, %n out of reach and marked.</numerusform>
             <numerusform>%1, %n out of reach and marked.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>A pattern with this name already exists. Choose a different name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The layer height is not a number or is out of range. Enter a different layer height.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7817,10 +7817,6 @@ Right-click or press F2 to rename the input.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The tool orientations are too similar. Record one more pose with the tool rotated in another direction.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The load of %1 kg is too light to measure the centre of gravity. Enter the payload manually.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7848,8 +7844,12 @@ Right-click or press F2 to rename the input.</source>
         <source>  ◀ least accurate</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The tool orientations are too similar. Record one more pose with the tool rotated in a different direction.</source>
+        <translation type="unfinished"></translation>
+    </message>
     <message numerus="yes">
-        <source>Rotate the wrist in another direction and record the pose. Poses still needed: %n.</source>
+        <source>Rotate the wrist in a different direction and record the pose. Poses still needed: %n.</source>
         <translation>
             <numerusform>Rotate the wrist in another direction and record the pose. Poses still needed: %n.</numerusform>
             <numerusform>Rotate the wrist in another direction and record the pose. Poses still needed: %n.</numerusform>
@@ -7880,10 +7880,6 @@ Right-click or press F2 to rename the input.</source>
     </message>
     <message>
         <source>Enter a name for the payload.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A payload named “%1” already exists. Choose another name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8095,6 +8091,10 @@ Right-click or press F2 to rename the input.</source>
 Press “Measure…” to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>A payload named “%1” already exists. Choose a different name.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotAnalysis</name>
@@ -8161,10 +8161,6 @@ Press “Measure…” to measure the payload with the arm.</source>
         <source>Reading the recording: %1</source>
         <translation type="unfinished"></translation>
     </message>
-    <message>
-        <source>This range contains samples of different robots. Place cursors A and B around the data of one robot.</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message numerus="yes">
         <source>Hann window of %1 samples · resolution %2 Hz · mean of %n segment(s) · %3 to %4 s</source>
         <translation>
@@ -8181,6 +8177,10 @@ Press “Measure…” to measure the payload with the arm.</source>
     </message>
     <message>
         <source>%1 · %2 to %3 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This range contains samples from different robots. Place cursors A and B around data from one robot.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8544,10 +8544,6 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The range contains samples of different robots. Select a range of one robot with the cursors A and B, then export again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Robot: %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8565,10 +8561,6 @@ Press “Measure…” to measure the payload with the arm.</source>
     </message>
     <message>
         <source>All %1 pages show recordings. Remove a page or close the recordings first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The image %1 could not be created. Choose another image format.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8636,6 +8628,14 @@ Press “Measure…” to measure the payload with the arm.</source>
     </message>
     <message>
         <source>Part of the recording %1 could not be read. %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The range contains samples from different robots. Use cursors A and B to select a range with data from one robot, then export again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The image %1 could not be created. Choose a different image format.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8872,10 +8872,6 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A position named “%1” already exists. Choose another name.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Rename “%1” to “%2”</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9018,6 +9014,10 @@ Jog the arm to a position and press “Set home here” or “Add position”.</
     </message>
     <message>
         <source>%1 · %2 %3 from the current position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A position named “%1” already exists. Choose a different name.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9694,15 +9694,15 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 already exists. Choose another name for the new project.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Saved %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The project could not be taken over</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 already exists. Choose a different name for the new project.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9736,14 +9736,6 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Project for another robot model</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>“Keep poses” recalculates the joint positions; the tool reaches the same poses. “Keep joints” keeps the arm configuration; the tool reaches different poses. Until you decide, moves to positions of the project are blocked.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Keep poses</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9753,10 +9745,6 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>TCP differs from the project</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>With the robot&apos;s TCP, the flange moves to the same poses as taught, but the TCP does not. Until you decide, moves to positions of the project are blocked.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9788,15 +9776,27 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Moves to positions of this project are blocked</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Choose…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The robot model is not known yet. Wait until the robot reports the model.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Project for a different robot model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“Keep poses” recalculates the joint positions; the tool reaches the same poses. “Keep joints” keeps the arm configuration; the tool reaches different poses. Until you decide, moves to positions in the project are blocked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With the robot&apos;s TCP, the flange moves to the same poses as taught, but the TCP does not. Until you decide, moves to positions in the project are blocked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves to positions in this project are blocked</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9843,26 +9843,26 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 is open in another window (%2). Close the project in that window, or save under another name.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>another program</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 was changed by another program. Reload the project, or save it under another name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>%1 — new</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1 is open in another window (%2). Close the project in that window, or save under a different name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program. Reload the project, or save it under a different name.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::RangeStatisticsCache</name>
     <message>
-        <source>The range contains samples of different robots. Place cursors A and B in the data of one robot.</source>
+        <source>The range contains samples from different robots. Place cursors A and B around data from one robot.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10143,19 +10143,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A program of another client has taken over the robot. Taking control ends that program.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Stopping the other client&apos;s program to take control.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A program of another client has taken over the robot, and control was lost. Taking control again ends that program.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A program of another client is running on the robot.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10163,15 +10151,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>on the way to point %1 of %2: %3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Robot mode: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The program of the other client has ended.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10180,10 +10160,6 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>Not stopped: a program is still running (%1). Press STOP again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The program started without connection to Tiller, at most %1 s before this entry.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10196,6 +10172,30 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>A program from another client has replaced the running program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A program from another client has taken over the robot. Taking control ends that program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A program from another client has taken over the robot, and control was lost. Taking control again ends that program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A program from another client is running on the robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>while moving to point %1 of %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program from the other client has ended.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program started while Tiller was not connected, at most %1 s before this entry.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10600,11 +10600,11 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>ghost “%1” · taught with another robot model</source>
+        <source>LIVE ARM</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>LIVE ARM</source>
+        <source>ghost “%1” · taught with a different robot model</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10809,10 +10809,6 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A TCP named “%1” already exists. Choose another name.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Rename “%1” to “%2”</source>
         <translation type="unfinished"></translation>
     </message>
@@ -10953,6 +10949,10 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <source>Set TCP on robot</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>A TCP named “%1” already exists. Choose a different name.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::TcpTeacher</name>
@@ -11005,15 +11005,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The tool orientations are too similar. Record one more pose with the tool tilted by at least 30° in another direction.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The robot sent an invalid position. Record the poses again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Jog the tip to a fixed, sharp point and record the pose. Record four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11080,16 +11072,24 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <source>  ◀ least accurate</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Poses can be recorded only while the robot sends data. Connect to a robot, or wait for new data.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tool orientations are too similar. Record one more pose with the tool tilted by at least 30° in a different direction.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog the tip to a fixed, sharp point and record the pose. Record four poses in total, each with the tip on the same point and the tool tilted in a different direction.</source>
+        <translation type="unfinished"></translation>
+    </message>
     <message numerus="yes">
-        <source>Tilt the tool in another direction, move the tip to the same point again, and record the pose. Poses still needed: %n.</source>
+        <source>Tilt the tool in a different direction, move the tip to the same point again, and record the pose. Poses still needed: %n.</source>
         <translation>
             <numerusform>Tilt the tool in another direction, move the tip to the same point again, and record the pose. Poses still needed: %n.</numerusform>
             <numerusform>Tilt the tool in another direction, move the tip to the same point again, and record the pose. Poses still needed: %n.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Poses can be recorded only while the robot sends data. Connect to a robot, or wait for new data.</source>
-        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -11398,16 +11398,16 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <source>The earlier version cannot be restored because its frame was deleted from the project. Select a different version.</source>
         <translation type="unfinished"></translation>
     </message>
-    <message>
-        <source>%1 contains no waypoints. Choose another file.</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message numerus="yes">
         <source>Offset, rotate or mirror %n waypoints</source>
         <translation>
             <numerusform>Offset, rotate or mirror %n waypoint</numerusform>
             <numerusform>Offset, rotate or mirror %n waypoints</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 contains no waypoints. Choose a different file.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -11565,18 +11565,6 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A joint would exceed its limit. Touch up the waypoint with another arm configuration.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The frame of the waypoint is not in this project. Choose another frame.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The straight line from the current position leaves the reach of the arm. Use MoveJ, or start from another position.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Out of reach. Touch up the waypoint closer to the base.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -11637,10 +11625,6 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Waypoint %2 is already named “%1”. Choose another name.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Rename “%1” to “%2”</source>
         <translation type="unfinished"></translation>
     </message>
@@ -11654,10 +11638,6 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
     </message>
     <message>
         <source>Use joint positions for “%1”</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The project has no frame named “%1”. Choose another frame.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11708,10 +11688,6 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The project was taught with another robot model. Use “Adapt project to this robot…” first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>✕ path</source>
         <translation type="unfinished"></translation>
     </message>
@@ -11725,6 +11701,30 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
     </message>
     <message>
         <source>The arm cannot reach this pose, so “%1” was not changed. Enter a different pose.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A joint would exceed its limit. Touch up the waypoint with a different arm configuration.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The frame of the waypoint is not in this project. Choose a different frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The straight line from the current position leaves the reach of the arm. Use MoveJ, or start from a different position.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waypoint %2 is already named “%1”. Choose a different name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The project has no frame named “%1”. Choose a different frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The project was taught with a different robot model. Use “Adapt project to this robot…” first.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -11898,10 +11898,6 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <source>The arm cannot reach these waypoints after the move: %1. Choose a different offset, rotation or mirror plane. No waypoint will be moved.</source>
         <translation type="unfinished"></translation>
     </message>
-    <message>
-        <source>The frame of a selected waypoint is not in the project. Choose another frame for the waypoint first.</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message numerus="yes">
         <source>%n of the moved waypoints will be out of reach. They will be kept and marked.</source>
         <translation>
@@ -11923,6 +11919,10 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
             <numerusform>Offset, rotate or mirror %n waypoint</numerusform>
             <numerusform>Offset, rotate or mirror %n waypoints</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The frame of a selected waypoint is not in the project. Choose a different frame for the waypoint first.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -12028,10 +12028,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The frame of “%1” is not in this project. Choose another frame first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The current position is %1 away (%2, base frame). Largest joint change: %3 %4.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -12109,6 +12105,10 @@ Jog the arm to a position and press “Teach here” (T).</source>
     </message>
     <message>
         <source>Create or edit pattern…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The frame of “%1” is not in this project. Choose a different frame first.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -12463,7 +12463,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, another mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, Tiller hangs, or the robot mode, the safety mode or Remote control changes;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If the button or key is not pressed, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show a note;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;After a stop, press the button or key again to move the arm. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;Hold &lt;b&gt;Ctrl&lt;/b&gt; for one-tenth of the speed, or &lt;b&gt;Shift&lt;/b&gt; for three times the speed, up to the speed cap. On a keyboard without Latin letters, the letters below refer to key positions on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, a different mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, Tiller hangs, or the robot mode, the safety mode or Remote control changes;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If the button or key is not pressed, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show a note;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;After a stop, press the button or key again to move the arm. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program from another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;Hold &lt;b&gt;Ctrl&lt;/b&gt; for one-tenth of the speed, or &lt;b&gt;Shift&lt;/b&gt; for three times the speed, up to the speed cap. On a keyboard without Latin letters, the letters below refer to key positions on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -12804,10 +12804,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Converts a project for another robot model, keeping either the poses or the joint positions.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Take control</source>
         <translation type="unfinished"></translation>
     </message>
@@ -12952,10 +12948,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A program is running. Stop the program before you open another project.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Save project</source>
         <translation type="unfinished"></translation>
     </message>
@@ -12974,6 +12966,14 @@ Jog the arm to a position and press “Teach here” (T).</source>
     </message>
     <message>
         <source>%1 — Tiller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Converts a project for a different robot model, keeping either the poses or the joint positions.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A program is running. Stop the program before you open a different project.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -13012,10 +13012,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
     </message>
     <message>
         <source>Saves the current panel layout to the current perspective.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>This perspective is built in. Save it under another name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -13098,6 +13094,10 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <source>Keep</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>This perspective is built in. Save it under a different name.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::Perspectives</name>
@@ -13146,15 +13146,15 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A perspective with this name already exists. Choose another name.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The panel layout was reset to the perspective “%1”: the layout of the earlier version is not compatible. Arrange the panels again. The new layout is saved automatically.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The panel layout was reset to the perspective “%1”: the stored layout is damaged or from another version. Arrange the panels again. The new layout is saved automatically.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A perspective with this name already exists. Choose a different name.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

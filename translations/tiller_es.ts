@@ -260,10 +260,6 @@
         <translation>%1: siempre dentro de %2, máximo %3 a los %4 s</translation>
     </message>
     <message>
-        <source>%1: exceeds %2 from %3 s on (%4), maximum %5 at %6 s</source>
-        <translation>%1: supera %2 desde %3 s (%4), máximo %5 a los %6 s</translation>
-    </message>
-    <message>
         <source>TCP</source>
         <translation>TCP</translation>
     </message>
@@ -335,6 +331,10 @@
     <message>
         <source>This recording cannot be compared with a model: target or actual joint positions are missing. Record all signals to an MCAP file.</source>
         <translation>Esta grabación no se puede comparar con un modelo: faltan las posiciones articulares de consigna o reales. Grabe todas las señales en MCAP.</translation>
+    </message>
+    <message>
+        <source>%1: exceeds %2 starting at %3 s (%4), maximum %5 at %6 s</source>
+        <translation>%1: supera %2 desde %3 s (%4), máximo %5 a los %6 s</translation>
     </message>
 </context>
 <context>
@@ -3153,16 +3153,8 @@
         <translation>Un programa no puede continuar en medio de este paso. La próxima ejecución empieza desde el principio.</translation>
     </message>
     <message>
-        <source>ended on the robot (pendant, another client or halt)</source>
-        <translation>terminado en el robot (consola portátil, otro cliente o halt)</translation>
-    </message>
-    <message>
         <source>paused on the robot</source>
         <translation>en pausa en el robot</translation>
-    </message>
-    <message>
-        <source>a program of another client has taken over</source>
-        <translation>un programa de otro cliente se ha hecho con el robot</translation>
     </message>
     <message>
         <source>the speed, acceleration or blend is not a number, or a time is set</source>
@@ -3334,10 +3326,6 @@
         <translation>Matriz</translation>
     </message>
     <message>
-        <source>The values of a program of another client cannot be changed.</source>
-        <translation>Los valores de un programa de otro cliente no se pueden cambiar.</translation>
-    </message>
-    <message>
         <source>A URScript step in this program could move the arm after a change.</source>
         <translation>Un paso URScript de este programa podría mover el brazo después de un cambio.</translation>
     </message>
@@ -3442,10 +3430,6 @@
         <translation>un nodo desactivado en una parte que es texto</translation>
     </message>
     <message>
-        <source>it is nested too deeply</source>
-        <translation>está anidada a demasiada profundidad</translation>
-    </message>
-    <message>
         <source>the condition cannot be used in a step</source>
         <translation>su condición no puede ser la condición de un paso</translation>
     </message>
@@ -3468,6 +3452,22 @@
     <message>
         <source>%1. Complete the program on the teach pendant first.</source>
         <translation>%1. Complete primero el programa en la consola portátil.</translation>
+    </message>
+    <message>
+        <source>ended on the robot (teach pendant, another client or halt)</source>
+        <translation>terminado en el robot (consola portátil, otro cliente o halt)</translation>
+    </message>
+    <message>
+        <source>a program from another client has taken over</source>
+        <translation>un programa de otro cliente se ha hecho con el robot</translation>
+    </message>
+    <message>
+        <source>The values of a program from another client cannot be changed.</source>
+        <translation>Los valores de un programa de otro cliente no se pueden cambiar.</translation>
+    </message>
+    <message>
+        <source>the statement is nested too deeply</source>
+        <translation>está anidada a demasiada profundidad</translation>
     </message>
 </context>
 <context>
@@ -4029,10 +4029,6 @@
 <context>
     <name>SessionRecording</name>
     <message>
-        <source>The robot cannot send so many signals at once. These signals are not recorded: %1</source>
-        <translation>El robot no puede enviar tantas señales a la vez. Señales que no se graban: %1</translation>
-    </message>
-    <message>
         <source>Cannot record: connect to a robot first.</source>
         <translation>No se puede grabar: conéctese primero a un robot.</translation>
     </message>
@@ -4065,6 +4061,10 @@
     <message>
         <source>The current recording does not contain %1. Start a new recording to record displayed signals.</source>
         <translation>La grabación actual no contiene %1. Inicie una grabación nueva para grabar las señales mostradas.</translation>
+    </message>
+    <message>
+        <source>The robot cannot send this many signals at once. These signals are not recorded: %1</source>
+        <translation>El robot no puede enviar tantas señales a la vez. Señales que no se graban: %1</translation>
     </message>
 </context>
 <context>
@@ -5219,10 +5219,6 @@ F2 para renombrar, Mayús+F2 para escalar, o clic derecho.</translation>
         <translation>Introduzca un nombre para la caja o el plano.</translation>
     </message>
     <message>
-        <source>The cell already contains “%1”. Choose another name.</source>
-        <translation>La celda ya contiene «%1». Elija otro nombre.</translation>
-    </message>
-    <message>
         <source>Rename “%1” to “%2”</source>
         <translation>Renombrar «%1» a «%2»</translation>
     </message>
@@ -5471,6 +5467,10 @@ Mueva el TCP a una esquina de un obstáculo y pulse «Esquina aquí».</translat
     <message>
         <source>Turn collision check on or off</source>
         <translation>Activar o desactivar la comprobación de colisiones</translation>
+    </message>
+    <message>
+        <source>The cell already contains “%1”. Choose a different name.</source>
+        <translation>La celda ya contiene «%1». Elija otro nombre.</translation>
     </message>
 </context>
 <context>
@@ -5831,14 +5831,6 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>Vista</translation>
     </message>
     <message>
-        <source>“%1” is a built-in frame. Choose another name.</source>
-        <translation>«%1» es un sistema de coordenadas predefinido. Elija otro nombre.</translation>
-    </message>
-    <message>
-        <source>A frame named “%1” already exists. Choose another name.</source>
-        <translation>Ya existe un sistema de coordenadas con el nombre «%1». Elija otro nombre.</translation>
-    </message>
-    <message>
         <source>Rename “%1” to “%2”</source>
         <translation>Renombrar «%1» a «%2»</translation>
     </message>
@@ -5885,6 +5877,14 @@ Vacíe la búsqueda para verlo todo.</translation>
     <message>
         <source>Distance from the TCP, %1</source>
         <translation>Distancia del TCP, %1</translation>
+    </message>
+    <message>
+        <source>“%1” is a built-in frame. Choose a different name.</source>
+        <translation>«%1» es un sistema de coordenadas predefinido. Elija otro nombre.</translation>
+    </message>
+    <message>
+        <source>A frame named “%1” already exists. Choose a different name.</source>
+        <translation>Ya existe un sistema de coordenadas con el nombre «%1». Elija otro nombre.</translation>
     </message>
 </context>
 <context>
@@ -7700,16 +7700,8 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Introduzca un nombre para el patrón.</translation>
     </message>
     <message>
-        <source>A pattern with this name already exists. Choose another name.</source>
-        <translation>Ya existe un patrón con este nombre. Elija otro nombre.</translation>
-    </message>
-    <message>
         <source>Teach the three corners first, then select a waypoint for each corner.</source>
         <translation>Enseñe primero las tres esquinas y seleccione después un punto de paso para cada una.</translation>
-    </message>
-    <message>
-        <source>The layer height is not a number or is out of range. Enter another layer height.</source>
-        <translation>La altura de capa no es un número o está fuera del rango. Introduzca otra altura de capa.</translation>
     </message>
     <message>
         <source>The layer height must not be 0. Enter a layer height.</source>
@@ -7748,6 +7740,14 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
             <numerusform>%1, %n fuera de alcance y marcado.</numerusform>
             <numerusform>%1, %n fuera de alcance y marcados.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>A pattern with this name already exists. Choose a different name.</source>
+        <translation>Ya existe un patrón con este nombre. Elija otro nombre.</translation>
+    </message>
+    <message>
+        <source>The layer height is not a number or is out of range. Enter a different layer height.</source>
+        <translation>La altura de capa no es un número o está fuera del rango. Introduzca otra altura de capa.</translation>
     </message>
 </context>
 <context>
@@ -7824,10 +7824,6 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>%1 La precisión es baja: la pose %2 es la que más se desvía. Quítela y tome otra.</translation>
     </message>
     <message>
-        <source>The tool orientations are too similar. Record one more pose with the tool rotated in another direction.</source>
-        <translation>Las orientaciones de la herramienta son demasiado parecidas. Tome una pose más con la herramienta girada en otra dirección.</translation>
-    </message>
-    <message>
         <source>The load of %1 kg is too light to measure the centre of gravity. Enter the payload manually.</source>
         <translation>La carga de %1 kg es demasiado ligera para medir el centro de gravedad. Introduzca la carga útil manualmente.</translation>
     </message>
@@ -7855,8 +7851,12 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <source>  ◀ least accurate</source>
         <translation>  ◀ menos precisa</translation>
     </message>
+    <message>
+        <source>The tool orientations are too similar. Record one more pose with the tool rotated in a different direction.</source>
+        <translation>Las orientaciones de la herramienta son demasiado parecidas. Tome una pose más con la herramienta girada en otra dirección.</translation>
+    </message>
     <message numerus="yes">
-        <source>Rotate the wrist in another direction and record the pose. Poses still needed: %n.</source>
+        <source>Rotate the wrist in a different direction and record the pose. Poses still needed: %n.</source>
         <translation>
             <numerusform>Gire la muñeca en otra dirección y tome la pose. Poses que faltan: %n.</numerusform>
             <numerusform>Gire la muñeca en otra dirección y tome la pose. Poses que faltan: %n.</numerusform>
@@ -7888,10 +7888,6 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
     <message>
         <source>Enter a name for the payload.</source>
         <translation>Introduzca un nombre para la carga útil.</translation>
-    </message>
-    <message>
-        <source>A payload named “%1” already exists. Choose another name.</source>
-        <translation>Ya existe una carga útil con el nombre «%1». Elija otro nombre.</translation>
     </message>
     <message>
         <source>Rename “%1” to “%2”</source>
@@ -8103,6 +8099,10 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>Aún no hay cargas.
 Pulse Medir… para medir la carga con el brazo.</translation>
     </message>
+    <message>
+        <source>A payload named “%1” already exists. Choose a different name.</source>
+        <translation>Ya existe una carga útil con el nombre «%1». Elija otro nombre.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotAnalysis</name>
@@ -8169,10 +8169,6 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <source>Reading the recording: %1</source>
         <translation>Leyendo la grabación: %1</translation>
     </message>
-    <message>
-        <source>This range contains samples of different robots. Place cursors A and B around the data of one robot.</source>
-        <translation>Este intervalo contiene muestras de robots distintos. Coloque los cursores A y B alrededor de los datos de un solo robot.</translation>
-    </message>
     <message numerus="yes">
         <source>Hann window of %1 samples · resolution %2 Hz · mean of %n segment(s) · %3 to %4 s</source>
         <translation>
@@ -8190,6 +8186,10 @@ Pulse Medir… para medir la carga con el brazo.</translation>
     <message>
         <source>%1 · %2 to %3 s</source>
         <translation>%1 · %2 a %3 s</translation>
+    </message>
+    <message>
+        <source>This range contains samples from different robots. Place cursors A and B around data from one robot.</source>
+        <translation>Este intervalo contiene muestras de robots distintos. Coloque los cursores A y B alrededor de los datos de un solo robot.</translation>
     </message>
 </context>
 <context>
@@ -8552,10 +8552,6 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>El intervalo tiene demasiados valores para exportarlo desde esta ventana. Exporte un intervalo más corto o ejecute «tiller-cli export».</translation>
     </message>
     <message>
-        <source>The range contains samples of different robots. Select a range of one robot with the cursors A and B, then export again.</source>
-        <translation>El rango contiene valores de distintos robots. Seleccione con los cursores A y B un rango de un solo robot y exporte de nuevo.</translation>
-    </message>
-    <message>
         <source>Robot: %1</source>
         <translation>Robot: %1</translation>
     </message>
@@ -8612,10 +8608,6 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>Carpeta: %1…</translation>
     </message>
     <message>
-        <source>The image %1 could not be created. Choose another image format.</source>
-        <translation>No se pudo crear la imagen %1. Elija otro formato de imagen.</translation>
-    </message>
-    <message>
         <source>The file type is not supported. Use the suffix .png, .svg or .pdf for an image, or .csv for values.</source>
         <translation>El tipo de archivo no se admite. Use la extensión .png, .svg o .pdf para una imagen, o .csv para valores.</translation>
     </message>
@@ -8645,6 +8637,14 @@ Pulse Medir… para medir la carga con el brazo.</translation>
     <message>
         <source>Part of the recording %1 could not be read. %2</source>
         <translation>No se pudo leer una parte de la grabación %1. %2</translation>
+    </message>
+    <message>
+        <source>The range contains samples from different robots. Use cursors A and B to select a range with data from one robot, then export again.</source>
+        <translation>El rango contiene valores de distintos robots. Seleccione con los cursores A y B un rango de un solo robot y exporte de nuevo.</translation>
+    </message>
+    <message>
+        <source>The image %1 could not be created. Choose a different image format.</source>
+        <translation>No se pudo crear la imagen %1. Elija otro formato de imagen.</translation>
     </message>
 </context>
 <context>
@@ -8880,10 +8880,6 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>Introduzca un nombre para la posición.</translation>
     </message>
     <message>
-        <source>A position named “%1” already exists. Choose another name.</source>
-        <translation>Ya existe una posición con el nombre «%1». Elija otro nombre.</translation>
-    </message>
-    <message>
         <source>Rename “%1” to “%2”</source>
         <translation>Renombrar «%1» a «%2»</translation>
     </message>
@@ -9028,6 +9024,10 @@ Mueva el brazo a una posición y pulse «Fijar inicio aquí» o «Añadir posici
     <message>
         <source>%1 · %2 %3 from the current position</source>
         <translation>%1 · %2 %3 desde aquí</translation>
+    </message>
+    <message>
+        <source>A position named “%1” already exists. Choose a different name.</source>
+        <translation>Ya existe una posición con el nombre «%1». Elija otro nombre.</translation>
     </message>
 </context>
 <context>
@@ -9707,16 +9707,16 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Proyecto nuevo</translation>
     </message>
     <message>
-        <source>%1 already exists. Choose another name for the new project.</source>
-        <translation>%1 ya existe. Elija otro nombre para el proyecto nuevo.</translation>
-    </message>
-    <message>
         <source>Saved %1</source>
         <translation>%1 guardado</translation>
     </message>
     <message>
         <source>The project could not be taken over</source>
         <translation>No se pudo tomar el proyecto</translation>
+    </message>
+    <message>
+        <source>%1 already exists. Choose a different name for the new project.</source>
+        <translation>%1 ya existe. Elija otro nombre para el proyecto nuevo.</translation>
     </message>
 </context>
 <context>
@@ -9749,14 +9749,6 @@ Suelte el botón para detener el brazo.</translation>
         <translation>No hay ningún robot conectado. Conecte el robot de este proyecto.</translation>
     </message>
     <message>
-        <source>Project for another robot model</source>
-        <translation>Proyecto para otro modelo de robot</translation>
-    </message>
-    <message>
-        <source>“Keep poses” recalculates the joint positions; the tool reaches the same poses. “Keep joints” keeps the arm configuration; the tool reaches different poses. Until you decide, moves to positions of the project are blocked.</source>
-        <translation>«Conservar poses» recalcula las posiciones articulares; la herramienta alcanza las mismas poses. «Conservar articulaciones» mantiene la configuración del brazo; la herramienta alcanza otras poses. Hasta que decida, los movimientos a posiciones del proyecto están bloqueados.</translation>
-    </message>
-    <message>
         <source>Keep poses</source>
         <translation>Conservar poses</translation>
     </message>
@@ -9767,10 +9759,6 @@ Suelte el botón para detener el brazo.</translation>
     <message>
         <source>TCP differs from the project</source>
         <translation>El TCP difiere del proyecto</translation>
-    </message>
-    <message>
-        <source>With the robot&apos;s TCP, the flange moves to the same poses as taught, but the TCP does not. Until you decide, moves to positions of the project are blocked.</source>
-        <translation>Con el TCP del robot, la brida alcanza las poses enseñadas, pero el TCP no. Hasta que decida, los movimientos a posiciones del proyecto están bloqueados.</translation>
     </message>
     <message>
         <source>Set “%1” on the robot</source>
@@ -9801,16 +9789,28 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Algunas posiciones están fuera de alcance</translation>
     </message>
     <message>
-        <source>Moves to positions of this project are blocked</source>
-        <translation>Los movimientos a posiciones de este proyecto están bloqueados</translation>
-    </message>
-    <message>
         <source>Choose…</source>
         <translation>Elegir…</translation>
     </message>
     <message>
         <source>The robot model is not known yet. Wait until the robot reports the model.</source>
         <translation>Aún no se conoce el modelo del robot. Espere a que el robot lo comunique.</translation>
+    </message>
+    <message>
+        <source>Project for a different robot model</source>
+        <translation>Proyecto para otro modelo de robot</translation>
+    </message>
+    <message>
+        <source>“Keep poses” recalculates the joint positions; the tool reaches the same poses. “Keep joints” keeps the arm configuration; the tool reaches different poses. Until you decide, moves to positions in the project are blocked.</source>
+        <translation>«Conservar poses» recalcula las posiciones articulares; la herramienta alcanza las mismas poses. «Conservar articulaciones» mantiene la configuración del brazo; la herramienta alcanza otras poses. Hasta que decida, los movimientos a posiciones del proyecto están bloqueados.</translation>
+    </message>
+    <message>
+        <source>With the robot&apos;s TCP, the flange moves to the same poses as taught, but the TCP does not. Until you decide, moves to positions in the project are blocked.</source>
+        <translation>Con el TCP del robot, la brida alcanza las poses enseñadas, pero el TCP no. Hasta que decida, los movimientos a posiciones del proyecto están bloqueados.</translation>
+    </message>
+    <message>
+        <source>Moves to positions in this project are blocked</source>
+        <translation>Los movimientos a posiciones de este proyecto están bloqueados</translation>
     </message>
 </context>
 <context>
@@ -9856,26 +9856,26 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Proyecto sin guardar</translation>
     </message>
     <message>
-        <source>%1 is open in another window (%2). Close the project in that window, or save under another name.</source>
-        <translation>%1 está abierto en otra ventana (%2). Ciérrelo allí o guarde con otro nombre.</translation>
-    </message>
-    <message>
         <source>another program</source>
         <translation>otro programa</translation>
-    </message>
-    <message>
-        <source>%1 was changed by another program. Reload the project, or save it under another name.</source>
-        <translation>Otro programa ha cambiado %1. Vuelva a cargarlo o guarde con otro nombre.</translation>
     </message>
     <message>
         <source>%1 — new</source>
         <translation>%1 — nuevo</translation>
     </message>
+    <message>
+        <source>%1 is open in another window (%2). Close the project in that window, or save under a different name.</source>
+        <translation>%1 está abierto en otra ventana (%2). Ciérrelo allí o guarde con otro nombre.</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program. Reload the project, or save it under a different name.</source>
+        <translation>Otro programa ha cambiado %1. Vuelva a cargarlo o guarde con otro nombre.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RangeStatisticsCache</name>
     <message>
-        <source>The range contains samples of different robots. Place cursors A and B in the data of one robot.</source>
+        <source>The range contains samples from different robots. Place cursors A and B around data from one robot.</source>
         <translation>El intervalo contiene muestras de robots distintos. Coloque los cursores A y B en los datos de un solo robot.</translation>
     </message>
 </context>
@@ -10156,36 +10156,16 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Se está ejecutando un programa. Espere a que termine o deténgalo.</translation>
     </message>
     <message>
-        <source>A program of another client has taken over the robot. Taking control ends that program.</source>
-        <translation>Un programa de otro cliente se ha hecho con el robot. Tomar el control lo termina.</translation>
-    </message>
-    <message>
         <source>Stopping the other client&apos;s program to take control.</source>
         <translation>Se detiene el programa del otro cliente para tomar el control.</translation>
-    </message>
-    <message>
-        <source>A program of another client has taken over the robot, and control was lost. Taking control again ends that program.</source>
-        <translation>Un programa de otro cliente se ha hecho con el robot y se perdió el control. Volver a tomar el control termina ese programa.</translation>
-    </message>
-    <message>
-        <source>A program of another client is running on the robot.</source>
-        <translation>En el robot se ejecuta un programa de otro cliente.</translation>
     </message>
     <message>
         <source>The program on the robot is paused.</source>
         <translation>El programa del robot está en pausa.</translation>
     </message>
     <message>
-        <source>on the way to point %1 of %2: %3</source>
-        <translation>de camino al punto %1 de %2: %3</translation>
-    </message>
-    <message>
         <source>Robot mode: %1</source>
         <translation>Modo del robot: %1</translation>
-    </message>
-    <message>
-        <source>The program of the other client has ended.</source>
-        <translation>El programa del otro cliente ha terminado.</translation>
     </message>
     <message>
         <source>Stopped: %1 (%2)</source>
@@ -10194,10 +10174,6 @@ Suelte el botón para detener el brazo.</translation>
     <message>
         <source>Not stopped: a program is still running (%1). Press STOP again.</source>
         <translation>No se ha detenido: un programa sigue en ejecución (%1). Pulse STOP de nuevo.</translation>
-    </message>
-    <message>
-        <source>The program started without connection to Tiller, at most %1 s before this entry.</source>
-        <translation>El programa se inició sin conexión con Tiller, como máximo %1 s antes de esta entrada.</translation>
     </message>
     <message>
         <source>Not stopped: the arm is still moving (%1). Press STOP again.</source>
@@ -10210,6 +10186,30 @@ Suelte el botón para detener el brazo.</translation>
     <message>
         <source>A program from another client has replaced the running program.</source>
         <translation>Un programa de otro cliente ha sustituido al programa en ejecución.</translation>
+    </message>
+    <message>
+        <source>A program from another client has taken over the robot. Taking control ends that program.</source>
+        <translation>Un programa de otro cliente se ha hecho con el robot. Tomar el control lo termina.</translation>
+    </message>
+    <message>
+        <source>A program from another client has taken over the robot, and control was lost. Taking control again ends that program.</source>
+        <translation>Un programa de otro cliente se ha hecho con el robot y se perdió el control. Volver a tomar el control termina ese programa.</translation>
+    </message>
+    <message>
+        <source>A program from another client is running on the robot.</source>
+        <translation>En el robot se ejecuta un programa de otro cliente.</translation>
+    </message>
+    <message>
+        <source>while moving to point %1 of %2: %3</source>
+        <translation>de camino al punto %1 de %2: %3</translation>
+    </message>
+    <message>
+        <source>The program from the other client has ended.</source>
+        <translation>El programa del otro cliente ha terminado.</translation>
+    </message>
+    <message>
+        <source>The program started while Tiller was not connected, at most %1 s before this entry.</source>
+        <translation>El programa se inició sin conexión con Tiller, como máximo %1 s antes de esta entrada.</translation>
     </message>
 </context>
 <context>
@@ -10613,12 +10613,12 @@ Suelte el botón para detener el brazo.</translation>
         <translation>REPRODUCCIÓN</translation>
     </message>
     <message>
-        <source>ghost “%1” · taught with another robot model</source>
-        <translation>fantasma «%1» · enseñado con otro modelo de robot</translation>
-    </message>
-    <message>
         <source>LIVE ARM</source>
         <translation>BRAZO EN VIVO</translation>
+    </message>
+    <message>
+        <source>ghost “%1” · taught with a different robot model</source>
+        <translation>fantasma «%1» · enseñado con otro modelo de robot</translation>
     </message>
 </context>
 <context>
@@ -10822,10 +10822,6 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Introduzca un nombre para el TCP.</translation>
     </message>
     <message>
-        <source>A TCP named “%1” already exists. Choose another name.</source>
-        <translation>Ya existe un TCP con el nombre «%1». Elija otro nombre.</translation>
-    </message>
-    <message>
         <source>Rename “%1” to “%2”</source>
         <translation>Renombrar «%1» a «%2»</translation>
     </message>
@@ -10967,6 +10963,10 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <source>Set TCP on robot</source>
         <translation>Fijar el TCP en el robot</translation>
     </message>
+    <message>
+        <source>A TCP named “%1” already exists. Choose a different name.</source>
+        <translation>Ya existe un TCP con el nombre «%1». Elija otro nombre.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::TcpTeacher</name>
@@ -11019,16 +11019,8 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Punta en %1. Las poses coinciden en %2 (RMS); la pose %3 es la que más se desvía, %4.</translation>
     </message>
     <message>
-        <source>The tool orientations are too similar. Record one more pose with the tool tilted by at least 30° in another direction.</source>
-        <translation>Las orientaciones de la herramienta son demasiado parecidas. Tome otra pose, inclinada 30° o más en otra dirección.</translation>
-    </message>
-    <message>
         <source>The robot sent an invalid position. Record the poses again.</source>
         <translation>El robot envió una posición no válida. Tome las poses de nuevo.</translation>
-    </message>
-    <message>
-        <source>Jog the tip to a fixed, sharp point and record the pose. Record four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
-        <translation>Lleve la punta a un punto fijo y afilado y tome la pose. Tome cuatro poses en total, cada una con la punta en el mismo punto y la herramienta inclinada en otra dirección.</translation>
     </message>
     <message>
         <source>The tool keeps the current orientation.</source>
@@ -11094,16 +11086,24 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <source>  ◀ least accurate</source>
         <translation>  ◀ menos precisa</translation>
     </message>
+    <message>
+        <source>Poses can be recorded only while the robot sends data. Connect to a robot, or wait for new data.</source>
+        <translation>Las poses solo se pueden tomar mientras el robot envía datos. Conéctese a un robot o espere nuevos datos.</translation>
+    </message>
+    <message>
+        <source>The tool orientations are too similar. Record one more pose with the tool tilted by at least 30° in a different direction.</source>
+        <translation>Las orientaciones de la herramienta son demasiado parecidas. Tome otra pose, inclinada 30° o más en otra dirección.</translation>
+    </message>
+    <message>
+        <source>Jog the tip to a fixed, sharp point and record the pose. Record four poses in total, each with the tip on the same point and the tool tilted in a different direction.</source>
+        <translation>Lleve la punta a un punto fijo y afilado y tome la pose. Tome cuatro poses en total, cada una con la punta en el mismo punto y la herramienta inclinada en otra dirección.</translation>
+    </message>
     <message numerus="yes">
-        <source>Tilt the tool in another direction, move the tip to the same point again, and record the pose. Poses still needed: %n.</source>
+        <source>Tilt the tool in a different direction, move the tip to the same point again, and record the pose. Poses still needed: %n.</source>
         <translation>
             <numerusform>Incline la herramienta en otra dirección, lleve la punta de nuevo al mismo punto y tome la pose. Poses que faltan: %n.</numerusform>
             <numerusform>Incline la herramienta en otra dirección, lleve la punta de nuevo al mismo punto y tome la pose. Poses que faltan: %n.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Poses can be recorded only while the robot sends data. Connect to a robot, or wait for new data.</source>
-        <translation>Las poses solo se pueden tomar mientras el robot envía datos. Conéctese a un robot o espere nuevos datos.</translation>
     </message>
 </context>
 <context>
@@ -11412,16 +11412,16 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <source>The earlier version cannot be restored because its frame was deleted from the project. Select a different version.</source>
         <translation>La versión anterior no se puede restaurar porque su sistema de coordenadas se eliminó del proyecto. Seleccione otra versión.</translation>
     </message>
-    <message>
-        <source>%1 contains no waypoints. Choose another file.</source>
-        <translation>No hay puntos de paso en %1. Elija otro archivo.</translation>
-    </message>
     <message numerus="yes">
         <source>Offset, rotate or mirror %n waypoints</source>
         <translation>
             <numerusform>Desplazar, girar o reflejar %n punto</numerusform>
             <numerusform>Desplazar, girar o reflejar %n puntos</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 contains no waypoints. Choose a different file.</source>
+        <translation>No hay puntos de paso en %1. Elija otro archivo.</translation>
     </message>
 </context>
 <context>
@@ -11579,18 +11579,6 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>✕ alcance</translation>
     </message>
     <message>
-        <source>A joint would exceed its limit. Touch up the waypoint with another arm configuration.</source>
-        <translation>Una articulación superaría su recorrido. Retoque el punto con otra configuración del brazo.</translation>
-    </message>
-    <message>
-        <source>The frame of the waypoint is not in this project. Choose another frame.</source>
-        <translation>El sistema del punto de paso no está en este proyecto. Elija otro sistema.</translation>
-    </message>
-    <message>
-        <source>The straight line from the current position leaves the reach of the arm. Use MoveJ, or start from another position.</source>
-        <translation>La línea recta desde la posición actual sale del alcance del brazo. Use MoveJ o empiece en otra posición.</translation>
-    </message>
-    <message>
         <source>Out of reach. Touch up the waypoint closer to the base.</source>
         <translation>Fuera de alcance. Retoque el punto más cerca de la base.</translation>
     </message>
@@ -11651,10 +11639,6 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Introduzca un nombre para el punto de paso.</translation>
     </message>
     <message>
-        <source>Waypoint %2 is already named “%1”. Choose another name.</source>
-        <translation>El punto de paso %2 ya se llama «%1». Elija otro nombre.</translation>
-    </message>
-    <message>
         <source>Rename “%1” to “%2”</source>
         <translation>Renombrar «%1» a «%2»</translation>
     </message>
@@ -11673,10 +11657,6 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
     <message>
         <source>Use joint positions for “%1”</source>
         <translation>Usar posiciones articulares para «%1»</translation>
-    </message>
-    <message>
-        <source>The project has no frame named “%1”. Choose another frame.</source>
-        <translation>El proyecto no tiene ningún sistema «%1». Elija otro sistema.</translation>
     </message>
     <message>
         <source>Change the frame of “%1” to %2</source>
@@ -11722,10 +11702,6 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>✕ modelo</translation>
     </message>
     <message>
-        <source>The project was taught with another robot model. Use “Adapt project to this robot…” first.</source>
-        <translation>El proyecto se enseñó con otro modelo de robot. Use primero «Adaptar el proyecto a este robot…».</translation>
-    </message>
-    <message>
         <source>✕ path</source>
         <translation>✕ ruta</translation>
     </message>
@@ -11740,6 +11716,30 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
     <message>
         <source>%1 is out of range. Enter a value from %2 to %3.</source>
         <translation>%1 está fuera del intervalo. Introduzca un valor de %2 a %3.</translation>
+    </message>
+    <message>
+        <source>A joint would exceed its limit. Touch up the waypoint with a different arm configuration.</source>
+        <translation>Una articulación superaría su recorrido. Retoque el punto con otra configuración del brazo.</translation>
+    </message>
+    <message>
+        <source>The frame of the waypoint is not in this project. Choose a different frame.</source>
+        <translation>El sistema del punto de paso no está en este proyecto. Elija otro sistema.</translation>
+    </message>
+    <message>
+        <source>The straight line from the current position leaves the reach of the arm. Use MoveJ, or start from a different position.</source>
+        <translation>La línea recta desde la posición actual sale del alcance del brazo. Use MoveJ o empiece en otra posición.</translation>
+    </message>
+    <message>
+        <source>Waypoint %2 is already named “%1”. Choose a different name.</source>
+        <translation>El punto de paso %2 ya se llama «%1». Elija otro nombre.</translation>
+    </message>
+    <message>
+        <source>The project has no frame named “%1”. Choose a different frame.</source>
+        <translation>El proyecto no tiene ningún sistema «%1». Elija otro sistema.</translation>
+    </message>
+    <message>
+        <source>The project was taught with a different robot model. Use “Adapt project to this robot…” first.</source>
+        <translation>El proyecto se enseñó con otro modelo de robot. Use primero «Adaptar el proyecto a este robot…».</translation>
     </message>
 </context>
 <context>
@@ -11912,10 +11912,6 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <source>The arm cannot reach these waypoints after the move: %1. Choose a different offset, rotation or mirror plane. No waypoint will be moved.</source>
         <translation>El brazo no puede alcanzar estos puntos de paso después del desplazamiento: %1. Elija otro desplazamiento, giro o plano de simetría. No se moverá ningún punto de paso.</translation>
     </message>
-    <message>
-        <source>The frame of a selected waypoint is not in the project. Choose another frame for the waypoint first.</source>
-        <translation>El sistema de un punto de paso seleccionado no está en el proyecto. Elija primero otro sistema para el punto de paso.</translation>
-    </message>
     <message numerus="yes">
         <source>%n of the moved waypoints will be out of reach. They will be kept and marked.</source>
         <translation>
@@ -11937,6 +11933,10 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
             <numerusform>Desplazar, girar o reflejar %n punto</numerusform>
             <numerusform>Desplazar, girar o reflejar %n puntos</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The frame of a selected waypoint is not in the project. Choose a different frame for the waypoint first.</source>
+        <translation>El sistema de un punto de paso seleccionado no está en el proyecto. Elija primero otro sistema para el punto de paso.</translation>
     </message>
 </context>
 <context>
@@ -12043,10 +12043,6 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Enseñar «%1»</translation>
     </message>
     <message>
-        <source>The frame of “%1” is not in this project. Choose another frame first.</source>
-        <translation>El sistema de «%1» no está en este proyecto. Elija antes otro sistema.</translation>
-    </message>
-    <message>
         <source>The current position is %1 away (%2, base frame). Largest joint change: %3 %4.</source>
         <translation>La posición actual está a %1 (%2, base). Mayor cambio articular: %3 %4.</translation>
     </message>
@@ -12125,6 +12121,10 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     <message>
         <source>Create or edit pattern…</source>
         <translation>Crear o editar patrón…</translation>
+    </message>
+    <message>
+        <source>The frame of “%1” is not in this project. Choose a different frame first.</source>
+        <translation>El sistema de «%1» no está en este proyecto. Elija antes otro sistema.</translation>
     </message>
 </context>
 <context>
@@ -12479,7 +12479,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>&lt;h2&gt;El manual no está instalado en este ordenador&lt;/h2&gt;&lt;p&gt;El paquete Debian de Tiller lo contiene. Para añadirlo a su propia compilación, instale el paquete python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Después compile otra vez. También puede leer las páginas como texto en la carpeta packaging/manual del código fuente. Las reglas del movimiento manual y todas las teclas están en la otra página de esta ventana.&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, another mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, Tiller hangs, or the robot mode, the safety mode or Remote control changes;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If the button or key is not pressed, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show a note;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;After a stop, press the button or key again to move the arm. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;Hold &lt;b&gt;Ctrl&lt;/b&gt; for one-tenth of the speed, or &lt;b&gt;Shift&lt;/b&gt; for three times the speed, up to the speed cap. On a keyboard without Latin letters, the letters below refer to key positions on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, a different mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, Tiller hangs, or the robot mode, the safety mode or Remote control changes;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If the button or key is not pressed, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show a note;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;After a stop, press the button or key again to move the arm. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program from another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;Hold &lt;b&gt;Ctrl&lt;/b&gt; for one-tenth of the speed, or &lt;b&gt;Shift&lt;/b&gt; for three times the speed, up to the speed cap. On a keyboard without Latin letters, the letters below refer to key positions on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
         <translation>&lt;h2&gt;Mover el brazo&lt;/h2&gt;&lt;p&gt;El brazo se mueve mientras mantiene pulsado un botón de movimiento y se detiene al soltarlo. También se detiene cuando&lt;/p&gt;&lt;ul&gt;&lt;li&gt;el puntero sale del botón, se pulsa otro botón del ratón o se usa un segundo dispositivo de entrada;&lt;/li&gt;&lt;li&gt;se pulsa un modificador o la tecla contraria mientras se mantiene una tecla del teclado;&lt;/li&gt;&lt;li&gt;la ventana pierde el foco, se abre un diálogo o menú, o cambia el sistema de coordenadas, la velocidad, el paso o la pestaña;&lt;/li&gt;&lt;li&gt;los datos del robot llegan tarde, este programa no responde o el robot sale de «En marcha», de su modo de seguridad o del control remoto;&lt;/li&gt;&lt;li&gt;se bloquea la pantalla, el PC entra en suspensión, o el dispositivo de entrada se desconecta o deja de enviar datos;&lt;/li&gt;&lt;li&gt;falla la comprobación de teclas: en X11, Tiller comprueba cada 10 ms en el servidor gráfico que el botón o la tecla sigue pulsado. Si no lo está, o si el servidor no responde durante 100 ms, el movimiento termina. Si la comprobación no está disponible, lo indican la cabecera y los ajustes;&lt;/li&gt;&lt;li&gt;se alcanza el tiempo máximo de pulsación: %1 s para el movimiento manual (Ajustes), cinco minutos para el movimiento libre, la duración del movimiento más 5 s para ir a una posición. Se muestra una cuenta atrás de los últimos 3 s.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;Después de una parada hay que pulsar de nuevo. Mientras Tiller tiene el control, &lt;b&gt;Espacio&lt;/b&gt; y &lt;b&gt;Esc&lt;/b&gt; detienen el brazo desde cualquier ventana, diálogo y campo de texto. Cuando Tiller no tiene el control, actúan sobre el elemento que tiene el foco; haga clic en &lt;b&gt;STOP&lt;/b&gt; para detener un programa de otro cliente. Es una parada por software, no una parada de emergencia: tenga la parada de emergencia a su alcance.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; hace el movimiento diez veces más fino y &lt;b&gt;Mayús&lt;/b&gt; tres veces más rápido, pero nunca por encima del límite. En un teclado sin letras latinas, las letras siguientes se refieren a su posición en un teclado de EE. UU.&lt;/p&gt;&lt;h2&gt;Órdenes&lt;/h2&gt;</translation>
     </message>
 </context>
@@ -12812,10 +12812,6 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Adaptar el proyecto a este robot…</translation>
     </message>
     <message>
-        <source>Converts a project for another robot model, keeping either the poses or the joint positions.</source>
-        <translation>Convierte un proyecto para otro modelo de robot y conserva las poses o las posiciones articulares.</translation>
-    </message>
-    <message>
         <source>Take control</source>
         <translation>Tomar el control</translation>
     </message>
@@ -12952,10 +12948,6 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Se está ejecutando un programa. Pare primero el programa.</translation>
     </message>
     <message>
-        <source>A program is running. Stop the program before you open another project.</source>
-        <translation>Se está ejecutando un programa. Pare el programa antes de abrir otro proyecto.</translation>
-    </message>
-    <message>
         <source>Save project</source>
         <translation>Guardar proyecto</translation>
     </message>
@@ -12991,6 +12983,14 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     <message>
         <source>Saves the project now. Tiller also saves all changes automatically. If another window or program has changed the file, Tiller asks whether to reload the file or keep both versions.</source>
         <translation>Guarda el proyecto ahora. Tiller también guarda todos los cambios automáticamente. Si otra ventana u otro programa ha modificado el archivo, pregunta si se recarga o se conservan ambas versiones.</translation>
+    </message>
+    <message>
+        <source>Converts a project for a different robot model, keeping either the poses or the joint positions.</source>
+        <translation>Convierte un proyecto para otro modelo de robot y conserva las poses o las posiciones articulares.</translation>
+    </message>
+    <message>
+        <source>A program is running. Stop the program before you open a different project.</source>
+        <translation>Se está ejecutando un programa. Pare el programa antes de abrir otro proyecto.</translation>
     </message>
 </context>
 <context>
@@ -13029,10 +13029,6 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     <message>
         <source>Saves the current panel layout to the current perspective.</source>
         <translation>Guarda la disposición actual de los paneles en la perspectiva actual.</translation>
-    </message>
-    <message>
-        <source>This perspective is built in. Save it under another name.</source>
-        <translation>Esta perspectiva está predefinida. Guárdela con otro nombre.</translation>
     </message>
     <message>
         <source>Save perspective as…</source>
@@ -13114,6 +13110,10 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <source>Keep</source>
         <translation>Conservar</translation>
     </message>
+    <message>
+        <source>This perspective is built in. Save it under a different name.</source>
+        <translation>Esta perspectiva está predefinida. Guárdela con otro nombre.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::Perspectives</name>
@@ -13158,10 +13158,6 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Se alcanzó el número máximo de perspectivas. Elimine primero una.</translation>
     </message>
     <message>
-        <source>A perspective with this name already exists. Choose another name.</source>
-        <translation>Ya existe una perspectiva con este nombre. Elija otro nombre.</translation>
-    </message>
-    <message>
         <source>The panel layout was reset to the perspective “%1”: the layout of the earlier version is not compatible. Arrange the panels again. The new layout is saved automatically.</source>
         <translation>La disposición de los paneles se restableció a la perspectiva «%1»: la disposición de la versión anterior no es compatible. Ordene los paneles de nuevo. La nueva disposición se guarda automáticamente.</translation>
     </message>
@@ -13172,6 +13168,10 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     <message>
         <source>The name is too long. Enter a shorter name.</source>
         <translation>El nombre es demasiado largo. Introduzca un nombre más corto.</translation>
+    </message>
+    <message>
+        <source>A perspective with this name already exists. Choose a different name.</source>
+        <translation>Ya existe una perspectiva con este nombre. Elija otro nombre.</translation>
     </message>
 </context>
 <context>

@@ -260,10 +260,6 @@
         <translation>%1 : toujours dans les limites de %2, maximum %3 à %4 s</translation>
     </message>
     <message>
-        <source>%1: exceeds %2 from %3 s on (%4), maximum %5 at %6 s</source>
-        <translation>%1 : dépasse %2 à partir de %3 s (%4), maximum %5 à %6 s</translation>
-    </message>
-    <message>
         <source>TCP</source>
         <translation>TCP</translation>
     </message>
@@ -335,6 +331,10 @@
     <message>
         <source>This recording cannot be compared with a model: target or actual joint positions are missing. Record all signals to an MCAP file.</source>
         <translation>Cet enregistrement ne peut pas être comparé à un modèle : les positions articulaires de consigne ou réelles manquent. Enregistrez tous les signaux en MCAP.</translation>
+    </message>
+    <message>
+        <source>%1: exceeds %2 starting at %3 s (%4), maximum %5 at %6 s</source>
+        <translation>%1 : dépasse %2 à partir de %3 s (%4), maximum %5 à %6 s</translation>
     </message>
 </context>
 <context>
@@ -3153,16 +3153,8 @@
         <translation>Un programme ne peut pas reprendre au milieu de cette étape. La prochaine exécution part du début.</translation>
     </message>
     <message>
-        <source>ended on the robot (pendant, another client or halt)</source>
-        <translation>terminé sur le robot (pupitre, autre client ou halt)</translation>
-    </message>
-    <message>
         <source>paused on the robot</source>
         <translation>mis en pause sur le robot</translation>
-    </message>
-    <message>
-        <source>a program of another client has taken over</source>
-        <translation>un programme d’un autre client a pris le robot</translation>
     </message>
     <message>
         <source>the speed, acceleration or blend is not a number, or a time is set</source>
@@ -3334,10 +3326,6 @@
         <translation>Matrice</translation>
     </message>
     <message>
-        <source>The values of a program of another client cannot be changed.</source>
-        <translation>Les valeurs d&apos;un programme d&apos;un autre client ne peuvent pas être modifiées.</translation>
-    </message>
-    <message>
         <source>A URScript step in this program could move the arm after a change.</source>
         <translation>Une étape URScript de ce programme pourrait déplacer le bras après une modification.</translation>
     </message>
@@ -3442,10 +3430,6 @@
         <translation>un nœud désactivé dans une partie conservée comme texte</translation>
     </message>
     <message>
-        <source>it is nested too deeply</source>
-        <translation>elle est imbriquée trop profondément</translation>
-    </message>
-    <message>
         <source>the condition cannot be used in a step</source>
         <translation>sa condition ne peut pas être celle d’une étape</translation>
     </message>
@@ -3468,6 +3452,22 @@
     <message>
         <source>%1. Complete the program on the teach pendant first.</source>
         <translation>%1. Complétez d’abord le programme sur le pupitre.</translation>
+    </message>
+    <message>
+        <source>ended on the robot (teach pendant, another client or halt)</source>
+        <translation>terminé sur le robot (pupitre, autre client ou halt)</translation>
+    </message>
+    <message>
+        <source>a program from another client has taken over</source>
+        <translation>un programme d’un autre client a pris le robot</translation>
+    </message>
+    <message>
+        <source>The values of a program from another client cannot be changed.</source>
+        <translation>Les valeurs d&apos;un programme d&apos;un autre client ne peuvent pas être modifiées.</translation>
+    </message>
+    <message>
+        <source>the statement is nested too deeply</source>
+        <translation>elle est imbriquée trop profondément</translation>
     </message>
 </context>
 <context>
@@ -4029,10 +4029,6 @@
 <context>
     <name>SessionRecording</name>
     <message>
-        <source>The robot cannot send so many signals at once. These signals are not recorded: %1</source>
-        <translation>Le robot ne peut pas envoyer autant de signaux à la fois. Signaux non enregistrés : %1</translation>
-    </message>
-    <message>
         <source>Cannot record: connect to a robot first.</source>
         <translation>Enregistrement impossible : connectez-vous d’abord à un robot.</translation>
     </message>
@@ -4065,6 +4061,10 @@
     <message>
         <source>The current recording does not contain %1. Start a new recording to record displayed signals.</source>
         <translation>L’enregistrement en cours ne contient pas %1. Démarrez un nouvel enregistrement pour enregistrer les signaux affichés.</translation>
+    </message>
+    <message>
+        <source>The robot cannot send this many signals at once. These signals are not recorded: %1</source>
+        <translation>Le robot ne peut pas envoyer autant de signaux à la fois. Signaux non enregistrés : %1</translation>
     </message>
 </context>
 <context>
@@ -5219,10 +5219,6 @@ F2 pour renommer, Maj+F2 pour mettre à l’échelle, ou clic droit.</translatio
         <translation>Saisissez un nom pour la boîte ou le plan.</translation>
     </message>
     <message>
-        <source>The cell already contains “%1”. Choose another name.</source>
-        <translation>La cellule contient déjà « %1 ». Choisissez un autre nom.</translation>
-    </message>
-    <message>
         <source>Rename “%1” to “%2”</source>
         <translation>Renommer « %1 » en « %2 »</translation>
     </message>
@@ -5471,6 +5467,10 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur « Coin ici ».</transla
     <message>
         <source>Turn collision check on or off</source>
         <translation>Activer ou désactiver la vérification des collisions</translation>
+    </message>
+    <message>
+        <source>The cell already contains “%1”. Choose a different name.</source>
+        <translation>La cellule contient déjà « %1 ». Choisissez un autre nom.</translation>
     </message>
 </context>
 <context>
@@ -5831,14 +5831,6 @@ Videz la recherche pour tout voir.</translation>
         <translation>Vue</translation>
     </message>
     <message>
-        <source>“%1” is a built-in frame. Choose another name.</source>
-        <translation>« %1 » est un repère prédéfini. Choisissez un autre nom.</translation>
-    </message>
-    <message>
-        <source>A frame named “%1” already exists. Choose another name.</source>
-        <translation>Un repère nommé « %1 » existe déjà. Choisissez un autre nom.</translation>
-    </message>
-    <message>
         <source>Rename “%1” to “%2”</source>
         <translation>Renommer « %1 » en « %2 »</translation>
     </message>
@@ -5885,6 +5877,14 @@ Videz la recherche pour tout voir.</translation>
     <message>
         <source>Distance from the TCP, %1</source>
         <translation>Distance depuis le TCP, %1</translation>
+    </message>
+    <message>
+        <source>“%1” is a built-in frame. Choose a different name.</source>
+        <translation>« %1 » est un repère prédéfini. Choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>A frame named “%1” already exists. Choose a different name.</source>
+        <translation>Un repère nommé « %1 » existe déjà. Choisissez un autre nom.</translation>
     </message>
 </context>
 <context>
@@ -7700,16 +7700,8 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Saisissez un nom pour le motif.</translation>
     </message>
     <message>
-        <source>A pattern with this name already exists. Choose another name.</source>
-        <translation>Un motif de ce nom existe déjà. Choisissez un autre nom.</translation>
-    </message>
-    <message>
         <source>Teach the three corners first, then select a waypoint for each corner.</source>
         <translation>Apprenez d’abord les trois coins, puis sélectionnez un point de passage pour chacun.</translation>
-    </message>
-    <message>
-        <source>The layer height is not a number or is out of range. Enter another layer height.</source>
-        <translation>La hauteur de couche n’est pas un nombre ou est hors de la plage. Saisissez une autre hauteur de couche.</translation>
     </message>
     <message>
         <source>The layer height must not be 0. Enter a layer height.</source>
@@ -7748,6 +7740,14 @@ Clic droit ou F2 pour renommer.</translation>
             <numerusform>%1, %n hors de portée et marqué.</numerusform>
             <numerusform>%1, %n hors de portée et marqués.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>A pattern with this name already exists. Choose a different name.</source>
+        <translation>Un motif de ce nom existe déjà. Choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>The layer height is not a number or is out of range. Enter a different layer height.</source>
+        <translation>La hauteur de couche n’est pas un nombre ou est hors de la plage. Saisissez une autre hauteur de couche.</translation>
     </message>
 </context>
 <context>
@@ -7824,10 +7824,6 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>%1 La précision est faible : la pose %2 s’écarte le plus. Retirez-la et prenez-en une autre.</translation>
     </message>
     <message>
-        <source>The tool orientations are too similar. Record one more pose with the tool rotated in another direction.</source>
-        <translation>Les orientations de l’outil sont trop semblables. Prenez une pose de plus, l’outil tourné dans une autre direction.</translation>
-    </message>
-    <message>
         <source>The load of %1 kg is too light to measure the centre of gravity. Enter the payload manually.</source>
         <translation>La charge de %1 kg est trop légère pour mesurer le centre de gravité. Saisissez la charge utile manuellement.</translation>
     </message>
@@ -7855,8 +7851,12 @@ Clic droit ou F2 pour renommer.</translation>
         <source>  ◀ least accurate</source>
         <translation>  ◀ la moins précise</translation>
     </message>
+    <message>
+        <source>The tool orientations are too similar. Record one more pose with the tool rotated in a different direction.</source>
+        <translation>Les orientations de l’outil sont trop semblables. Prenez une pose de plus, l’outil tourné dans une autre direction.</translation>
+    </message>
     <message numerus="yes">
-        <source>Rotate the wrist in another direction and record the pose. Poses still needed: %n.</source>
+        <source>Rotate the wrist in a different direction and record the pose. Poses still needed: %n.</source>
         <translation>
             <numerusform>Tournez le poignet dans une autre direction et prenez la pose. Poses encore nécessaires : %n.</numerusform>
             <numerusform>Tournez le poignet dans une autre direction et prenez la pose. Poses encore nécessaires : %n.</numerusform>
@@ -7888,10 +7888,6 @@ Clic droit ou F2 pour renommer.</translation>
     <message>
         <source>Enter a name for the payload.</source>
         <translation>Saisissez un nom pour la charge utile.</translation>
-    </message>
-    <message>
-        <source>A payload named “%1” already exists. Choose another name.</source>
-        <translation>Une charge utile nommée « %1 » existe déjà. Choisissez un autre nom.</translation>
     </message>
     <message>
         <source>Rename “%1” to “%2”</source>
@@ -8103,6 +8099,10 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>Aucune charge.
 Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
     </message>
+    <message>
+        <source>A payload named “%1” already exists. Choose a different name.</source>
+        <translation>Une charge utile nommée « %1 » existe déjà. Choisissez un autre nom.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotAnalysis</name>
@@ -8169,10 +8169,6 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <source>Reading the recording: %1</source>
         <translation>Lecture de l’enregistrement : %1</translation>
     </message>
-    <message>
-        <source>This range contains samples of different robots. Place cursors A and B around the data of one robot.</source>
-        <translation>Cette plage contient des échantillons de robots différents. Placez les curseurs A et B autour des données d’un seul robot.</translation>
-    </message>
     <message numerus="yes">
         <source>Hann window of %1 samples · resolution %2 Hz · mean of %n segment(s) · %3 to %4 s</source>
         <translation>
@@ -8190,6 +8186,10 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
     <message>
         <source>%1 · %2 to %3 s</source>
         <translation>%1 · %2 à %3 s</translation>
+    </message>
+    <message>
+        <source>This range contains samples from different robots. Place cursors A and B around data from one robot.</source>
+        <translation>Cette plage contient des échantillons de robots différents. Placez les curseurs A et B autour des données d’un seul robot.</translation>
     </message>
 </context>
 <context>
@@ -8552,10 +8552,6 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>La plage contient trop de valeurs pour être exportée depuis cette fenêtre. Exportez une plage plus courte ou exécutez « tiller-cli export ».</translation>
     </message>
     <message>
-        <source>The range contains samples of different robots. Select a range of one robot with the cursors A and B, then export again.</source>
-        <translation>La plage contient des valeurs de différents robots. Sélectionnez avec les curseurs A et B une plage d’un seul robot, puis exportez de nouveau.</translation>
-    </message>
-    <message>
         <source>Robot: %1</source>
         <translation>Robot : %1</translation>
     </message>
@@ -8612,10 +8608,6 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>Dossier : %1…</translation>
     </message>
     <message>
-        <source>The image %1 could not be created. Choose another image format.</source>
-        <translation>L’image %1 n’a pas pu être créée. Choisissez un autre format d’image.</translation>
-    </message>
-    <message>
         <source>The file type is not supported. Use the suffix .png, .svg or .pdf for an image, or .csv for values.</source>
         <translation>Le type de fichier n’est pas pris en charge. Utilisez le suffixe .png, .svg ou .pdf pour une image, ou .csv pour des valeurs.</translation>
     </message>
@@ -8645,6 +8637,14 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
     <message>
         <source>Part of the recording %1 could not be read. %2</source>
         <translation>Une partie de l’enregistrement %1 n’a pas pu être lue. %2</translation>
+    </message>
+    <message>
+        <source>The range contains samples from different robots. Use cursors A and B to select a range with data from one robot, then export again.</source>
+        <translation>La plage contient des valeurs de différents robots. Sélectionnez avec les curseurs A et B une plage d’un seul robot, puis exportez de nouveau.</translation>
+    </message>
+    <message>
+        <source>The image %1 could not be created. Choose a different image format.</source>
+        <translation>L’image %1 n’a pas pu être créée. Choisissez un autre format d’image.</translation>
     </message>
 </context>
 <context>
@@ -8880,10 +8880,6 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>Saisissez un nom pour la position.</translation>
     </message>
     <message>
-        <source>A position named “%1” already exists. Choose another name.</source>
-        <translation>Une position nommée « %1 » existe déjà. Choisissez un autre nom.</translation>
-    </message>
-    <message>
         <source>Rename “%1” to “%2”</source>
         <translation>Renommer « %1 » en « %2 »</translation>
     </message>
@@ -9028,6 +9024,10 @@ Amenez le bras à une position et appuyez sur « Origine ici » ou « Ajouter po
     <message>
         <source>%1 · %2 %3 from the current position</source>
         <translation>%1 · %2 %3 d’ici</translation>
+    </message>
+    <message>
+        <source>A position named “%1” already exists. Choose a different name.</source>
+        <translation>Une position nommée « %1 » existe déjà. Choisissez un autre nom.</translation>
     </message>
 </context>
 <context>
@@ -9707,16 +9707,16 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Nouveau projet</translation>
     </message>
     <message>
-        <source>%1 already exists. Choose another name for the new project.</source>
-        <translation>%1 existe déjà. Choisissez un autre nom pour le nouveau projet.</translation>
-    </message>
-    <message>
         <source>Saved %1</source>
         <translation>%1 enregistré</translation>
     </message>
     <message>
         <source>The project could not be taken over</source>
         <translation>Impossible de reprendre le projet</translation>
+    </message>
+    <message>
+        <source>%1 already exists. Choose a different name for the new project.</source>
+        <translation>%1 existe déjà. Choisissez un autre nom pour le nouveau projet.</translation>
     </message>
 </context>
 <context>
@@ -9749,14 +9749,6 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Aucun robot n’est connecté. Connectez le robot de ce projet.</translation>
     </message>
     <message>
-        <source>Project for another robot model</source>
-        <translation>Projet pour un autre modèle de robot</translation>
-    </message>
-    <message>
-        <source>“Keep poses” recalculates the joint positions; the tool reaches the same poses. “Keep joints” keeps the arm configuration; the tool reaches different poses. Until you decide, moves to positions of the project are blocked.</source>
-        <translation>« Conserver les poses » recalcule les positions articulaires ; l’outil atteint les mêmes poses. « Conserver les articulations » garde la configuration du bras ; l’outil atteint d’autres poses. Jusqu’à votre décision, les mouvements vers les positions du projet sont bloqués.</translation>
-    </message>
-    <message>
         <source>Keep poses</source>
         <translation>Conserver les poses</translation>
     </message>
@@ -9767,10 +9759,6 @@ Relâchez le bouton pour arrêter le bras.</translation>
     <message>
         <source>TCP differs from the project</source>
         <translation>Le TCP diffère du projet</translation>
-    </message>
-    <message>
-        <source>With the robot&apos;s TCP, the flange moves to the same poses as taught, but the TCP does not. Until you decide, moves to positions of the project are blocked.</source>
-        <translation>Avec le TCP du robot, la bride atteint les poses apprises, mais pas le TCP. Jusqu’à votre décision, les mouvements vers les positions du projet sont bloqués.</translation>
     </message>
     <message>
         <source>Set “%1” on the robot</source>
@@ -9801,16 +9789,28 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Certaines positions sont hors de portée</translation>
     </message>
     <message>
-        <source>Moves to positions of this project are blocked</source>
-        <translation>Les mouvements vers les positions de ce projet sont bloqués</translation>
-    </message>
-    <message>
         <source>Choose…</source>
         <translation>Choisir…</translation>
     </message>
     <message>
         <source>The robot model is not known yet. Wait until the robot reports the model.</source>
         <translation>Le modèle du robot n’est pas encore connu. Attendez que le robot l’ait indiqué.</translation>
+    </message>
+    <message>
+        <source>Project for a different robot model</source>
+        <translation>Projet pour un autre modèle de robot</translation>
+    </message>
+    <message>
+        <source>“Keep poses” recalculates the joint positions; the tool reaches the same poses. “Keep joints” keeps the arm configuration; the tool reaches different poses. Until you decide, moves to positions in the project are blocked.</source>
+        <translation>« Conserver les poses » recalcule les positions articulaires ; l’outil atteint les mêmes poses. « Conserver les articulations » garde la configuration du bras ; l’outil atteint d’autres poses. Jusqu’à votre décision, les mouvements vers les positions du projet sont bloqués.</translation>
+    </message>
+    <message>
+        <source>With the robot&apos;s TCP, the flange moves to the same poses as taught, but the TCP does not. Until you decide, moves to positions in the project are blocked.</source>
+        <translation>Avec le TCP du robot, la bride atteint les poses apprises, mais pas le TCP. Jusqu’à votre décision, les mouvements vers les positions du projet sont bloqués.</translation>
+    </message>
+    <message>
+        <source>Moves to positions in this project are blocked</source>
+        <translation>Les mouvements vers les positions de ce projet sont bloqués</translation>
     </message>
 </context>
 <context>
@@ -9856,26 +9856,26 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Projet non enregistré</translation>
     </message>
     <message>
-        <source>%1 is open in another window (%2). Close the project in that window, or save under another name.</source>
-        <translation>%1 est ouvert dans une autre fenêtre (%2). Fermez-le dans cette fenêtre ou enregistrez sous un autre nom.</translation>
-    </message>
-    <message>
         <source>another program</source>
         <translation>un autre programme</translation>
-    </message>
-    <message>
-        <source>%1 was changed by another program. Reload the project, or save it under another name.</source>
-        <translation>%1 a été modifié par un autre programme. Rechargez-le ou enregistrez sous un autre nom.</translation>
     </message>
     <message>
         <source>%1 — new</source>
         <translation>%1 — nouveau</translation>
     </message>
+    <message>
+        <source>%1 is open in another window (%2). Close the project in that window, or save under a different name.</source>
+        <translation>%1 est ouvert dans une autre fenêtre (%2). Fermez-le dans cette fenêtre ou enregistrez sous un autre nom.</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program. Reload the project, or save it under a different name.</source>
+        <translation>%1 a été modifié par un autre programme. Rechargez-le ou enregistrez sous un autre nom.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RangeStatisticsCache</name>
     <message>
-        <source>The range contains samples of different robots. Place cursors A and B in the data of one robot.</source>
+        <source>The range contains samples from different robots. Place cursors A and B around data from one robot.</source>
         <translation>La plage contient des échantillons de robots différents. Placez les curseurs A et B dans les données d’un seul robot.</translation>
     </message>
 </context>
@@ -10156,36 +10156,16 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Un programme est en cours d&apos;exécution. Attendez qu&apos;il se termine, ou arrêtez-le.</translation>
     </message>
     <message>
-        <source>A program of another client has taken over the robot. Taking control ends that program.</source>
-        <translation>Un programme d&apos;un autre client a pris le robot. Prendre le contrôle y met fin.</translation>
-    </message>
-    <message>
         <source>Stopping the other client&apos;s program to take control.</source>
         <translation>Le programme de l&apos;autre client est arrêté pour prendre le contrôle.</translation>
-    </message>
-    <message>
-        <source>A program of another client has taken over the robot, and control was lost. Taking control again ends that program.</source>
-        <translation>Un programme d&apos;un autre client a pris le robot, et le contrôle a été perdu. Reprendre le contrôle met fin à ce programme.</translation>
-    </message>
-    <message>
-        <source>A program of another client is running on the robot.</source>
-        <translation>Un programme d&apos;un autre client s&apos;exécute sur le robot.</translation>
     </message>
     <message>
         <source>The program on the robot is paused.</source>
         <translation>Le programme du robot est en pause.</translation>
     </message>
     <message>
-        <source>on the way to point %1 of %2: %3</source>
-        <translation>en route vers le point %1 sur %2 : %3</translation>
-    </message>
-    <message>
         <source>Robot mode: %1</source>
         <translation>Mode du robot : %1</translation>
-    </message>
-    <message>
-        <source>The program of the other client has ended.</source>
-        <translation>Le programme de l’autre client est terminé.</translation>
     </message>
     <message>
         <source>Stopped: %1 (%2)</source>
@@ -10194,10 +10174,6 @@ Relâchez le bouton pour arrêter le bras.</translation>
     <message>
         <source>Not stopped: a program is still running (%1). Press STOP again.</source>
         <translation>Pas d’arrêt : un programme est toujours en cours (%1). Appuyez de nouveau sur STOP.</translation>
-    </message>
-    <message>
-        <source>The program started without connection to Tiller, at most %1 s before this entry.</source>
-        <translation>Le programme a démarré sans connexion avec Tiller, au plus %1 s avant cette entrée.</translation>
     </message>
     <message>
         <source>Not stopped: the arm is still moving (%1). Press STOP again.</source>
@@ -10210,6 +10186,30 @@ Relâchez le bouton pour arrêter le bras.</translation>
     <message>
         <source>A program from another client has replaced the running program.</source>
         <translation>Un programme d’un autre client a remplacé le programme en cours.</translation>
+    </message>
+    <message>
+        <source>A program from another client has taken over the robot. Taking control ends that program.</source>
+        <translation>Un programme d&apos;un autre client a pris le robot. Prendre le contrôle y met fin.</translation>
+    </message>
+    <message>
+        <source>A program from another client has taken over the robot, and control was lost. Taking control again ends that program.</source>
+        <translation>Un programme d&apos;un autre client a pris le robot, et le contrôle a été perdu. Reprendre le contrôle met fin à ce programme.</translation>
+    </message>
+    <message>
+        <source>A program from another client is running on the robot.</source>
+        <translation>Un programme d&apos;un autre client s&apos;exécute sur le robot.</translation>
+    </message>
+    <message>
+        <source>while moving to point %1 of %2: %3</source>
+        <translation>en route vers le point %1 sur %2 : %3</translation>
+    </message>
+    <message>
+        <source>The program from the other client has ended.</source>
+        <translation>Le programme de l’autre client est terminé.</translation>
+    </message>
+    <message>
+        <source>The program started while Tiller was not connected, at most %1 s before this entry.</source>
+        <translation>Le programme a démarré sans connexion avec Tiller, au plus %1 s avant cette entrée.</translation>
     </message>
 </context>
 <context>
@@ -10613,12 +10613,12 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>RELECTURE</translation>
     </message>
     <message>
-        <source>ghost “%1” · taught with another robot model</source>
-        <translation>fantôme « %1 » · appris avec un autre modèle de robot</translation>
-    </message>
-    <message>
         <source>LIVE ARM</source>
         <translation>BRAS EN DIRECT</translation>
+    </message>
+    <message>
+        <source>ghost “%1” · taught with a different robot model</source>
+        <translation>fantôme « %1 » · appris avec un autre modèle de robot</translation>
     </message>
 </context>
 <context>
@@ -10822,10 +10822,6 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Saisissez un nom pour le TCP.</translation>
     </message>
     <message>
-        <source>A TCP named “%1” already exists. Choose another name.</source>
-        <translation>Un TCP nommé « %1 » existe déjà. Choisissez un autre nom.</translation>
-    </message>
-    <message>
         <source>Rename “%1” to “%2”</source>
         <translation>Renommer « %1 » en « %2 »</translation>
     </message>
@@ -10967,6 +10963,10 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <source>Set TCP on robot</source>
         <translation>Régler le TCP du robot</translation>
     </message>
+    <message>
+        <source>A TCP named “%1” already exists. Choose a different name.</source>
+        <translation>Un TCP nommé « %1 » existe déjà. Choisissez un autre nom.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::TcpTeacher</name>
@@ -11019,16 +11019,8 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Pointe à %1. Les poses concordent à %2 (RMS) ; la pose %3 s’écarte le plus, de %4.</translation>
     </message>
     <message>
-        <source>The tool orientations are too similar. Record one more pose with the tool tilted by at least 30° in another direction.</source>
-        <translation>Les orientations de l’outil sont trop semblables. Prenez une autre pose, inclinée de 30° ou plus dans une autre direction.</translation>
-    </message>
-    <message>
         <source>The robot sent an invalid position. Record the poses again.</source>
         <translation>Le robot a envoyé une position non valide. Reprenez les poses.</translation>
-    </message>
-    <message>
-        <source>Jog the tip to a fixed, sharp point and record the pose. Record four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
-        <translation>Amenez la pointe à un point fixe et aigu et prenez la pose. Prenez quatre poses au total, chacune avec la pointe au même point et l’outil incliné dans une autre direction.</translation>
     </message>
     <message>
         <source>The tool keeps the current orientation.</source>
@@ -11094,16 +11086,24 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <source>  ◀ least accurate</source>
         <translation>  ◀ la moins précise</translation>
     </message>
+    <message>
+        <source>Poses can be recorded only while the robot sends data. Connect to a robot, or wait for new data.</source>
+        <translation>Les poses ne peuvent être prises que lorsque le robot envoie des données. Connectez-vous à un robot ou attendez de nouvelles données.</translation>
+    </message>
+    <message>
+        <source>The tool orientations are too similar. Record one more pose with the tool tilted by at least 30° in a different direction.</source>
+        <translation>Les orientations de l’outil sont trop semblables. Prenez une autre pose, inclinée de 30° ou plus dans une autre direction.</translation>
+    </message>
+    <message>
+        <source>Jog the tip to a fixed, sharp point and record the pose. Record four poses in total, each with the tip on the same point and the tool tilted in a different direction.</source>
+        <translation>Amenez la pointe à un point fixe et aigu et prenez la pose. Prenez quatre poses au total, chacune avec la pointe au même point et l’outil incliné dans une autre direction.</translation>
+    </message>
     <message numerus="yes">
-        <source>Tilt the tool in another direction, move the tip to the same point again, and record the pose. Poses still needed: %n.</source>
+        <source>Tilt the tool in a different direction, move the tip to the same point again, and record the pose. Poses still needed: %n.</source>
         <translation>
             <numerusform>Inclinez l’outil dans une autre direction, ramenez la pointe au même point et prenez la pose. Poses restantes : %n.</numerusform>
             <numerusform>Inclinez l’outil dans une autre direction, ramenez la pointe au même point et prenez la pose. Poses restantes : %n.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Poses can be recorded only while the robot sends data. Connect to a robot, or wait for new data.</source>
-        <translation>Les poses ne peuvent être prises que lorsque le robot envoie des données. Connectez-vous à un robot ou attendez de nouvelles données.</translation>
     </message>
 </context>
 <context>
@@ -11412,16 +11412,16 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <source>The earlier version cannot be restored because its frame was deleted from the project. Select a different version.</source>
         <translation>La version antérieure ne peut pas être restaurée, car son repère a été supprimé du projet. Sélectionnez une autre version.</translation>
     </message>
-    <message>
-        <source>%1 contains no waypoints. Choose another file.</source>
-        <translation>Il n’y a pas de points dans %1. Choisissez un autre fichier.</translation>
-    </message>
     <message numerus="yes">
         <source>Offset, rotate or mirror %n waypoints</source>
         <translation>
             <numerusform>Décaler, tourner ou mettre en miroir %n point</numerusform>
             <numerusform>Décaler, tourner ou mettre en miroir %n points</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 contains no waypoints. Choose a different file.</source>
+        <translation>Il n’y a pas de points dans %1. Choisissez un autre fichier.</translation>
     </message>
 </context>
 <context>
@@ -11579,18 +11579,6 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>✕ portée</translation>
     </message>
     <message>
-        <source>A joint would exceed its limit. Touch up the waypoint with another arm configuration.</source>
-        <translation>Une articulation dépasserait sa course. Retouchez le point avec une autre configuration du bras.</translation>
-    </message>
-    <message>
-        <source>The frame of the waypoint is not in this project. Choose another frame.</source>
-        <translation>Le repère du point de passage n’est pas dans ce projet. Choisissez un autre repère.</translation>
-    </message>
-    <message>
-        <source>The straight line from the current position leaves the reach of the arm. Use MoveJ, or start from another position.</source>
-        <translation>La ligne droite depuis la position actuelle sort de la portée du bras. Utilisez MoveJ ou partez d’une autre position.</translation>
-    </message>
-    <message>
         <source>Out of reach. Touch up the waypoint closer to the base.</source>
         <translation>Hors de portée. Retouchez le point plus près de la base.</translation>
     </message>
@@ -11651,10 +11639,6 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Saisissez un nom pour le point de passage.</translation>
     </message>
     <message>
-        <source>Waypoint %2 is already named “%1”. Choose another name.</source>
-        <translation>Le point %2 s’appelle déjà « %1 ». Choisissez un autre nom.</translation>
-    </message>
-    <message>
         <source>Rename “%1” to “%2”</source>
         <translation>Renommer « %1 » en « %2 »</translation>
     </message>
@@ -11673,10 +11657,6 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
     <message>
         <source>Use joint positions for “%1”</source>
         <translation>Utiliser les positions articulaires pour « %1 »</translation>
-    </message>
-    <message>
-        <source>The project has no frame named “%1”. Choose another frame.</source>
-        <translation>Le projet n’a pas de repère « %1 ». Choisissez un autre repère.</translation>
     </message>
     <message>
         <source>Change the frame of “%1” to %2</source>
@@ -11722,10 +11702,6 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>✕ modèle</translation>
     </message>
     <message>
-        <source>The project was taught with another robot model. Use “Adapt project to this robot…” first.</source>
-        <translation>Le projet a été appris avec un autre modèle de robot. Utilisez d’abord « Adapter le projet à ce robot… ».</translation>
-    </message>
-    <message>
         <source>✕ path</source>
         <translation>✕ trajet</translation>
     </message>
@@ -11740,6 +11716,30 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
     <message>
         <source>%1 is out of range. Enter a value from %2 to %3.</source>
         <translation>%1 est hors plage. Saisissez une valeur de %2 à %3.</translation>
+    </message>
+    <message>
+        <source>A joint would exceed its limit. Touch up the waypoint with a different arm configuration.</source>
+        <translation>Une articulation dépasserait sa course. Retouchez le point avec une autre configuration du bras.</translation>
+    </message>
+    <message>
+        <source>The frame of the waypoint is not in this project. Choose a different frame.</source>
+        <translation>Le repère du point de passage n’est pas dans ce projet. Choisissez un autre repère.</translation>
+    </message>
+    <message>
+        <source>The straight line from the current position leaves the reach of the arm. Use MoveJ, or start from a different position.</source>
+        <translation>La ligne droite depuis la position actuelle sort de la portée du bras. Utilisez MoveJ ou partez d’une autre position.</translation>
+    </message>
+    <message>
+        <source>Waypoint %2 is already named “%1”. Choose a different name.</source>
+        <translation>Le point %2 s’appelle déjà « %1 ». Choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>The project has no frame named “%1”. Choose a different frame.</source>
+        <translation>Le projet n’a pas de repère « %1 ». Choisissez un autre repère.</translation>
+    </message>
+    <message>
+        <source>The project was taught with a different robot model. Use “Adapt project to this robot…” first.</source>
+        <translation>Le projet a été appris avec un autre modèle de robot. Utilisez d’abord « Adapter le projet à ce robot… ».</translation>
     </message>
 </context>
 <context>
@@ -11912,10 +11912,6 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <source>The arm cannot reach these waypoints after the move: %1. Choose a different offset, rotation or mirror plane. No waypoint will be moved.</source>
         <translation>Le bras ne peut pas atteindre ces points de passage après le déplacement : %1. Choisissez un autre décalage, une autre rotation ou un autre plan de symétrie. Aucun point de passage ne sera déplacé.</translation>
     </message>
-    <message>
-        <source>The frame of a selected waypoint is not in the project. Choose another frame for the waypoint first.</source>
-        <translation>Le repère d’un point de passage sélectionné n’est pas dans le projet. Choisissez d’abord un autre repère pour ce point.</translation>
-    </message>
     <message numerus="yes">
         <source>%n of the moved waypoints will be out of reach. They will be kept and marked.</source>
         <translation>
@@ -11937,6 +11933,10 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
             <numerusform>Décaler, tourner ou mettre en miroir %n point</numerusform>
             <numerusform>Décaler, tourner ou mettre en miroir %n points</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The frame of a selected waypoint is not in the project. Choose a different frame for the waypoint first.</source>
+        <translation>Le repère d’un point de passage sélectionné n’est pas dans le projet. Choisissez d’abord un autre repère pour ce point.</translation>
     </message>
 </context>
 <context>
@@ -12043,10 +12043,6 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Apprendre « %1 »</translation>
     </message>
     <message>
-        <source>The frame of “%1” is not in this project. Choose another frame first.</source>
-        <translation>Le repère de « %1 » n’est pas dans ce projet. Choisissez d’abord un autre repère.</translation>
-    </message>
-    <message>
         <source>The current position is %1 away (%2, base frame). Largest joint change: %3 %4.</source>
         <translation>La position actuelle est à %1 (%2, repère de base). Plus grand changement articulaire : %3 %4.</translation>
     </message>
@@ -12125,6 +12121,10 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     <message>
         <source>Create or edit pattern…</source>
         <translation>Créer ou modifier un motif…</translation>
+    </message>
+    <message>
+        <source>The frame of “%1” is not in this project. Choose a different frame first.</source>
+        <translation>Le repère de « %1 » n’est pas dans ce projet. Choisissez d’abord un autre repère.</translation>
     </message>
 </context>
 <context>
@@ -12479,7 +12479,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>&lt;h2&gt;Le manuel n’est pas installé sur cet ordinateur&lt;/h2&gt;&lt;p&gt;Le paquet Debian de Tiller le contient. Pour l’ajouter à votre propre compilation, installez le paquet python3-sphinx :&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Compilez ensuite de nouveau. Vous pouvez aussi lire ses pages comme du texte dans le dossier packaging/manual du code source. Les règles du déplacement et toutes les touches sont sur l’autre page de cette fenêtre.&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, another mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, Tiller hangs, or the robot mode, the safety mode or Remote control changes;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If the button or key is not pressed, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show a note;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;After a stop, press the button or key again to move the arm. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;Hold &lt;b&gt;Ctrl&lt;/b&gt; for one-tenth of the speed, or &lt;b&gt;Shift&lt;/b&gt; for three times the speed, up to the speed cap. On a keyboard without Latin letters, the letters below refer to key positions on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, a different mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, Tiller hangs, or the robot mode, the safety mode or Remote control changes;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If the button or key is not pressed, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show a note;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;After a stop, press the button or key again to move the arm. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program from another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;Hold &lt;b&gt;Ctrl&lt;/b&gt; for one-tenth of the speed, or &lt;b&gt;Shift&lt;/b&gt; for three times the speed, up to the speed cap. On a keyboard without Latin letters, the letters below refer to key positions on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
         <translation>&lt;h2&gt;Déplacer le bras&lt;/h2&gt;&lt;p&gt;Le bras bouge tant que vous maintenez un bouton de déplacement, et s’arrête quand vous le relâchez. Il s’arrête aussi quand&lt;/p&gt;&lt;ul&gt;&lt;li&gt;le pointeur quitte le bouton, un autre bouton de souris est pressé ou un second périphérique est utilisé ;&lt;/li&gt;&lt;li&gt;un modificateur ou la touche contraire est enfoncé pendant qu’une touche du clavier est maintenue ;&lt;/li&gt;&lt;li&gt;la fenêtre perd le focus, un dialogue ou un menu s’ouvre, ou le repère, la vitesse, le pas ou l’onglet change ;&lt;/li&gt;&lt;li&gt;les données du robot sont en retard, ce programme ne répond plus, ou le robot quitte « En marche », son mode de sécurité ou la commande à distance ;&lt;/li&gt;&lt;li&gt;l’écran est verrouillé, le PC se met en veille, ou le périphérique est débranché ou n’envoie plus de données ;&lt;/li&gt;&lt;li&gt;le contrôle de touche échoue : sous X11, Tiller vérifie toutes les 10 ms auprès du serveur d’affichage que le bouton ou la touche est encore enfoncé. Si ce n’est pas le cas, ou si le serveur ne répond pas pendant 100 ms, le mouvement se termine. Si ce contrôle n’est pas disponible, l’en-tête et les réglages l’indiquent ;&lt;/li&gt;&lt;li&gt;la durée maximale d’appui est atteinte : %1 s pour un déplacement manuel (réglages), cinq minutes pour Freedrive, la durée du mouvement plus 5 s pour aller à une position. Les 3 dernières secondes sont décomptées.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;Après un arrêt, un nouvel appui est nécessaire. Tant que Tiller a le contrôle, &lt;b&gt;Espace&lt;/b&gt; et &lt;b&gt;Échap&lt;/b&gt; arrêtent le bras depuis chaque fenêtre, dialogue et champ de texte. Quand Tiller n’a pas le contrôle, ils agissent sur l’élément qui a le focus ; cliquez sur &lt;b&gt;STOP&lt;/b&gt; pour arrêter un programme d’un autre client. C’est un arrêt logiciel, pas un arrêt d’urgence : gardez l’arrêt d’urgence à portée de main.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; rend le mouvement dix fois plus fin, &lt;b&gt;Maj&lt;/b&gt; trois fois plus rapide, mais jamais au-dessus du plafond. Sur un clavier sans lettres latines, une lettre ci-dessous désigne sa position sur un clavier américain.&lt;/p&gt;&lt;h2&gt;Commandes&lt;/h2&gt;</translation>
     </message>
 </context>
@@ -12812,10 +12812,6 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Adapter le projet à ce robot…</translation>
     </message>
     <message>
-        <source>Converts a project for another robot model, keeping either the poses or the joint positions.</source>
-        <translation>Convertit un projet pour un autre modèle de robot en conservant les poses ou les positions articulaires.</translation>
-    </message>
-    <message>
         <source>Take control</source>
         <translation>Prendre le contrôle</translation>
     </message>
@@ -12952,10 +12948,6 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Un programme est en cours d’exécution. Arrêtez d’abord le programme.</translation>
     </message>
     <message>
-        <source>A program is running. Stop the program before you open another project.</source>
-        <translation>Un programme est en cours d’exécution. Arrêtez-le avant d’ouvrir un autre projet.</translation>
-    </message>
-    <message>
         <source>Save project</source>
         <translation>Enregistrer le projet</translation>
     </message>
@@ -12991,6 +12983,14 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     <message>
         <source>Saves the project now. Tiller also saves all changes automatically. If another window or program has changed the file, Tiller asks whether to reload the file or keep both versions.</source>
         <translation>Enregistre le projet maintenant. Tiller enregistre aussi automatiquement toutes les modifications. Si une autre fenêtre ou un autre programme a modifié le fichier, demande s’il faut le recharger ou conserver les deux versions.</translation>
+    </message>
+    <message>
+        <source>Converts a project for a different robot model, keeping either the poses or the joint positions.</source>
+        <translation>Convertit un projet pour un autre modèle de robot en conservant les poses ou les positions articulaires.</translation>
+    </message>
+    <message>
+        <source>A program is running. Stop the program before you open a different project.</source>
+        <translation>Un programme est en cours d’exécution. Arrêtez-le avant d’ouvrir un autre projet.</translation>
     </message>
 </context>
 <context>
@@ -13029,10 +13029,6 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     <message>
         <source>Saves the current panel layout to the current perspective.</source>
         <translation>Enregistre la disposition actuelle des panneaux dans la perspective actuelle.</translation>
-    </message>
-    <message>
-        <source>This perspective is built in. Save it under another name.</source>
-        <translation>Cette perspective est prédéfinie. Enregistrez-la sous un autre nom.</translation>
     </message>
     <message>
         <source>Save perspective as…</source>
@@ -13114,6 +13110,10 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <source>Keep</source>
         <translation>Garder</translation>
     </message>
+    <message>
+        <source>This perspective is built in. Save it under a different name.</source>
+        <translation>Cette perspective est prédéfinie. Enregistrez-la sous un autre nom.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::Perspectives</name>
@@ -13158,10 +13158,6 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Le nombre maximal de perspectives est atteint. Supprimez-en d’abord une.</translation>
     </message>
     <message>
-        <source>A perspective with this name already exists. Choose another name.</source>
-        <translation>Une perspective de ce nom existe déjà. Choisissez un autre nom.</translation>
-    </message>
-    <message>
         <source>The panel layout was reset to the perspective “%1”: the layout of the earlier version is not compatible. Arrange the panels again. The new layout is saved automatically.</source>
         <translation>La disposition des panneaux a été réinitialisée à la perspective « %1 » : celle de la version antérieure n’est pas compatible. Disposez de nouveau les panneaux. La nouvelle disposition est enregistrée automatiquement.</translation>
     </message>
@@ -13172,6 +13168,10 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     <message>
         <source>The name is too long. Enter a shorter name.</source>
         <translation>Le nom est trop long. Saisissez un nom plus court.</translation>
+    </message>
+    <message>
+        <source>A perspective with this name already exists. Choose a different name.</source>
+        <translation>Une perspective de ce nom existe déjà. Choisissez un autre nom.</translation>
     </message>
 </context>
 <context>

@@ -260,10 +260,6 @@
         <translation>%1：%2 を超えず、最大 %3（%4 s）</translation>
     </message>
     <message>
-        <source>%1: exceeds %2 from %3 s on (%4), maximum %5 at %6 s</source>
-        <translation>%1：%3 s から %2 を超過（%4）、最大 %5（%6 s）</translation>
-    </message>
-    <message>
         <source>TCP</source>
         <translation>TCP</translation>
     </message>
@@ -335,6 +331,10 @@
     <message>
         <source>This recording cannot be compared with a model: target or actual joint positions are missing. Record all signals to an MCAP file.</source>
         <translation>この記録はモデルと比較できません：関節への指令または関節の位置がありません。すべての信号を MCAP に記録してください。</translation>
+    </message>
+    <message>
+        <source>%1: exceeds %2 starting at %3 s (%4), maximum %5 at %6 s</source>
+        <translation>%1：%3 s から %2 を超過（%4）、最大 %5（%6 s）</translation>
     </message>
 </context>
 <context>
@@ -3153,16 +3153,8 @@
         <translation>このステップの途中からは再開できません。次の実行は最初から始まります。</translation>
     </message>
     <message>
-        <source>ended on the robot (pendant, another client or halt)</source>
-        <translation>ロボット側で終了（ティーチペンダント、別のクライアントまたは halt）</translation>
-    </message>
-    <message>
         <source>paused on the robot</source>
         <translation>ロボット側で一時停止</translation>
-    </message>
-    <message>
-        <source>a program of another client has taken over</source>
-        <translation>別のクライアントのプログラムがロボットを制御しています</translation>
     </message>
     <message>
         <source>the speed, acceleration or blend is not a number, or a time is set</source>
@@ -3334,10 +3326,6 @@
         <translation>行列</translation>
     </message>
     <message>
-        <source>The values of a program of another client cannot be changed.</source>
-        <translation>他のクライアントのプログラムの値は変更できません。</translation>
-    </message>
-    <message>
         <source>A URScript step in this program could move the arm after a change.</source>
         <translation>このプログラムの URScript ステップが、変更後にアームを動かす可能性があります。</translation>
     </message>
@@ -3442,10 +3430,6 @@
         <translation>テキストになった部分の無効なノード</translation>
     </message>
     <message>
-        <source>it is nested too deeply</source>
-        <translation>入れ子が深すぎます</translation>
-    </message>
-    <message>
         <source>the condition cannot be used in a step</source>
         <translation>条件をステップの条件にできません</translation>
     </message>
@@ -3468,6 +3452,22 @@
     <message>
         <source>%1. Complete the program on the teach pendant first.</source>
         <translation>%1。先にティーチペンダントでプログラムを完成させてください。</translation>
+    </message>
+    <message>
+        <source>ended on the robot (teach pendant, another client or halt)</source>
+        <translation>ロボット側で終了（ティーチペンダント、別のクライアントまたは halt）</translation>
+    </message>
+    <message>
+        <source>a program from another client has taken over</source>
+        <translation>別のクライアントのプログラムがロボットを制御しています</translation>
+    </message>
+    <message>
+        <source>The values of a program from another client cannot be changed.</source>
+        <translation>他のクライアントのプログラムの値は変更できません。</translation>
+    </message>
+    <message>
+        <source>the statement is nested too deeply</source>
+        <translation>入れ子が深すぎます</translation>
     </message>
 </context>
 <context>
@@ -4029,10 +4029,6 @@
 <context>
     <name>SessionRecording</name>
     <message>
-        <source>The robot cannot send so many signals at once. These signals are not recorded: %1</source>
-        <translation>ロボットはこれほど多くの信号を同時に送信できません。記録されない信号：%1</translation>
-    </message>
-    <message>
         <source>Cannot record: connect to a robot first.</source>
         <translation>記録できません：先にロボットに接続してください。</translation>
     </message>
@@ -4063,6 +4059,10 @@
     <message>
         <source>The current recording does not contain %1. Start a new recording to record displayed signals.</source>
         <translation>現在の記録には %1 が含まれていません。表示中の信号を記録するには、新しい記録を開始してください。</translation>
+    </message>
+    <message>
+        <source>The robot cannot send this many signals at once. These signals are not recorded: %1</source>
+        <translation>ロボットはこれほど多くの信号を同時に送信できません。記録されない信号：%1</translation>
     </message>
 </context>
 <context>
@@ -5216,10 +5216,6 @@ F2 で名前変更、Shift+F2 でスケール、または右クリック。</tra
         <translation>箱または平面の名前を入力してください。</translation>
     </message>
     <message>
-        <source>The cell already contains “%1”. Choose another name.</source>
-        <translation>セルには既に「%1」があります。別の名前を選んでください。</translation>
-    </message>
-    <message>
         <source>Rename “%1” to “%2”</source>
         <translation>「%1」の名前を「%2」に変更</translation>
     </message>
@@ -5468,6 +5464,10 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
     <message>
         <source>Turn collision check on or off</source>
         <translation>衝突の確認をオンまたはオフにする</translation>
+    </message>
+    <message>
+        <source>The cell already contains “%1”. Choose a different name.</source>
+        <translation>セルには既に「%1」があります。別の名前を選んでください。</translation>
     </message>
 </context>
 <context>
@@ -5823,14 +5823,6 @@ Clear the search to see everything.</source>
         <translation>ビュー</translation>
     </message>
     <message>
-        <source>“%1” is a built-in frame. Choose another name.</source>
-        <translation>「%1」は組み込みの座標系です。別の名前を選んでください。</translation>
-    </message>
-    <message>
-        <source>A frame named “%1” already exists. Choose another name.</source>
-        <translation>「%1」は別の座標系の名前です。別の名前を選んでください。</translation>
-    </message>
-    <message>
         <source>Rename “%1” to “%2”</source>
         <translation>「%1」を「%2」に名前変更</translation>
     </message>
@@ -5877,6 +5869,14 @@ Clear the search to see everything.</source>
     <message>
         <source>Distance from the TCP, %1</source>
         <translation>TCP からの距離、%1</translation>
+    </message>
+    <message>
+        <source>“%1” is a built-in frame. Choose a different name.</source>
+        <translation>「%1」は組み込みの座標系です。別の名前を選んでください。</translation>
+    </message>
+    <message>
+        <source>A frame named “%1” already exists. Choose a different name.</source>
+        <translation>「%1」は別の座標系の名前です。別の名前を選んでください。</translation>
     </message>
 </context>
 <context>
@@ -7689,16 +7689,8 @@ Right-click or press F2 to rename the input.</source>
         <translation>パターンの名前を入力してください。</translation>
     </message>
     <message>
-        <source>A pattern with this name already exists. Choose another name.</source>
-        <translation>その名前のパターンがあります。別の名前を選んでください。</translation>
-    </message>
-    <message>
         <source>Teach the three corners first, then select a waypoint for each corner.</source>
         <translation>先に三隅を教示し、次に各隅のウェイポイントを選んでください。</translation>
-    </message>
-    <message>
-        <source>The layer height is not a number or is out of range. Enter another layer height.</source>
-        <translation>層の高さが数値でないか、範囲外です。別の値を入力してください。</translation>
     </message>
     <message>
         <source>The layer height must not be 0. Enter a layer height.</source>
@@ -7735,6 +7727,14 @@ Right-click or press F2 to rename the input.</source>
         <translation>
             <numerusform>%1、うち %n 個は到達不可で、印を付けました。</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>A pattern with this name already exists. Choose a different name.</source>
+        <translation>その名前のパターンがあります。別の名前を選んでください。</translation>
+    </message>
+    <message>
+        <source>The layer height is not a number or is out of range. Enter a different layer height.</source>
+        <translation>層の高さが数値でないか、範囲外です。別の値を入力してください。</translation>
     </message>
 </context>
 <context>
@@ -7811,10 +7811,6 @@ Right-click or press F2 to rename the input.</source>
         <translation>%1 精度が低いです：姿勢 %2 が最も合いません。除いて別の姿勢を記録してください。</translation>
     </message>
     <message>
-        <source>The tool orientations are too similar. Record one more pose with the tool rotated in another direction.</source>
-        <translation>姿勢間のツールの回転が足りません。別の側に回してもう一つ記録してください。</translation>
-    </message>
-    <message>
         <source>The load of %1 kg is too light to measure the centre of gravity. Enter the payload manually.</source>
         <translation>%1 kg の負荷は軽すぎて重心を測定できません。ペイロードを手動で入力してください。</translation>
     </message>
@@ -7842,8 +7838,12 @@ Right-click or press F2 to rename the input.</source>
         <source>  ◀ least accurate</source>
         <translation>  ◀ 最も不正確</translation>
     </message>
+    <message>
+        <source>The tool orientations are too similar. Record one more pose with the tool rotated in a different direction.</source>
+        <translation>姿勢間のツールの回転が足りません。別の側に回してもう一つ記録してください。</translation>
+    </message>
     <message numerus="yes">
-        <source>Rotate the wrist in another direction and record the pose. Poses still needed: %n.</source>
+        <source>Rotate the wrist in a different direction and record the pose. Poses still needed: %n.</source>
         <translation>
             <numerusform>手首を別の側に回して姿勢を記録してください。残り：%n。</numerusform>
         </translation>
@@ -7874,10 +7874,6 @@ Right-click or press F2 to rename the input.</source>
     <message>
         <source>Enter a name for the payload.</source>
         <translation>ペイロードの名前を入力してください。</translation>
-    </message>
-    <message>
-        <source>A payload named “%1” already exists. Choose another name.</source>
-        <translation>「%1」は別のペイロードの名前です。別の名前を選んでください。</translation>
     </message>
     <message>
         <source>Rename “%1” to “%2”</source>
@@ -8089,6 +8085,10 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>ペイロードはまだありません。
 「測定…」を押すと、アームでペイロードを測定します。</translation>
     </message>
+    <message>
+        <source>A payload named “%1” already exists. Choose a different name.</source>
+        <translation>「%1」は別のペイロードの名前です。別の名前を選んでください。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotAnalysis</name>
@@ -8154,10 +8154,6 @@ Press “Measure…” to measure the payload with the arm.</source>
         <source>Reading the recording: %1</source>
         <translation>記録を読み込み中: %1</translation>
     </message>
-    <message>
-        <source>This range contains samples of different robots. Place cursors A and B around the data of one robot.</source>
-        <translation>この範囲には異なるロボットのサンプルが含まれています。カーソル A と B で 1 台のロボットのデータを囲んでください。</translation>
-    </message>
     <message numerus="yes">
         <source>Hann window of %1 samples · resolution %2 Hz · mean of %n segment(s) · %3 to %4 s</source>
         <translation>
@@ -8173,6 +8169,10 @@ Press “Measure…” to measure the payload with the arm.</source>
     <message>
         <source>%1 · %2 to %3 s</source>
         <translation>%1 · %2～%3 s</translation>
+    </message>
+    <message>
+        <source>This range contains samples from different robots. Place cursors A and B around data from one robot.</source>
+        <translation>この範囲には異なるロボットのサンプルが含まれています。カーソル A と B で 1 台のロボットのデータを囲んでください。</translation>
     </message>
 </context>
 <context>
@@ -8533,10 +8533,6 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>範囲の値が多すぎるため、このウィンドウからエクスポートできません。範囲を短くするか、「tiller-cli export」を実行してください。</translation>
     </message>
     <message>
-        <source>The range contains samples of different robots. Select a range of one robot with the cursors A and B, then export again.</source>
-        <translation>範囲に複数のロボットのデータが含まれています。カーソル A と B で 1 台のロボットの範囲を選択して、もう一度エクスポートしてください。</translation>
-    </message>
-    <message>
         <source>Robot: %1</source>
         <translation>ロボット: %1</translation>
     </message>
@@ -8593,10 +8589,6 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>フォルダー：%1…</translation>
     </message>
     <message>
-        <source>The image %1 could not be created. Choose another image format.</source>
-        <translation>画像 %1 を作成できませんでした。別の画像形式を選択してください。</translation>
-    </message>
-    <message>
         <source>The file type is not supported. Use the suffix .png, .svg or .pdf for an image, or .csv for values.</source>
         <translation>このファイル形式には対応していません。画像は .png、.svg、.pdf、値は .csv の名前にしてください。</translation>
     </message>
@@ -8625,6 +8617,14 @@ Press “Measure…” to measure the payload with the arm.</source>
     <message>
         <source>Part of the recording %1 could not be read. %2</source>
         <translation>記録 %1 の一部を読み取れませんでした。%2</translation>
+    </message>
+    <message>
+        <source>The range contains samples from different robots. Use cursors A and B to select a range with data from one robot, then export again.</source>
+        <translation>範囲に複数のロボットのデータが含まれています。カーソル A と B で 1 台のロボットの範囲を選択して、もう一度エクスポートしてください。</translation>
+    </message>
+    <message>
+        <source>The image %1 could not be created. Choose a different image format.</source>
+        <translation>画像 %1 を作成できませんでした。別の画像形式を選択してください。</translation>
     </message>
 </context>
 <context>
@@ -8860,10 +8860,6 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>位置の名前を入力してください。</translation>
     </message>
     <message>
-        <source>A position named “%1” already exists. Choose another name.</source>
-        <translation>「%1」は別の位置の名前です。別の名前を選んでください。</translation>
-    </message>
-    <message>
         <source>Rename “%1” to “%2”</source>
         <translation>「%1」を「%2」に名前変更</translation>
     </message>
@@ -9008,6 +9004,10 @@ Jog the arm to a position and press “Set home here” or “Add position”.</
     <message>
         <source>%1 · %2 %3 from the current position</source>
         <translation>%1 · ここから %2 %3</translation>
+    </message>
+    <message>
+        <source>A position named “%1” already exists. Choose a different name.</source>
+        <translation>「%1」は別の位置の名前です。別の名前を選んでください。</translation>
     </message>
 </context>
 <context>
@@ -9683,16 +9683,16 @@ Release the button to stop the arm.</source>
         <translation>新しいプロジェクト</translation>
     </message>
     <message>
-        <source>%1 already exists. Choose another name for the new project.</source>
-        <translation>%1 は既に存在します。新しいプロジェクトに別の名前を選択してください。</translation>
-    </message>
-    <message>
         <source>Saved %1</source>
         <translation>%1 を保存しました</translation>
     </message>
     <message>
         <source>The project could not be taken over</source>
         <translation>プロジェクトを引き継げませんでした</translation>
+    </message>
+    <message>
+        <source>%1 already exists. Choose a different name for the new project.</source>
+        <translation>%1 は既に存在します。新しいプロジェクトに別の名前を選択してください。</translation>
     </message>
 </context>
 <context>
@@ -9724,14 +9724,6 @@ Release the button to stop the arm.</source>
         <translation>ロボットが接続されていません。このプロジェクト用のロボットを接続してください。</translation>
     </message>
     <message>
-        <source>Project for another robot model</source>
-        <translation>別のロボットモデル用のプロジェクト</translation>
-    </message>
-    <message>
-        <source>“Keep poses” recalculates the joint positions; the tool reaches the same poses. “Keep joints” keeps the arm configuration; the tool reaches different poses. Until you decide, moves to positions of the project are blocked.</source>
-        <translation>「姿勢を維持」は関節位置を再計算し、ツールは同じ姿勢に到達します。「関節を維持」はアームの構成を保ち、ツールは別の姿勢に到達します。決定するまで、プロジェクトの位置への動作はできません。</translation>
-    </message>
-    <message>
         <source>Keep poses</source>
         <translation>姿勢を維持</translation>
     </message>
@@ -9742,10 +9734,6 @@ Release the button to stop the arm.</source>
     <message>
         <source>TCP differs from the project</source>
         <translation>TCPがプロジェクトと異なります</translation>
-    </message>
-    <message>
-        <source>With the robot&apos;s TCP, the flange moves to the same poses as taught, but the TCP does not. Until you decide, moves to positions of the project are blocked.</source>
-        <translation>ロボットのTCPでは、フランジは教示された姿勢に到達しますが、TCPは到達しません。決定するまで、プロジェクトの位置への動作はできません。</translation>
     </message>
     <message>
         <source>Set “%1” on the robot</source>
@@ -9776,16 +9764,28 @@ Release the button to stop the arm.</source>
         <translation>到達できない位置があります</translation>
     </message>
     <message>
-        <source>Moves to positions of this project are blocked</source>
-        <translation>このプロジェクトの位置への動作はできません</translation>
-    </message>
-    <message>
         <source>Choose…</source>
         <translation>選択…</translation>
     </message>
     <message>
         <source>The robot model is not known yet. Wait until the robot reports the model.</source>
         <translation>ロボットの機種がまだ不明です。ロボットが報告するまで待ってください。</translation>
+    </message>
+    <message>
+        <source>Project for a different robot model</source>
+        <translation>別のロボットモデル用のプロジェクト</translation>
+    </message>
+    <message>
+        <source>“Keep poses” recalculates the joint positions; the tool reaches the same poses. “Keep joints” keeps the arm configuration; the tool reaches different poses. Until you decide, moves to positions in the project are blocked.</source>
+        <translation>「姿勢を維持」は関節位置を再計算し、ツールは同じ姿勢に到達します。「関節を維持」はアームの構成を保ち、ツールは別の姿勢に到達します。決定するまで、プロジェクトの位置への動作はできません。</translation>
+    </message>
+    <message>
+        <source>With the robot&apos;s TCP, the flange moves to the same poses as taught, but the TCP does not. Until you decide, moves to positions in the project are blocked.</source>
+        <translation>ロボットのTCPでは、フランジは教示された姿勢に到達しますが、TCPは到達しません。決定するまで、プロジェクトの位置への動作はできません。</translation>
+    </message>
+    <message>
+        <source>Moves to positions in this project are blocked</source>
+        <translation>このプロジェクトの位置への動作はできません</translation>
     </message>
 </context>
 <context>
@@ -9831,26 +9831,26 @@ Release the button to stop the arm.</source>
         <translation>未保存のプロジェクト</translation>
     </message>
     <message>
-        <source>%1 is open in another window (%2). Close the project in that window, or save under another name.</source>
-        <translation>%1 は別のウィンドウで開かれています（%2）。そこで閉じるか、別の名前で保存してください。</translation>
-    </message>
-    <message>
         <source>another program</source>
         <translation>別のプログラム</translation>
-    </message>
-    <message>
-        <source>%1 was changed by another program. Reload the project, or save it under another name.</source>
-        <translation>%1 は別のプログラムによって変更されました。再読み込みするか、別の名前で保存してください。</translation>
     </message>
     <message>
         <source>%1 — new</source>
         <translation>%1 — 新規</translation>
     </message>
+    <message>
+        <source>%1 is open in another window (%2). Close the project in that window, or save under a different name.</source>
+        <translation>%1 は別のウィンドウで開かれています（%2）。そこで閉じるか、別の名前で保存してください。</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program. Reload the project, or save it under a different name.</source>
+        <translation>%1 は別のプログラムによって変更されました。再読み込みするか、別の名前で保存してください。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RangeStatisticsCache</name>
     <message>
-        <source>The range contains samples of different robots. Place cursors A and B in the data of one robot.</source>
+        <source>The range contains samples from different robots. Place cursors A and B around data from one robot.</source>
         <translation>この範囲には異なるロボットのサンプルが含まれています。カーソル A と B を 1 台のロボットのデータに置いてください。</translation>
     </message>
 </context>
@@ -10129,36 +10129,16 @@ Release the button to stop the arm.</source>
         <translation>プログラムを実行中です。終了するまで待つか、停止してください。</translation>
     </message>
     <message>
-        <source>A program of another client has taken over the robot. Taking control ends that program.</source>
-        <translation>別のクライアントのプログラムがロボットを制御しています。制御を取得すると、そのプログラムは終了します。</translation>
-    </message>
-    <message>
         <source>Stopping the other client&apos;s program to take control.</source>
         <translation>制御を取得するため、別のクライアントのプログラムを停止します。</translation>
-    </message>
-    <message>
-        <source>A program of another client has taken over the robot, and control was lost. Taking control again ends that program.</source>
-        <translation>別のクライアントのプログラムがロボットを制御したため、制御を失いました。もう一度制御を取得すると、そのプログラムは終了します。</translation>
-    </message>
-    <message>
-        <source>A program of another client is running on the robot.</source>
-        <translation>ロボットで別のクライアントのプログラムが実行中です。</translation>
     </message>
     <message>
         <source>The program on the robot is paused.</source>
         <translation>ロボットのプログラムは一時停止中です。</translation>
     </message>
     <message>
-        <source>on the way to point %1 of %2: %3</source>
-        <translation>%2 点中 %1 点目への移動中: %3</translation>
-    </message>
-    <message>
         <source>Robot mode: %1</source>
         <translation>ロボットモード: %1</translation>
-    </message>
-    <message>
-        <source>The program of the other client has ended.</source>
-        <translation>他のクライアントのプログラムが終了しました。</translation>
     </message>
     <message>
         <source>Stopped: %1 (%2)</source>
@@ -10167,10 +10147,6 @@ Release the button to stop the arm.</source>
     <message>
         <source>Not stopped: a program is still running (%1). Press STOP again.</source>
         <translation>停止していません: プログラムがまだ実行中です (%1)。もう一度 STOP を押してください。</translation>
-    </message>
-    <message>
-        <source>The program started without connection to Tiller, at most %1 s before this entry.</source>
-        <translation>プログラムは Tiller との接続がない間に開始されました。この記録の最大 %1 秒前です。</translation>
     </message>
     <message>
         <source>Not stopped: the arm is still moving (%1). Press STOP again.</source>
@@ -10183,6 +10159,30 @@ Release the button to stop the arm.</source>
     <message>
         <source>A program from another client has replaced the running program.</source>
         <translation>他のクライアントのプログラムが、実行中のプログラムを置き換えました。</translation>
+    </message>
+    <message>
+        <source>A program from another client has taken over the robot. Taking control ends that program.</source>
+        <translation>別のクライアントのプログラムがロボットを制御しています。制御を取得すると、そのプログラムは終了します。</translation>
+    </message>
+    <message>
+        <source>A program from another client has taken over the robot, and control was lost. Taking control again ends that program.</source>
+        <translation>別のクライアントのプログラムがロボットを制御したため、制御を失いました。もう一度制御を取得すると、そのプログラムは終了します。</translation>
+    </message>
+    <message>
+        <source>A program from another client is running on the robot.</source>
+        <translation>ロボットで別のクライアントのプログラムが実行中です。</translation>
+    </message>
+    <message>
+        <source>while moving to point %1 of %2: %3</source>
+        <translation>%2 点中 %1 点目への移動中: %3</translation>
+    </message>
+    <message>
+        <source>The program from the other client has ended.</source>
+        <translation>他のクライアントのプログラムが終了しました。</translation>
+    </message>
+    <message>
+        <source>The program started while Tiller was not connected, at most %1 s before this entry.</source>
+        <translation>プログラムは Tiller との接続がない間に開始されました。この記録の最大 %1 秒前です。</translation>
     </message>
 </context>
 <context>
@@ -10585,12 +10585,12 @@ Release the button to stop the arm.</source>
         <translation>再生中</translation>
     </message>
     <message>
-        <source>ghost “%1” · taught with another robot model</source>
-        <translation>ゴースト「%1」· 別の機種で教示</translation>
-    </message>
-    <message>
         <source>LIVE ARM</source>
         <translation>現在のアーム</translation>
+    </message>
+    <message>
+        <source>ghost “%1” · taught with a different robot model</source>
+        <translation>ゴースト「%1」· 別の機種で教示</translation>
     </message>
 </context>
 <context>
@@ -10794,10 +10794,6 @@ Release the button to stop the arm.</source>
         <translation>TCP の名前を入力してください。</translation>
     </message>
     <message>
-        <source>A TCP named “%1” already exists. Choose another name.</source>
-        <translation>「%1」は別の TCP の名前です。別の名前を選んでください。</translation>
-    </message>
-    <message>
         <source>Rename “%1” to “%2”</source>
         <translation>「%1」を「%2」に名前変更</translation>
     </message>
@@ -10939,6 +10935,10 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <source>Set TCP on robot</source>
         <translation>ロボットに TCP を設定</translation>
     </message>
+    <message>
+        <source>A TCP named “%1” already exists. Choose a different name.</source>
+        <translation>「%1」は別の TCP の名前です。別の名前を選んでください。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::TcpTeacher</name>
@@ -10991,16 +10991,8 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <translation>先端は %1。姿勢は %2 (rms) で一致。姿勢 %3 が最も合わず、%4。</translation>
     </message>
     <message>
-        <source>The tool orientations are too similar. Record one more pose with the tool tilted by at least 30° in another direction.</source>
-        <translation>姿勢間のツールの回転が足りません。別の側に 30° 以上傾けてもう一つ記録してください。</translation>
-    </message>
-    <message>
         <source>The robot sent an invalid position. Record the poses again.</source>
         <translation>ロボットが有効な位置を送りませんでした。姿勢を記録し直してください。</translation>
-    </message>
-    <message>
-        <source>Jog the tip to a fixed, sharp point and record the pose. Record four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
-        <translation>先端を固定された尖った点へジョグし、姿勢を記録します。全部で四回：先端は同じ点、ツールは毎回別の側に傾けます。</translation>
     </message>
     <message>
         <source>The tool keeps the current orientation.</source>
@@ -11066,15 +11058,23 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <source>  ◀ least accurate</source>
         <translation>  ◀ 最も不正確</translation>
     </message>
-    <message numerus="yes">
-        <source>Tilt the tool in another direction, move the tip to the same point again, and record the pose. Poses still needed: %n.</source>
-        <translation>
-            <numerusform>ツールを別の側に傾け、先端を同じ点に合わせて姿勢を記録してください。残り：%n。</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Poses can be recorded only while the robot sends data. Connect to a robot, or wait for new data.</source>
         <translation>姿勢を記録できるのは、ロボットがデータを送っている間だけです。ロボットに接続するか、新しいデータを待ってください。</translation>
+    </message>
+    <message>
+        <source>The tool orientations are too similar. Record one more pose with the tool tilted by at least 30° in a different direction.</source>
+        <translation>姿勢間のツールの回転が足りません。別の側に 30° 以上傾けてもう一つ記録してください。</translation>
+    </message>
+    <message>
+        <source>Jog the tip to a fixed, sharp point and record the pose. Record four poses in total, each with the tip on the same point and the tool tilted in a different direction.</source>
+        <translation>先端を固定された尖った点へジョグし、姿勢を記録します。全部で四回：先端は同じ点、ツールは毎回別の側に傾けます。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Tilt the tool in a different direction, move the tip to the same point again, and record the pose. Poses still needed: %n.</source>
+        <translation>
+            <numerusform>ツールを別の側に傾け、先端を同じ点に合わせて姿勢を記録してください。残り：%n。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11378,15 +11378,15 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <source>The earlier version cannot be restored because its frame was deleted from the project. Select a different version.</source>
         <translation>以前の版の座標系がプロジェクトから削除されているため、復元できません。別の版を選択してください。</translation>
     </message>
-    <message>
-        <source>%1 contains no waypoints. Choose another file.</source>
-        <translation>%1 にウェイポイントがありません。別のファイルを選んでください。</translation>
-    </message>
     <message numerus="yes">
         <source>Offset, rotate or mirror %n waypoints</source>
         <translation>
             <numerusform>%n 個のウェイポイントをオフセット・回転・鏡像</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 contains no waypoints. Choose a different file.</source>
+        <translation>%1 にウェイポイントがありません。別のファイルを選んでください。</translation>
     </message>
 </context>
 <context>
@@ -11542,18 +11542,6 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <translation>✕ 到達</translation>
     </message>
     <message>
-        <source>A joint would exceed its limit. Touch up the waypoint with another arm configuration.</source>
-        <translation>関節が可動範囲を出ます。別のアーム姿勢からウェイポイントを修正教示してください。</translation>
-    </message>
-    <message>
-        <source>The frame of the waypoint is not in this project. Choose another frame.</source>
-        <translation>ウェイポイントの座標系がこのプロジェクトにありません。別の座標系を選んでください。</translation>
-    </message>
-    <message>
-        <source>The straight line from the current position leaves the reach of the arm. Use MoveJ, or start from another position.</source>
-        <translation>現在位置からの直線がアームの到達範囲を出ます。MoveJ を使うか、別の位置から始めてください。</translation>
-    </message>
-    <message>
         <source>Out of reach. Touch up the waypoint closer to the base.</source>
         <translation>到達不可。ベースの近くで修正教示してください。</translation>
     </message>
@@ -11614,10 +11602,6 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <translation>ウェイポイントの名前を入力してください。</translation>
     </message>
     <message>
-        <source>Waypoint %2 is already named “%1”. Choose another name.</source>
-        <translation>「%1」はウェイポイント %2 の名前です。別の名前を選んでください。</translation>
-    </message>
-    <message>
         <source>Rename “%1” to “%2”</source>
         <translation>「%1」を「%2」に名前変更</translation>
     </message>
@@ -11636,10 +11620,6 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
     <message>
         <source>Use joint positions for “%1”</source>
         <translation>「%1」に関節位置を使う</translation>
-    </message>
-    <message>
-        <source>The project has no frame named “%1”. Choose another frame.</source>
-        <translation>プロジェクトに座標系「%1」がありません。別の座標系を選んでください。</translation>
     </message>
     <message>
         <source>Change the frame of “%1” to %2</source>
@@ -11684,10 +11664,6 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <translation>✕ モデル</translation>
     </message>
     <message>
-        <source>The project was taught with another robot model. Use “Adapt project to this robot…” first.</source>
-        <translation>プロジェクトは別のロボットモデルで教示されました。先に「プロジェクトをこのロボットに合わせる…」を使ってください。</translation>
-    </message>
-    <message>
         <source>✕ path</source>
         <translation>✕ 経路</translation>
     </message>
@@ -11702,6 +11678,30 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
     <message>
         <source>%1 is out of range. Enter a value from %2 to %3.</source>
         <translation>%1 は範囲外です。%2〜%3 の値を入力してください。</translation>
+    </message>
+    <message>
+        <source>A joint would exceed its limit. Touch up the waypoint with a different arm configuration.</source>
+        <translation>関節が可動範囲を出ます。別のアーム姿勢からウェイポイントを修正教示してください。</translation>
+    </message>
+    <message>
+        <source>The frame of the waypoint is not in this project. Choose a different frame.</source>
+        <translation>ウェイポイントの座標系がこのプロジェクトにありません。別の座標系を選んでください。</translation>
+    </message>
+    <message>
+        <source>The straight line from the current position leaves the reach of the arm. Use MoveJ, or start from a different position.</source>
+        <translation>現在位置からの直線がアームの到達範囲を出ます。MoveJ を使うか、別の位置から始めてください。</translation>
+    </message>
+    <message>
+        <source>Waypoint %2 is already named “%1”. Choose a different name.</source>
+        <translation>「%1」はウェイポイント %2 の名前です。別の名前を選んでください。</translation>
+    </message>
+    <message>
+        <source>The project has no frame named “%1”. Choose a different frame.</source>
+        <translation>プロジェクトに座標系「%1」がありません。別の座標系を選んでください。</translation>
+    </message>
+    <message>
+        <source>The project was taught with a different robot model. Use “Adapt project to this robot…” first.</source>
+        <translation>プロジェクトは別のロボットモデルで教示されました。先に「プロジェクトをこのロボットに合わせる…」を使ってください。</translation>
     </message>
 </context>
 <context>
@@ -11872,10 +11872,6 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <source>The arm cannot reach these waypoints after the move: %1. Choose a different offset, rotation or mirror plane. No waypoint will be moved.</source>
         <translation>移動後、アームは次のウェイポイントに到達できません：%1。別のオフセット、回転または鏡映面を選んでください。ウェイポイントは移動しません。</translation>
     </message>
-    <message>
-        <source>The frame of a selected waypoint is not in the project. Choose another frame for the waypoint first.</source>
-        <translation>選択したウェイポイントの座標系がプロジェクトにありません。先にウェイポイントの座標系を変更してください。</translation>
-    </message>
     <message numerus="yes">
         <source>%n of the moved waypoints will be out of reach. They will be kept and marked.</source>
         <translation>
@@ -11895,6 +11891,10 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <translation>
             <numerusform>%n 個のウェイポイントをオフセット・回転・鏡像</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The frame of a selected waypoint is not in the project. Choose a different frame for the waypoint first.</source>
+        <translation>選択したウェイポイントの座標系がプロジェクトにありません。先にウェイポイントの座標系を変更してください。</translation>
     </message>
 </context>
 <context>
@@ -12001,10 +12001,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>「%1」を教示</translation>
     </message>
     <message>
-        <source>The frame of “%1” is not in this project. Choose another frame first.</source>
-        <translation>「%1」の座標系がこのプロジェクトにありません。先に別の座標系を選んでください。</translation>
-    </message>
-    <message>
         <source>The current position is %1 away (%2, base frame). Largest joint change: %3 %4.</source>
         <translation>現在の位置は %1 離れています（%2、ベース座標系）。最大の関節変化：%3 %4。</translation>
     </message>
@@ -12083,6 +12079,10 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>Create or edit pattern…</source>
         <translation>パターンを作成または編集…</translation>
+    </message>
+    <message>
+        <source>The frame of “%1” is not in this project. Choose a different frame first.</source>
+        <translation>「%1」の座標系がこのプロジェクトにありません。先に別の座標系を選んでください。</translation>
     </message>
 </context>
 <context>
@@ -12437,7 +12437,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>&lt;h2&gt;このコンピューターにはマニュアルがインストールされていません&lt;/h2&gt;&lt;p&gt;マニュアルは Tiller の Debian パッケージに含まれています。自分でビルドする場合は、パッケージ python3-sphinx をインストールしてください。&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;その後もう一度ビルドしてください。ソースコードのフォルダー packaging/manual でテキストとして読むこともできます。ジョグの規則とすべてのキーは、このウィンドウのもう一方のページにあります。&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, another mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, Tiller hangs, or the robot mode, the safety mode or Remote control changes;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If the button or key is not pressed, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show a note;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;After a stop, press the button or key again to move the arm. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;Hold &lt;b&gt;Ctrl&lt;/b&gt; for one-tenth of the speed, or &lt;b&gt;Shift&lt;/b&gt; for three times the speed, up to the speed cap. On a keyboard without Latin letters, the letters below refer to key positions on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, a different mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, Tiller hangs, or the robot mode, the safety mode or Remote control changes;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If the button or key is not pressed, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show a note;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;After a stop, press the button or key again to move the arm. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program from another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;Hold &lt;b&gt;Ctrl&lt;/b&gt; for one-tenth of the speed, or &lt;b&gt;Shift&lt;/b&gt; for three times the speed, up to the speed cap. On a keyboard without Latin letters, the letters below refer to key positions on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
         <translation>&lt;h2&gt;アームを動かす&lt;/h2&gt;&lt;p&gt;ジョグボタンを押している間アームが動き、離すと止まります。次の場合にも止まります：&lt;/p&gt;&lt;ul&gt;&lt;li&gt;ポインターがボタンから外れる、マウスの別のボタンが押される、または別の入力デバイスが使われる；&lt;/li&gt;&lt;li&gt;キーボードのキーを押している間に、修飾キーや反対方向のキーが押される；&lt;/li&gt;&lt;li&gt;ウィンドウがフォーカスを失う、ダイアログやメニューが開く、または座標系、速度、ステップ、タブが変わる；&lt;/li&gt;&lt;li&gt;ロボットのデータが遅れる、このプログラムが応答しない、またはロボットが「稼働中」、現在の安全モード、リモート制御から外れる；&lt;/li&gt;&lt;li&gt;画面がロックされる、PC がスリープする、または入力デバイスが取り外されるかデータを送らなくなる；&lt;/li&gt;&lt;li&gt;キー状態の確認に失敗する：X11 では、ボタンやキーが押されているかを 10 ms ごとにディスプレイサーバーで確認します。押されていない場合、またはサーバーが 100 ms 応答しない場合、動作は終わります。この確認が使えない場合は、ヘッダーと設定に表示されます；&lt;/li&gt;&lt;li&gt;最大保持時間に達する：ジョグは %1 s（設定）、フリードライブは 5 分、ある位置への移動は所要時間と 5 s。最後の 3 s はカウントダウンされます。&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;停止後は、もう一度押す必要があります。Tiller が制御している間は、&lt;b&gt;Space&lt;/b&gt; と &lt;b&gt;Esc&lt;/b&gt; でどのウィンドウ、ダイアログ、入力欄からでもアームが停止します。制御していないときは、フォーカスのある要素に働きます。他のクライアントのプログラムを停止するには &lt;b&gt;STOP&lt;/b&gt; をクリックしてください。これはソフトウェア停止で、非常停止ではありません：非常停止を手の届く所に置いてください。&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; を押すと動作は 10 倍細かく、&lt;b&gt;Shift&lt;/b&gt; を押すと 3 倍速くなりますが、上限は超えません。ラテン文字のないキーボードでは、下の文字は US 配列での位置を指します。&lt;/p&gt;&lt;h2&gt;コマンド&lt;/h2&gt;</translation>
     </message>
 </context>
@@ -12769,10 +12769,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>プロジェクトをこのロボットに合わせる…</translation>
     </message>
     <message>
-        <source>Converts a project for another robot model, keeping either the poses or the joint positions.</source>
-        <translation>別のロボットモデル用のプロジェクトを変換します：姿勢または関節を維持します。</translation>
-    </message>
-    <message>
         <source>Take control</source>
         <translation>制御を取得</translation>
     </message>
@@ -12909,10 +12905,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>プログラムが実行中です。先にプログラムを停止してください。</translation>
     </message>
     <message>
-        <source>A program is running. Stop the program before you open another project.</source>
-        <translation>プログラムが実行中です。別のプロジェクトを開く前にプログラムを停止してください。</translation>
-    </message>
-    <message>
         <source>Save project</source>
         <translation>プロジェクトを保存</translation>
     </message>
@@ -12948,6 +12940,14 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>Saves the project now. Tiller also saves all changes automatically. If another window or program has changed the file, Tiller asks whether to reload the file or keep both versions.</source>
         <translation>プロジェクトを今すぐ保存します。変更は自動的にも保存されます。別のウィンドウまたはプログラムがファイルを変更した場合は、再読み込みするか両方を残すかを確認します。</translation>
+    </message>
+    <message>
+        <source>Converts a project for a different robot model, keeping either the poses or the joint positions.</source>
+        <translation>別のロボットモデル用のプロジェクトを変換します：姿勢または関節を維持します。</translation>
+    </message>
+    <message>
+        <source>A program is running. Stop the program before you open a different project.</source>
+        <translation>プログラムが実行中です。別のプロジェクトを開く前にプログラムを停止してください。</translation>
     </message>
 </context>
 <context>
@@ -12986,10 +12986,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>Saves the current panel layout to the current perspective.</source>
         <translation>現在のパネル配置を現在のパースペクティブに保存します。</translation>
-    </message>
-    <message>
-        <source>This perspective is built in. Save it under another name.</source>
-        <translation>このパースペクティブは組み込みです。別の名前で保存してください。</translation>
     </message>
     <message>
         <source>Save perspective as…</source>
@@ -13071,6 +13067,10 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <source>Keep</source>
         <translation>残す</translation>
     </message>
+    <message>
+        <source>This perspective is built in. Save it under a different name.</source>
+        <translation>このパースペクティブは組み込みです。別の名前で保存してください。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::Perspectives</name>
@@ -13115,10 +13115,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>これ以上のパースペクティブは保存できません。先に一つ削除してください。</translation>
     </message>
     <message>
-        <source>A perspective with this name already exists. Choose another name.</source>
-        <translation>この名前のパースペクティブがあります。別の名前を選んでください。</translation>
-    </message>
-    <message>
         <source>The panel layout was reset to the perspective “%1”: the layout of the earlier version is not compatible. Arrange the panels again. The new layout is saved automatically.</source>
         <translation>パネルはパースペクティブ「%1」の配置です：前のバージョンの配置はこのバージョンに合いません。並べ直してください。新しい配置は自動的に保存されます。</translation>
     </message>
@@ -13129,6 +13125,10 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>The name is too long. Enter a shorter name.</source>
         <translation>名前が長すぎます。短い名前を入力してください。</translation>
+    </message>
+    <message>
+        <source>A perspective with this name already exists. Choose a different name.</source>
+        <translation>この名前のパースペクティブがあります。別の名前を選んでください。</translation>
     </message>
 </context>
 <context>

@@ -260,10 +260,6 @@
         <translation>%1：始终在 %2 之内，最大 %3（%4 s）</translation>
     </message>
     <message>
-        <source>%1: exceeds %2 from %3 s on (%4), maximum %5 at %6 s</source>
-        <translation>%1：自 %3 s 起超过 %2（%4），最大 %5（%6 s）</translation>
-    </message>
-    <message>
         <source>TCP</source>
         <translation>TCP</translation>
     </message>
@@ -335,6 +331,10 @@
     <message>
         <source>This recording cannot be compared with a model: target or actual joint positions are missing. Record all signals to an MCAP file.</source>
         <translation>此记录无法与模型比较：缺少关节的指令或位置。请将所有信号记录为 MCAP。</translation>
+    </message>
+    <message>
+        <source>%1: exceeds %2 starting at %3 s (%4), maximum %5 at %6 s</source>
+        <translation>%1：自 %3 s 起超过 %2（%4），最大 %5（%6 s）</translation>
     </message>
 </context>
 <context>
@@ -3153,16 +3153,8 @@
         <translation>程序无法在此步骤的中途继续。下次运行从头开始。</translation>
     </message>
     <message>
-        <source>ended on the robot (pendant, another client or halt)</source>
-        <translation>在机器人上结束（示教器、其他客户端或 halt）</translation>
-    </message>
-    <message>
         <source>paused on the robot</source>
         <translation>在机器人上暂停</translation>
-    </message>
-    <message>
-        <source>a program of another client has taken over</source>
-        <translation>其他客户端的程序已接管机器人</translation>
     </message>
     <message>
         <source>the speed, acceleration or blend is not a number, or a time is set</source>
@@ -3334,10 +3326,6 @@
         <translation>矩阵</translation>
     </message>
     <message>
-        <source>The values of a program of another client cannot be changed.</source>
-        <translation>无法更改其他客户端程序的值。</translation>
-    </message>
-    <message>
         <source>A URScript step in this program could move the arm after a change.</source>
         <translation>此程序中的 URScript 步骤可能在更改后移动机械臂。</translation>
     </message>
@@ -3442,10 +3430,6 @@
         <translation>文本部分中的已禁用节点</translation>
     </message>
     <message>
-        <source>it is nested too deeply</source>
-        <translation>嵌套过深</translation>
-    </message>
-    <message>
         <source>the condition cannot be used in a step</source>
         <translation>其条件不能作为步骤的条件</translation>
     </message>
@@ -3468,6 +3452,22 @@
     <message>
         <source>%1. Complete the program on the teach pendant first.</source>
         <translation>%1。请先在示教器上完成程序。</translation>
+    </message>
+    <message>
+        <source>ended on the robot (teach pendant, another client or halt)</source>
+        <translation>在机器人上结束（示教器、其他客户端或 halt）</translation>
+    </message>
+    <message>
+        <source>a program from another client has taken over</source>
+        <translation>其他客户端的程序已接管机器人</translation>
+    </message>
+    <message>
+        <source>The values of a program from another client cannot be changed.</source>
+        <translation>无法更改其他客户端程序的值。</translation>
+    </message>
+    <message>
+        <source>the statement is nested too deeply</source>
+        <translation>嵌套过深</translation>
     </message>
 </context>
 <context>
@@ -4029,10 +4029,6 @@
 <context>
     <name>SessionRecording</name>
     <message>
-        <source>The robot cannot send so many signals at once. These signals are not recorded: %1</source>
-        <translation>机器人无法同时发送这么多信号。未录制的信号：%1</translation>
-    </message>
-    <message>
         <source>Cannot record: connect to a robot first.</source>
         <translation>无法录制：请先连接机器人。</translation>
     </message>
@@ -4063,6 +4059,10 @@
     <message>
         <source>The current recording does not contain %1. Start a new recording to record displayed signals.</source>
         <translation>当前记录不包含 %1。要记录显示的信号，请开始新的记录。</translation>
+    </message>
+    <message>
+        <source>The robot cannot send this many signals at once. These signals are not recorded: %1</source>
+        <translation>机器人无法同时发送这么多信号。未录制的信号：%1</translation>
     </message>
 </context>
 <context>
@@ -5216,10 +5216,6 @@ To rename or scale the signal, right-click it, or press F2 or Shift+F2.</source>
         <translation>请输入长方体或平面的名称。</translation>
     </message>
     <message>
-        <source>The cell already contains “%1”. Choose another name.</source>
-        <translation>单元中已有“%1”。请选择其他名称。</translation>
-    </message>
-    <message>
         <source>Rename “%1” to “%2”</source>
         <translation>将“%1”重命名为“%2”</translation>
     </message>
@@ -5468,6 +5464,10 @@ Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
     <message>
         <source>Turn collision check on or off</source>
         <translation>打开或关闭碰撞检查</translation>
+    </message>
+    <message>
+        <source>The cell already contains “%1”. Choose a different name.</source>
+        <translation>单元中已有“%1”。请选择其他名称。</translation>
     </message>
 </context>
 <context>
@@ -5823,14 +5823,6 @@ Clear the search to see everything.</source>
         <translation>视图</translation>
     </message>
     <message>
-        <source>“%1” is a built-in frame. Choose another name.</source>
-        <translation>“%1”是内置坐标系。请选择其他名称。</translation>
-    </message>
-    <message>
-        <source>A frame named “%1” already exists. Choose another name.</source>
-        <translation>“%1”已是另一个坐标系的名称。请选择其他名称。</translation>
-    </message>
-    <message>
         <source>Rename “%1” to “%2”</source>
         <translation>将“%1”重命名为“%2”</translation>
     </message>
@@ -5877,6 +5869,14 @@ Clear the search to see everything.</source>
     <message>
         <source>Distance from the TCP, %1</source>
         <translation>与 TCP 的距离，%1</translation>
+    </message>
+    <message>
+        <source>“%1” is a built-in frame. Choose a different name.</source>
+        <translation>“%1”是内置坐标系。请选择其他名称。</translation>
+    </message>
+    <message>
+        <source>A frame named “%1” already exists. Choose a different name.</source>
+        <translation>“%1”已是另一个坐标系的名称。请选择其他名称。</translation>
     </message>
 </context>
 <context>
@@ -7689,16 +7689,8 @@ Right-click or press F2 to rename the input.</source>
         <translation>请输入阵列的名称。</translation>
     </message>
     <message>
-        <source>A pattern with this name already exists. Choose another name.</source>
-        <translation>已有此名称的阵列。请选择其他名称。</translation>
-    </message>
-    <message>
         <source>Teach the three corners first, then select a waypoint for each corner.</source>
         <translation>请先示教三个角，然后为每个角选择路点。</translation>
-    </message>
-    <message>
-        <source>The layer height is not a number or is out of range. Enter another layer height.</source>
-        <translation>层高不是数字或超出范围。请输入其他层高。</translation>
     </message>
     <message>
         <source>The layer height must not be 0. Enter a layer height.</source>
@@ -7735,6 +7727,14 @@ Right-click or press F2 to rename the input.</source>
         <translation>
             <numerusform>%1，其中 %n 个不可达，已标记。</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>A pattern with this name already exists. Choose a different name.</source>
+        <translation>已有此名称的阵列。请选择其他名称。</translation>
+    </message>
+    <message>
+        <source>The layer height is not a number or is out of range. Enter a different layer height.</source>
+        <translation>层高不是数字或超出范围。请输入其他层高。</translation>
     </message>
 </context>
 <context>
@@ -7811,10 +7811,6 @@ Right-click or press F2 to rename the input.</source>
         <translation>%1 精度较低：位姿 %2 偏差最大。请移除它并另取一个位姿。</translation>
     </message>
     <message>
-        <source>The tool orientations are too similar. Record one more pose with the tool rotated in another direction.</source>
-        <translation>工具方向过于相近。请将工具转到另一方向再取一个位姿。</translation>
-    </message>
-    <message>
         <source>The load of %1 kg is too light to measure the centre of gravity. Enter the payload manually.</source>
         <translation>%1 kg 的负载太轻，无法测量重心。请手动输入有效负载。</translation>
     </message>
@@ -7842,8 +7838,12 @@ Right-click or press F2 to rename the input.</source>
         <source>  ◀ least accurate</source>
         <translation>  ◀ 最不准确</translation>
     </message>
+    <message>
+        <source>The tool orientations are too similar. Record one more pose with the tool rotated in a different direction.</source>
+        <translation>工具方向过于相近。请将工具转到另一方向再取一个位姿。</translation>
+    </message>
     <message numerus="yes">
-        <source>Rotate the wrist in another direction and record the pose. Poses still needed: %n.</source>
+        <source>Rotate the wrist in a different direction and record the pose. Poses still needed: %n.</source>
         <translation>
             <numerusform>把手腕转到另一侧并取位姿。还需：%n。</numerusform>
         </translation>
@@ -7874,10 +7874,6 @@ Right-click or press F2 to rename the input.</source>
     <message>
         <source>Enter a name for the payload.</source>
         <translation>请输入有效负载的名称。</translation>
-    </message>
-    <message>
-        <source>A payload named “%1” already exists. Choose another name.</source>
-        <translation>“%1”已是另一个有效负载的名称。请选择其他名称。</translation>
     </message>
     <message>
         <source>Rename “%1” to “%2”</source>
@@ -8089,6 +8085,10 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>尚无负载。
 按“测量…”用机械臂测量负载。</translation>
     </message>
+    <message>
+        <source>A payload named “%1” already exists. Choose a different name.</source>
+        <translation>“%1”已是另一个有效负载的名称。请选择其他名称。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PlotAnalysis</name>
@@ -8154,10 +8154,6 @@ Press “Measure…” to measure the payload with the arm.</source>
         <source>Reading the recording: %1</source>
         <translation>正在读取记录：%1</translation>
     </message>
-    <message>
-        <source>This range contains samples of different robots. Place cursors A and B around the data of one robot.</source>
-        <translation>该范围包含不同机器人的样本。请将光标 A 和 B 放在同一台机器人数据的两端。</translation>
-    </message>
     <message numerus="yes">
         <source>Hann window of %1 samples · resolution %2 Hz · mean of %n segment(s) · %3 to %4 s</source>
         <translation>
@@ -8173,6 +8169,10 @@ Press “Measure…” to measure the payload with the arm.</source>
     <message>
         <source>%1 · %2 to %3 s</source>
         <translation>%1 · %2 至 %3 s</translation>
+    </message>
+    <message>
+        <source>This range contains samples from different robots. Place cursors A and B around data from one robot.</source>
+        <translation>该范围包含不同机器人的样本。请将光标 A 和 B 放在同一台机器人数据的两端。</translation>
     </message>
 </context>
 <context>
@@ -8533,10 +8533,6 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>该范围的值过多，无法从此窗口导出。请导出较短的范围，或运行“tiller-cli export”。</translation>
     </message>
     <message>
-        <source>The range contains samples of different robots. Select a range of one robot with the cursors A and B, then export again.</source>
-        <translation>该范围包含不同机器人的数据。请用光标 A 和 B 选择一台机器人的范围，然后重新导出。</translation>
-    </message>
-    <message>
         <source>Robot: %1</source>
         <translation>机器人：%1</translation>
     </message>
@@ -8593,10 +8589,6 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>文件夹：%1…</translation>
     </message>
     <message>
-        <source>The image %1 could not be created. Choose another image format.</source>
-        <translation>无法创建图片 %1。请选择其他图片格式。</translation>
-    </message>
-    <message>
         <source>The file type is not supported. Use the suffix .png, .svg or .pdf for an image, or .csv for values.</source>
         <translation>不支持此文件类型。图片请用 .png、.svg 或 .pdf，数值请用 .csv 命名。</translation>
     </message>
@@ -8625,6 +8617,14 @@ Press “Measure…” to measure the payload with the arm.</source>
     <message>
         <source>Part of the recording %1 could not be read. %2</source>
         <translation>无法读取录制 %1 的一部分。%2</translation>
+    </message>
+    <message>
+        <source>The range contains samples from different robots. Use cursors A and B to select a range with data from one robot, then export again.</source>
+        <translation>该范围包含不同机器人的数据。请用光标 A 和 B 选择一台机器人的范围，然后重新导出。</translation>
+    </message>
+    <message>
+        <source>The image %1 could not be created. Choose a different image format.</source>
+        <translation>无法创建图片 %1。请选择其他图片格式。</translation>
     </message>
 </context>
 <context>
@@ -8860,10 +8860,6 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>请输入位置的名称。</translation>
     </message>
     <message>
-        <source>A position named “%1” already exists. Choose another name.</source>
-        <translation>“%1”已是另一个位置的名称。请选择其他名称。</translation>
-    </message>
-    <message>
         <source>Rename “%1” to “%2”</source>
         <translation>将“%1”重命名为“%2”</translation>
     </message>
@@ -9008,6 +9004,10 @@ Jog the arm to a position and press “Set home here” or “Add position”.</
     <message>
         <source>%1 · %2 %3 from the current position</source>
         <translation>%1 · 距此处 %2 %3</translation>
+    </message>
+    <message>
+        <source>A position named “%1” already exists. Choose a different name.</source>
+        <translation>“%1”已是另一个位置的名称。请选择其他名称。</translation>
     </message>
 </context>
 <context>
@@ -9683,16 +9683,16 @@ Release the button to stop the arm.</source>
         <translation>新建项目</translation>
     </message>
     <message>
-        <source>%1 already exists. Choose another name for the new project.</source>
-        <translation>%1 已存在。请为新项目选择其他名称。</translation>
-    </message>
-    <message>
         <source>Saved %1</source>
         <translation>已保存 %1</translation>
     </message>
     <message>
         <source>The project could not be taken over</source>
         <translation>无法接管项目</translation>
+    </message>
+    <message>
+        <source>%1 already exists. Choose a different name for the new project.</source>
+        <translation>%1 已存在。请为新项目选择其他名称。</translation>
     </message>
 </context>
 <context>
@@ -9724,14 +9724,6 @@ Release the button to stop the arm.</source>
         <translation>未连接机器人。请连接此项目的机器人。</translation>
     </message>
     <message>
-        <source>Project for another robot model</source>
-        <translation>用于其他机器人型号的项目</translation>
-    </message>
-    <message>
-        <source>“Keep poses” recalculates the joint positions; the tool reaches the same poses. “Keep joints” keeps the arm configuration; the tool reaches different poses. Until you decide, moves to positions of the project are blocked.</source>
-        <translation>“保持位姿”重新计算关节位置，工具到达相同的位姿。“保持关节”保持机械臂的构型，工具到达不同的位姿。在您决定之前，不能移动到项目中的位置。</translation>
-    </message>
-    <message>
         <source>Keep poses</source>
         <translation>保持位姿</translation>
     </message>
@@ -9742,10 +9734,6 @@ Release the button to stop the arm.</source>
     <message>
         <source>TCP differs from the project</source>
         <translation>TCP 与项目不同</translation>
-    </message>
-    <message>
-        <source>With the robot&apos;s TCP, the flange moves to the same poses as taught, but the TCP does not. Until you decide, moves to positions of the project are blocked.</source>
-        <translation>使用机器人的 TCP 时，法兰会到达示教的位姿，但 TCP 不会。在您决定之前，不能移动到项目中的位置。</translation>
     </message>
     <message>
         <source>Set “%1” on the robot</source>
@@ -9776,16 +9764,28 @@ Release the button to stop the arm.</source>
         <translation>部分位置不可达</translation>
     </message>
     <message>
-        <source>Moves to positions of this project are blocked</source>
-        <translation>不能移动到此项目中的位置</translation>
-    </message>
-    <message>
         <source>Choose…</source>
         <translation>选择…</translation>
     </message>
     <message>
         <source>The robot model is not known yet. Wait until the robot reports the model.</source>
         <translation>尚不知道机器人的型号。请等待机器人报告。</translation>
+    </message>
+    <message>
+        <source>Project for a different robot model</source>
+        <translation>用于其他机器人型号的项目</translation>
+    </message>
+    <message>
+        <source>“Keep poses” recalculates the joint positions; the tool reaches the same poses. “Keep joints” keeps the arm configuration; the tool reaches different poses. Until you decide, moves to positions in the project are blocked.</source>
+        <translation>“保持位姿”重新计算关节位置，工具到达相同的位姿。“保持关节”保持机械臂的构型，工具到达不同的位姿。在您决定之前，不能移动到项目中的位置。</translation>
+    </message>
+    <message>
+        <source>With the robot&apos;s TCP, the flange moves to the same poses as taught, but the TCP does not. Until you decide, moves to positions in the project are blocked.</source>
+        <translation>使用机器人的 TCP 时，法兰会到达示教的位姿，但 TCP 不会。在您决定之前，不能移动到项目中的位置。</translation>
+    </message>
+    <message>
+        <source>Moves to positions in this project are blocked</source>
+        <translation>不能移动到此项目中的位置</translation>
     </message>
 </context>
 <context>
@@ -9831,26 +9831,26 @@ Release the button to stop the arm.</source>
         <translation>未保存的项目</translation>
     </message>
     <message>
-        <source>%1 is open in another window (%2). Close the project in that window, or save under another name.</source>
-        <translation>%1 已在另一个窗口中打开（%2）。请在那里关闭，或以其他名称保存。</translation>
-    </message>
-    <message>
         <source>another program</source>
         <translation>其他程序</translation>
-    </message>
-    <message>
-        <source>%1 was changed by another program. Reload the project, or save it under another name.</source>
-        <translation>%1 已被其他程序更改。请重新加载，或以其他名称保存。</translation>
     </message>
     <message>
         <source>%1 — new</source>
         <translation>%1 — 新建</translation>
     </message>
+    <message>
+        <source>%1 is open in another window (%2). Close the project in that window, or save under a different name.</source>
+        <translation>%1 已在另一个窗口中打开（%2）。请在那里关闭，或以其他名称保存。</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program. Reload the project, or save it under a different name.</source>
+        <translation>%1 已被其他程序更改。请重新加载，或以其他名称保存。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RangeStatisticsCache</name>
     <message>
-        <source>The range contains samples of different robots. Place cursors A and B in the data of one robot.</source>
+        <source>The range contains samples from different robots. Place cursors A and B around data from one robot.</source>
         <translation>该范围包含不同机器人的样本。请将光标 A 和 B 放在同一台机器人的数据中。</translation>
     </message>
 </context>
@@ -10129,36 +10129,16 @@ Release the button to stop the arm.</source>
         <translation>程序正在运行。请等待程序结束，或停止程序。</translation>
     </message>
     <message>
-        <source>A program of another client has taken over the robot. Taking control ends that program.</source>
-        <translation>其他客户端的程序已接管机器人。获取控制权会结束该程序。</translation>
-    </message>
-    <message>
         <source>Stopping the other client&apos;s program to take control.</source>
         <translation>为获取控制权，正在停止其他客户端的程序。</translation>
-    </message>
-    <message>
-        <source>A program of another client has taken over the robot, and control was lost. Taking control again ends that program.</source>
-        <translation>其他客户端的程序已接管机器人，控制权已丢失。重新获取控制权会结束该程序。</translation>
-    </message>
-    <message>
-        <source>A program of another client is running on the robot.</source>
-        <translation>机器人上正在运行其他客户端的程序。</translation>
     </message>
     <message>
         <source>The program on the robot is paused.</source>
         <translation>机器人上的程序已暂停。</translation>
     </message>
     <message>
-        <source>on the way to point %1 of %2: %3</source>
-        <translation>在前往第 %1 个点（共 %2 个）的途中：%3</translation>
-    </message>
-    <message>
         <source>Robot mode: %1</source>
         <translation>机器人模式：%1</translation>
-    </message>
-    <message>
-        <source>The program of the other client has ended.</source>
-        <translation>其他客户端的程序已结束。</translation>
     </message>
     <message>
         <source>Stopped: %1 (%2)</source>
@@ -10167,10 +10147,6 @@ Release the button to stop the arm.</source>
     <message>
         <source>Not stopped: a program is still running (%1). Press STOP again.</source>
         <translation>未停止：程序仍在运行（%1）。请再次按下 STOP。</translation>
-    </message>
-    <message>
-        <source>The program started without connection to Tiller, at most %1 s before this entry.</source>
-        <translation>程序在与 Tiller 断开连接期间启动，最多在此条目之前 %1 秒。</translation>
     </message>
     <message>
         <source>Not stopped: the arm is still moving (%1). Press STOP again.</source>
@@ -10183,6 +10159,30 @@ Release the button to stop the arm.</source>
     <message>
         <source>A program from another client has replaced the running program.</source>
         <translation>其他客户端的程序替换了正在运行的程序。</translation>
+    </message>
+    <message>
+        <source>A program from another client has taken over the robot. Taking control ends that program.</source>
+        <translation>其他客户端的程序已接管机器人。获取控制权会结束该程序。</translation>
+    </message>
+    <message>
+        <source>A program from another client has taken over the robot, and control was lost. Taking control again ends that program.</source>
+        <translation>其他客户端的程序已接管机器人，控制权已丢失。重新获取控制权会结束该程序。</translation>
+    </message>
+    <message>
+        <source>A program from another client is running on the robot.</source>
+        <translation>机器人上正在运行其他客户端的程序。</translation>
+    </message>
+    <message>
+        <source>while moving to point %1 of %2: %3</source>
+        <translation>在前往第 %1 个点（共 %2 个）的途中：%3</translation>
+    </message>
+    <message>
+        <source>The program from the other client has ended.</source>
+        <translation>其他客户端的程序已结束。</translation>
+    </message>
+    <message>
+        <source>The program started while Tiller was not connected, at most %1 s before this entry.</source>
+        <translation>程序在与 Tiller 断开连接期间启动，最多在此条目之前 %1 秒。</translation>
     </message>
 </context>
 <context>
@@ -10585,12 +10585,12 @@ Release the button to stop the arm.</source>
         <translation>回放</translation>
     </message>
     <message>
-        <source>ghost “%1” · taught with another robot model</source>
-        <translation>虚影“%1”· 用其他机器人型号示教</translation>
-    </message>
-    <message>
         <source>LIVE ARM</source>
         <translation>实时机械臂</translation>
+    </message>
+    <message>
+        <source>ghost “%1” · taught with a different robot model</source>
+        <translation>虚影“%1”· 用其他机器人型号示教</translation>
     </message>
 </context>
 <context>
@@ -10794,10 +10794,6 @@ Release the button to stop the arm.</source>
         <translation>请输入 TCP 的名称。</translation>
     </message>
     <message>
-        <source>A TCP named “%1” already exists. Choose another name.</source>
-        <translation>“%1”已是另一个 TCP 的名称。请选择其他名称。</translation>
-    </message>
-    <message>
         <source>Rename “%1” to “%2”</source>
         <translation>将“%1”重命名为“%2”</translation>
     </message>
@@ -10939,6 +10935,10 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <source>Set TCP on robot</source>
         <translation>在机器人上设置 TCP</translation>
     </message>
+    <message>
+        <source>A TCP named “%1” already exists. Choose a different name.</source>
+        <translation>“%1”已是另一个 TCP 的名称。请选择其他名称。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::TcpTeacher</name>
@@ -10991,16 +10991,8 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <translation>尖端位于 %1。各位姿一致到 %2 (rms)；位姿 %3 最不吻合，相差 %4。</translation>
     </message>
     <message>
-        <source>The tool orientations are too similar. Record one more pose with the tool tilted by at least 30° in another direction.</source>
-        <translation>工具方向过于相近。请向另一方向倾斜 30° 以上再取一个位姿。</translation>
-    </message>
-    <message>
         <source>The robot sent an invalid position. Record the poses again.</source>
         <translation>机器人没有发送有效位置。请重新取位姿。</translation>
-    </message>
-    <message>
-        <source>Jog the tip to a fixed, sharp point and record the pose. Record four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
-        <translation>把尖端点动到一个固定的尖点并取位姿。共四次：尖端在同一点，工具每次向不同侧倾斜。</translation>
     </message>
     <message>
         <source>The tool keeps the current orientation.</source>
@@ -11066,15 +11058,23 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <source>  ◀ least accurate</source>
         <translation>  ◀ 最不准确</translation>
     </message>
-    <message numerus="yes">
-        <source>Tilt the tool in another direction, move the tip to the same point again, and record the pose. Poses still needed: %n.</source>
-        <translation>
-            <numerusform>把工具倾向另一侧，使尖端再到同一点，并取位姿。还需：%n。</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Poses can be recorded only while the robot sends data. Connect to a robot, or wait for new data.</source>
         <translation>只有机器人发送数据时才能取位姿。请连接机器人，或等待新数据。</translation>
+    </message>
+    <message>
+        <source>The tool orientations are too similar. Record one more pose with the tool tilted by at least 30° in a different direction.</source>
+        <translation>工具方向过于相近。请向另一方向倾斜 30° 以上再取一个位姿。</translation>
+    </message>
+    <message>
+        <source>Jog the tip to a fixed, sharp point and record the pose. Record four poses in total, each with the tip on the same point and the tool tilted in a different direction.</source>
+        <translation>把尖端点动到一个固定的尖点并取位姿。共四次：尖端在同一点，工具每次向不同侧倾斜。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Tilt the tool in a different direction, move the tip to the same point again, and record the pose. Poses still needed: %n.</source>
+        <translation>
+            <numerusform>把工具倾向另一侧，使尖端再到同一点，并取位姿。还需：%n。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11378,15 +11378,15 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <source>The earlier version cannot be restored because its frame was deleted from the project. Select a different version.</source>
         <translation>无法恢复早期版本，因为其坐标系已从项目中删除。请选择其他版本。</translation>
     </message>
-    <message>
-        <source>%1 contains no waypoints. Choose another file.</source>
-        <translation>%1 中没有路点。请选择其他文件。</translation>
-    </message>
     <message numerus="yes">
         <source>Offset, rotate or mirror %n waypoints</source>
         <translation>
             <numerusform>偏移、旋转或镜像 %n 个路点</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 contains no waypoints. Choose a different file.</source>
+        <translation>%1 中没有路点。请选择其他文件。</translation>
     </message>
 </context>
 <context>
@@ -11542,18 +11542,6 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <translation>✕ 可达</translation>
     </message>
     <message>
-        <source>A joint would exceed its limit. Touch up the waypoint with another arm configuration.</source>
-        <translation>某个关节会超出范围。请以另一种机械臂姿态修正示教该路点。</translation>
-    </message>
-    <message>
-        <source>The frame of the waypoint is not in this project. Choose another frame.</source>
-        <translation>路点的坐标系不在此项目中。请选择另一个坐标系。</translation>
-    </message>
-    <message>
-        <source>The straight line from the current position leaves the reach of the arm. Use MoveJ, or start from another position.</source>
-        <translation>从当前位置出发的直线超出机械臂的可达范围。请使用 MoveJ，或从其他位置开始。</translation>
-    </message>
-    <message>
         <source>Out of reach. Touch up the waypoint closer to the base.</source>
         <translation>不可达。请在靠近基座处修正示教。</translation>
     </message>
@@ -11614,10 +11602,6 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <translation>请输入路点的名称。</translation>
     </message>
     <message>
-        <source>Waypoint %2 is already named “%1”. Choose another name.</source>
-        <translation>“%1”已是路点 %2 的名称。请选择其他名称。</translation>
-    </message>
-    <message>
         <source>Rename “%1” to “%2”</source>
         <translation>将“%1”重命名为“%2”</translation>
     </message>
@@ -11636,10 +11620,6 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
     <message>
         <source>Use joint positions for “%1”</source>
         <translation>对“%1”使用关节位置</translation>
-    </message>
-    <message>
-        <source>The project has no frame named “%1”. Choose another frame.</source>
-        <translation>此项目中没有坐标系“%1”。请选择其他坐标系。</translation>
     </message>
     <message>
         <source>Change the frame of “%1” to %2</source>
@@ -11684,10 +11664,6 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <translation>✕ 型号</translation>
     </message>
     <message>
-        <source>The project was taught with another robot model. Use “Adapt project to this robot…” first.</source>
-        <translation>项目是用其他型号的机器人示教的。请先使用“使项目适应此机器人…”。</translation>
-    </message>
-    <message>
         <source>✕ path</source>
         <translation>✕ 路径</translation>
     </message>
@@ -11702,6 +11678,30 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
     <message>
         <source>%1 is out of range. Enter a value from %2 to %3.</source>
         <translation>%1 超出范围。请输入 %2 至 %3 之间的值。</translation>
+    </message>
+    <message>
+        <source>A joint would exceed its limit. Touch up the waypoint with a different arm configuration.</source>
+        <translation>某个关节会超出范围。请以另一种机械臂姿态修正示教该路点。</translation>
+    </message>
+    <message>
+        <source>The frame of the waypoint is not in this project. Choose a different frame.</source>
+        <translation>路点的坐标系不在此项目中。请选择另一个坐标系。</translation>
+    </message>
+    <message>
+        <source>The straight line from the current position leaves the reach of the arm. Use MoveJ, or start from a different position.</source>
+        <translation>从当前位置出发的直线超出机械臂的可达范围。请使用 MoveJ，或从其他位置开始。</translation>
+    </message>
+    <message>
+        <source>Waypoint %2 is already named “%1”. Choose a different name.</source>
+        <translation>“%1”已是路点 %2 的名称。请选择其他名称。</translation>
+    </message>
+    <message>
+        <source>The project has no frame named “%1”. Choose a different frame.</source>
+        <translation>此项目中没有坐标系“%1”。请选择其他坐标系。</translation>
+    </message>
+    <message>
+        <source>The project was taught with a different robot model. Use “Adapt project to this robot…” first.</source>
+        <translation>项目是用其他型号的机器人示教的。请先使用“使项目适应此机器人…”。</translation>
     </message>
 </context>
 <context>
@@ -11872,10 +11872,6 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <source>The arm cannot reach these waypoints after the move: %1. Choose a different offset, rotation or mirror plane. No waypoint will be moved.</source>
         <translation>移动后机械臂无法到达这些路点：%1。请选择其他偏移、旋转或镜像平面。不会移动任何路点。</translation>
     </message>
-    <message>
-        <source>The frame of a selected waypoint is not in the project. Choose another frame for the waypoint first.</source>
-        <translation>所选路点的坐标系不在此项目中。请先为该路点选择其他坐标系。</translation>
-    </message>
     <message numerus="yes">
         <source>%n of the moved waypoints will be out of reach. They will be kept and marked.</source>
         <translation>
@@ -11895,6 +11891,10 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <translation>
             <numerusform>偏移、旋转或镜像 %n 个路点</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The frame of a selected waypoint is not in the project. Choose a different frame for the waypoint first.</source>
+        <translation>所选路点的坐标系不在此项目中。请先为该路点选择其他坐标系。</translation>
     </message>
 </context>
 <context>
@@ -12001,10 +12001,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>示教“%1”</translation>
     </message>
     <message>
-        <source>The frame of “%1” is not in this project. Choose another frame first.</source>
-        <translation>“%1”的坐标系不在此项目中。请先选择另一个坐标系。</translation>
-    </message>
-    <message>
         <source>The current position is %1 away (%2, base frame). Largest joint change: %3 %4.</source>
         <translation>当前位置相距 %1（%2，基座坐标系）。最大关节变化：%3 %4。</translation>
     </message>
@@ -12083,6 +12079,10 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>Create or edit pattern…</source>
         <translation>创建或编辑阵列…</translation>
+    </message>
+    <message>
+        <source>The frame of “%1” is not in this project. Choose a different frame first.</source>
+        <translation>“%1”的坐标系不在此项目中。请先选择另一个坐标系。</translation>
     </message>
 </context>
 <context>
@@ -12437,7 +12437,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>&lt;h2&gt;本机上未安装手册&lt;/h2&gt;&lt;p&gt;手册包含在 Tiller 的 Debian 软件包中。要在自行编译时加入手册，请安装软件包 python3-sphinx：&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;然后重新编译。也可以在源代码的文件夹 packaging/manual 中以文本形式阅读。点动规则和所有按键在本窗口的另一页上。&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, another mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, Tiller hangs, or the robot mode, the safety mode or Remote control changes;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If the button or key is not pressed, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show a note;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;After a stop, press the button or key again to move the arm. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;Hold &lt;b&gt;Ctrl&lt;/b&gt; for one-tenth of the speed, or &lt;b&gt;Shift&lt;/b&gt; for three times the speed, up to the speed cap. On a keyboard without Latin letters, the letters below refer to key positions on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, a different mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, Tiller hangs, or the robot mode, the safety mode or Remote control changes;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If the button or key is not pressed, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show a note;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;After a stop, press the button or key again to move the arm. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program from another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;Hold &lt;b&gt;Ctrl&lt;/b&gt; for one-tenth of the speed, or &lt;b&gt;Shift&lt;/b&gt; for three times the speed, up to the speed cap. On a keyboard without Latin letters, the letters below refer to key positions on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
         <translation>&lt;h2&gt;移动机械臂&lt;/h2&gt;&lt;p&gt;按住点动按钮时机械臂移动，松开即停止。以下情况也会停止：&lt;/p&gt;&lt;ul&gt;&lt;li&gt;指针离开按钮、按下鼠标的另一个键，或使用了另一个输入设备；&lt;/li&gt;&lt;li&gt;按住键盘按键时，按下了修饰键或相反方向的按键；&lt;/li&gt;&lt;li&gt;窗口失去焦点、打开了对话框或菜单，或坐标系、速度、步长或选项卡发生变化；&lt;/li&gt;&lt;li&gt;机器人的数据延迟、本程序没有响应，或机器人离开“运行”、其安全模式或远程控制；&lt;/li&gt;&lt;li&gt;屏幕被锁定、PC 进入休眠，或输入设备被拔出或停止发送数据；&lt;/li&gt;&lt;li&gt;按键状态检查失败：在 X11 上，Tiller 每 10 ms 向显示服务器检查按钮或按键是否仍被按下。如果没有按下，或服务器 100 ms 没有响应，运动即结束。如果无法进行此检查，页眉和设置会显示；&lt;/li&gt;&lt;li&gt;达到最长按住时间：点动为 %1 s（设置），自由驱动为五分钟，移动到某位置为运动时间加 5 s。最后 3 s 会倒计时。&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;停止后需要重新按下。Tiller 拥有控制时，&lt;b&gt;Space&lt;/b&gt; 和 &lt;b&gt;Esc&lt;/b&gt; 在任何窗口、对话框和文本框中都会停止机械臂。Tiller 没有控制时，它们作用于当前焦点控件；请单击 &lt;b&gt;STOP&lt;/b&gt; 停止其他客户端的程序。这是软件停止，不是紧急停止：请使紧急停止在伸手可及之处。&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; 使运动精细十倍，&lt;b&gt;Shift&lt;/b&gt; 使运动快三倍，但绝不超过上限。在没有拉丁字母的键盘上，下面的字母指其在美式键盘上的位置。&lt;/p&gt;&lt;h2&gt;命令&lt;/h2&gt;</translation>
     </message>
 </context>
@@ -12769,10 +12769,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>使项目适应此机器人…</translation>
     </message>
     <message>
-        <source>Converts a project for another robot model, keeping either the poses or the joint positions.</source>
-        <translation>转换用于其他型号机器人的项目：保持位姿或关节。</translation>
-    </message>
-    <message>
         <source>Take control</source>
         <translation>获取控制</translation>
     </message>
@@ -12909,10 +12905,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>程序正在运行。请先停止程序。</translation>
     </message>
     <message>
-        <source>A program is running. Stop the program before you open another project.</source>
-        <translation>程序正在运行。打开其他项目前请先停止程序。</translation>
-    </message>
-    <message>
         <source>Save project</source>
         <translation>保存项目</translation>
     </message>
@@ -12948,6 +12940,14 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>Saves the project now. Tiller also saves all changes automatically. If another window or program has changed the file, Tiller asks whether to reload the file or keep both versions.</source>
         <translation>立即保存项目。Tiller 也会自动保存所有更改。如果其他窗口或程序更改了文件，将询问是重新加载还是保留两者。</translation>
+    </message>
+    <message>
+        <source>Converts a project for a different robot model, keeping either the poses or the joint positions.</source>
+        <translation>转换用于其他型号机器人的项目：保持位姿或关节。</translation>
+    </message>
+    <message>
+        <source>A program is running. Stop the program before you open a different project.</source>
+        <translation>程序正在运行。打开其他项目前请先停止程序。</translation>
     </message>
 </context>
 <context>
@@ -12986,10 +12986,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>Saves the current panel layout to the current perspective.</source>
         <translation>将当前面板排列保存到当前视角布局。</translation>
-    </message>
-    <message>
-        <source>This perspective is built in. Save it under another name.</source>
-        <translation>此视角布局是内置的。请以其他名称保存。</translation>
     </message>
     <message>
         <source>Save perspective as…</source>
@@ -13071,6 +13067,10 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <source>Keep</source>
         <translation>保留</translation>
     </message>
+    <message>
+        <source>This perspective is built in. Save it under a different name.</source>
+        <translation>此视角布局是内置的。请以其他名称保存。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::Perspectives</name>
@@ -13115,10 +13115,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>视角布局已达上限。请先删除一个。</translation>
     </message>
     <message>
-        <source>A perspective with this name already exists. Choose another name.</source>
-        <translation>已有此名称的视角布局。请选择其他名称。</translation>
-    </message>
-    <message>
         <source>The panel layout was reset to the perspective “%1”: the layout of the earlier version is not compatible. Arrange the panels again. The new layout is saved automatically.</source>
         <translation>面板按视角布局“%1”排列：早期版本的布局不适用于此版本。请重新排列；新的排列会自动保存。</translation>
     </message>
@@ -13129,6 +13125,10 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>The name is too long. Enter a shorter name.</source>
         <translation>名称太长。请输入较短的名称。</translation>
+    </message>
+    <message>
+        <source>A perspective with this name already exists. Choose a different name.</source>
+        <translation>已有此名称的视角布局。请选择其他名称。</translation>
     </message>
 </context>
 <context>

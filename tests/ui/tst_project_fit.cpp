@@ -198,7 +198,7 @@ private Q_SLOTS:
         QVERIFY(notice->isVisible());
         // The text names the different arm model as the reason for the missing ghost, instead of the reach.
         const QString ghost = window().findChild<SceneView*>()->ghostText();
-        QVERIFY2(ghost.contains("another robot model"), qPrintable(ghost));
+        QVERIFY2(ghost.contains("a different robot model"), qPrintable(ghost));
         window().session().disconnectFromRobot();
         QVERIFY(until([&] { return !notice->isVisible(); }));
     }

@@ -87,11 +87,11 @@ QString FrameModel::nameProblem(const QString& name, const QUuid& own) const {
                                   tr("View"),
                                   QStringLiteral("—")};
     if (reserved.contains(name, Qt::CaseInsensitive)) {
-        return tr("“%1” is a built-in frame. Choose another name.").arg(name);
+        return tr("“%1” is a built-in frame. Choose a different name.").arg(name);
     }
     for (const project::Frame& frame : frames()) {
         if (frame.id != own && frame.name.compare(name, Qt::CaseInsensitive) == 0) {
-            return tr("A frame named “%1” already exists. Choose another name.").arg(name);
+            return tr("A frame named “%1” already exists. Choose a different name.").arg(name);
         }
     }
     return {};

@@ -207,8 +207,8 @@ std::optional<PlotAnalysis::Task> PlotAnalysis::taskFor(Kind kind, const std::ve
     if (std::any_of(wanted.begin(), wanted.end(),
                     [&](int each) { return store_.mixesRobots(each, task.range.from, task.range.to); })) {
         explainMissingResult(
-            tr("This range contains samples of different robots. Place cursors A and B around "
-               "the data of one robot."));
+            tr("This range contains samples from different robots. Place cursors A and B around data from "
+               "one robot."));
         return std::nullopt;
     }
     if (kind == Kind::Xy) {

@@ -125,7 +125,7 @@ Result<void> exportPicture(const PlotView& view, SignalStore& store, const State
     return bytes.isEmpty() ? Error{ErrorCode::Internal,
                                    QCoreApplication::translate(
                                        "tiller::PlotDock",
-                                       "The image %1 could not be created. Choose another image format.")
+                                       "The image %1 could not be created. Choose a different image format.")
                                        .arg(path),
                                    {}}
                            : writeFileAtomically(path, bytes);

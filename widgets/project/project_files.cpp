@@ -258,7 +258,7 @@ void ProjectFiles::askForNew(QWidget* over) {
 void ProjectFiles::startNew(const QString& path, QWidget* over) {
     if (QFileInfo::exists(path)) {
         journal_.add(Severity::Warning,
-                     tr("%1 already exists. Choose another name for the new project.").arg(path));
+                     tr("%1 already exists. Choose a different name for the new project.").arg(path));
         return;
     }
     if (mayReplace(over)) {

@@ -161,13 +161,13 @@ void ProjectFit::show(QMessageBox& question) {
 
 void ProjectFit::askAboutModel() {
     session_.journal().add(Severity::Warning, modelText());
-    auto* question = new QMessageBox(QMessageBox::Question, tr("Project for another robot model"),
+    auto* question = new QMessageBox(QMessageBox::Question, tr("Project for a different robot model"),
                                      modelText(), QMessageBox::NoButton, over_);
     question->setObjectName(QStringLiteral("projectFit"));
     question->setInformativeText(
         tr("“Keep poses” recalculates the joint positions; the tool reaches the same poses. “Keep joints” "
            "keeps the arm configuration; the tool reaches different poses. Until you decide, moves to "
-           "positions of the project are blocked."));
+           "positions in the project are blocked."));
     QPushButton* poses = question->addButton(tr("Keep poses"), QMessageBox::AcceptRole);
     poses->setObjectName(QStringLiteral("projectFit.poses"));
     QPushButton* joints = question->addButton(tr("Keep joints"), QMessageBox::AcceptRole);
@@ -197,7 +197,7 @@ void ProjectFit::askAboutTcp(const project::Tool& tool) {
     question->setObjectName(QStringLiteral("projectFit"));
     question->setInformativeText(
         tr("With the robot's TCP, the flange moves to the same poses as taught, but the TCP does not. Until "
-           "you decide, moves to positions of the project are blocked."));
+           "you decide, moves to positions in the project are blocked."));
     QPushButton* set =
         question->addButton(tr("Set “%1” on the robot").arg(tool.name), QMessageBox::AcceptRole);
     set->setObjectName(QStringLiteral("projectFit.setTcp"));
@@ -247,7 +247,7 @@ void ProjectFit::change(project::Keep keep) {
 /// Shows a notice that opens the question again. Called after Cancel.
 void ProjectFit::remind() {
     noticed_ = true;
-    Q_EMIT noticeWanted({.title = tr("Moves to positions of this project are blocked"),
+    Q_EMIT noticeWanted({.title = tr("Moves to positions in this project are blocked"),
                          .text = modelText(),
                          .accept = tr("Choose…"),
                          .accepted = [this] { ask(); },

@@ -313,7 +313,7 @@ QString SceneView::ghostValues() const {
         return {};
     }
     if (!ghost_->reachable) {
-        return ghost_->otherModel ? tr("ghost “%1” · taught with another robot model").arg(ghost_->name)
+        return ghost_->otherModel ? tr("ghost “%1” · taught with a different robot model").arg(ghost_->name)
                                   : tr("ghost “%1” · out of reach").arg(ghost_->name);
     }
     if (!report_) {

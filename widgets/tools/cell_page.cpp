@@ -71,7 +71,7 @@ PartModel* cellModel(ProjectDocument& document) {
         const project::CellGeometry& cell = document.cell();
         return name.isEmpty() ? CellPage::tr("Enter a name for the box or plane.")
                : cell.boxes.findByName(name) != nullptr || cell.planes.findByName(name) != nullptr
-                   ? CellPage::tr("The cell already contains “%1”. Choose another name.").arg(name)
+                   ? CellPage::tr("The cell already contains “%1”. Choose a different name.").arg(name)
                    : QString();
     };
     content.rename = [&document](int row, const QString& name) {

@@ -230,8 +230,8 @@ QString PayloadEstimator::feedback() const {
         }
         case Problem::TooAlike:
             return tr(
-                "The tool orientations are too similar. Record one more pose with the tool rotated in "
-                "another direction.");
+                "The tool orientations are too similar. Record one more pose with the tool rotated in a "
+                "different direction.");
         case Problem::NoWeight:
             return tr("The load of %1 kg is too light to measure the centre of gravity. Enter the payload "
                       "manually.")
@@ -245,7 +245,7 @@ QString PayloadEstimator::feedback() const {
     return readings_.empty()
                ? tr("Wait for standstill, keep the tool free of contact, and record the pose. Then rotate "
                     "the wrist by jogging or with “Next pose (hold)”, and record three more poses.")
-               : tr("Rotate the wrist in another direction and record the pose. Poses still needed: %n.",
+               : tr("Rotate the wrist in a different direction and record the pose. Poses still needed: %n.",
                     nullptr, kinematics::kMinPayloadPoses - static_cast<int>(readings_.size()));
 }
 

@@ -46,7 +46,8 @@ PartModel* payloadModel(ProjectDocument& document) {
     content.nameProblem = [&document](int, const QString& name) {
         return name.isEmpty() ? PayloadPage::tr("Enter a name for the payload.")
                : document.tooling().payloads.findByName(name) != nullptr
-                   ? PayloadPage::tr("A payload named “%1” already exists. Choose another name.").arg(name)
+                   ? PayloadPage::tr("A payload named “%1” already exists. Choose a different name.")
+                         .arg(name)
                    : QString();
     };
     content.rename = [&document, at](int row, const QString& name) {

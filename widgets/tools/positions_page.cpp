@@ -45,7 +45,8 @@ PartModel* positionModel(ProjectDocument& document) {
     content.nameProblem = [&document](int, const QString& name) {
         return name.isEmpty() ? PositionsPage::tr("Enter a name for the position.")
                : document.positions().list.findByName(name) != nullptr
-                   ? PositionsPage::tr("A position named “%1” already exists. Choose another name.").arg(name)
+                   ? PositionsPage::tr("A position named “%1” already exists. Choose a different name.")
+                         .arg(name)
                    : QString();
     };
     content.rename = [&document, at](int row, const QString& name) {

@@ -45,7 +45,7 @@ PartModel* tcpModel(ProjectDocument& document) {
     content.nameProblem = [&document](int, const QString& name) {
         return name.isEmpty() ? TcpPage::tr("Enter a name for the TCP.")
                : document.tooling().tools.findByName(name) != nullptr
-                   ? TcpPage::tr("A TCP named “%1” already exists. Choose another name.").arg(name)
+                   ? TcpPage::tr("A TCP named “%1” already exists. Choose a different name.").arg(name)
                    : QString();
     };
     content.rename = [&document, at](int row, const QString& name) {

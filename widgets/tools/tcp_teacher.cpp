@@ -192,7 +192,7 @@ QString TcpTeacher::tipFeedback() const {
         case Problem::TooAlike:
             return tr(
                 "The tool orientations are too similar. Record one more pose with the tool tilted by at "
-                "least 30° in another direction.");
+                "least 30° in a different direction.");
         case Problem::NotFinite:
             return tr("The robot sent an invalid position. Record the poses again.");
         case Problem::TooFew:
@@ -200,9 +200,9 @@ QString TcpTeacher::tipFeedback() const {
     }
     return taken == 0
                ? tr("Jog the tip to a fixed, sharp point and record the pose. Record four poses in total, "
-                    "each with the tip on the same point and the tool tilted in another direction.")
-               : tr("Tilt the tool in another direction, move the tip to the same point again, and record "
-                    "the pose. Poses still needed: %n.",
+                    "each with the tip on the same point and the tool tilted in a different direction.")
+               : tr("Tilt the tool in a different direction, move the tip to the same point again, and "
+                    "record the pose. Poses still needed: %n.",
                     nullptr, kinematics::kMinTipPoses - taken);
 }
 

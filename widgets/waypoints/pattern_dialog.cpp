@@ -185,7 +185,7 @@ QString PatternDialog::problem() const {
     }
     const project::Pattern* other = document_.patterns().findByName(name_->text().trimmed());
     if (other != nullptr && other->id != pattern_.id) {
-        return tr("A pattern with this name already exists. Choose another name.");
+        return tr("A pattern with this name already exists. Choose a different name.");
     }
     if (isNew_) {
         for (std::size_t i = 0; i < 3; ++i) {
@@ -207,7 +207,7 @@ QString PatternDialog::problem() const {
         return tr("The three corners are on a straight line. Select a different waypoint for one of them.");
     }
     if (layerStep_->isRefused()) {
-        return tr("The layer height is not a number or is out of range. Enter another layer height.");
+        return tr("The layer height is not a number or is out of range. Enter a different layer height.");
     }
     if (pattern_.layers > 1 && pattern_.layerStep == 0) {
         return tr("The layer height must not be 0. Enter a layer height.");

@@ -221,7 +221,7 @@ void WaypointDialogs::importFrom(const QString& path) {
     if (error.code != ErrorCode::None || imported.waypoints.empty()) {
         Q_EMIT refused(tr("Import failed"),
                        error.code == ErrorCode::None
-                           ? tr("%1 contains no waypoints. Choose another file.").arg(name)
+                           ? tr("%1 contains no waypoints. Choose a different file.").arg(name)
                            : tr("%1: %2").arg(name, error.context));
         return;
     }

@@ -322,7 +322,7 @@ bool WaypointModel::setName(int row, const QString& text) {
         return false;
     }
     if (document_.waypoints().indexOfName(text) >= 0) {
-        Q_EMIT editRefused(tr("Waypoint %2 is already named “%1”. Choose another name.")
+        Q_EMIT editRefused(tr("Waypoint %2 is already named “%1”. Choose a different name.")
                                .arg(text)
                                .arg(document_.waypoints().indexOfName(text) + 1));
         return false;
@@ -400,7 +400,7 @@ bool WaypointModel::setFrame(int row, const QString& text) {
     }
     const project::Frame* frame = document_.frames().findByName(text);
     if (frame == nullptr && text != tr("Base")) {
-        Q_EMIT editRefused(tr("The project has no frame named “%1”. Choose another frame.").arg(text));
+        Q_EMIT editRefused(tr("The project has no frame named “%1”. Choose a different frame.").arg(text));
         return false;
     }
     // Keep the position in the base frame.

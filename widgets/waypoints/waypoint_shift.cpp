@@ -133,8 +133,8 @@ void WaypointShift::refresh() {
                                ? tr("The arm cannot reach these waypoints after the move: %1. Choose a "
                                     "different offset, rotation or mirror plane. No waypoint will be moved.")
                                      .arg(result.error().context)
-                               : tr("The frame of a selected waypoint is not in the project. Choose another "
-                                    "frame for the waypoint first."));
+                               : tr("The frame of a selected waypoint is not in the project. Choose a "
+                                    "different frame for the waypoint first."));
         return;
     }
     int far = 0;

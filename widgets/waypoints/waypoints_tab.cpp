@@ -718,7 +718,7 @@ void WaypointsTab::touchUp() {
         return;
     }
     if (!taughtNow(row)) {
-        showProblem(tr("The frame of “%1” is not in this project. Choose another frame first.")
+        showProblem(tr("The frame of “%1” is not in this project. Choose a different frame first.")
                         .arg(document_.waypoints().at(row).name));
         return;
     }

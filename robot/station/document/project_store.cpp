@@ -251,8 +251,8 @@ Result<void> ProjectStore::saveAs(const QString& path) {
 }
 
 QString ProjectStore::openElsewhereText(const QString& path, const std::optional<project::LockOwner>& owner) {
-    return tr("%1 is open in another window (%2). Close the project in that window, or save under another "
-              "name.")
+    return tr("%1 is open in another window (%2). Close the project in that window, or save under a "
+              "different name.")
         .arg(path, owner ? owner->toString() : tr("another program"));
 }
 
@@ -480,12 +480,13 @@ Result<QString> ProjectStore::keepBoth() {
 }
 
 Error ProjectStore::obstacleError() const {
-    return {ErrorCode::FileNotWritable,
-            obstacle_ == Obstacle::OpenElsewhere
-                ? openElsewhereText(path_, owner_)
-                : tr("%1 was changed by another program. Reload the project, or save it under another name.")
-                      .arg(path_),
-            {}};
+    return {
+        ErrorCode::FileNotWritable,
+        obstacle_ == Obstacle::OpenElsewhere
+            ? openElsewhereText(path_, owner_)
+            : tr("%1 was changed by another program. Reload the project, or save it under a different name.")
+                  .arg(path_),
+        {}};
 }
 
 Result<void> ProjectStore::saveNow() {

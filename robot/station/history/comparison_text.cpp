@@ -66,7 +66,7 @@ QString outcomeLine(const divergence::Outcome& outcome) {
             .arg(name, limit, amountText(outcome.quantity, outcome.greatest->amount),
                  seconds(*outcome.greatest));
     }
-    return ComparisonText::tr("%1: exceeds %2 from %3 s on (%4), maximum %5 at %6 s")
+    return ComparisonText::tr("%1: exceeds %2 starting at %3 s (%4), maximum %5 at %6 s")
         .arg(name, limit, seconds(*outcome.parted), deviationMark(*outcome.parted),
              amountText(outcome.quantity, outcome.greatest->amount), seconds(*outcome.greatest));
 }

@@ -96,8 +96,8 @@ Result<std::int64_t> exportCsv(const SignalStore& store, const std::vector<int>&
         return Error{
             ErrorCode::Rejected,
             QCoreApplication::translate("tiller::PlotDock",
-                                        "The range contains samples of different robots. Select a range "
-                                        "of one robot with the cursors A and B, then export again."),
+                                        "The range contains samples from different robots. Use cursors A and "
+                                        "B to select a range with data from one robot, then export again."),
             {}};
     }
     AtomicFile file(path);

@@ -161,7 +161,7 @@ void RangeStatisticsCache::want(std::span<const int> wanted, double from, double
         }
         if (store_.mixesRobots(signal, from, to)) {
             problem_ =
-                tr("The range contains samples of different robots. Place cursors A and B in the data of "
+                tr("The range contains samples from different robots. Place cursors A and B around data from "
                    "one robot.");
             continue;
         }

@@ -904,11 +904,11 @@ void RobotSession::reportExternalProgram() {
         d_->externalSinceNs = nowNs;
         if (d_->isTakenOver() && !std::exchange(d_->takeoverReported, true)) {
             journal_.addLate(Severity::Warning,
-                             tr("A program of another client has taken over the robot, and "
-                                "control was lost. Taking control again ends that program."),
+                             tr("A program from another client has taken over the robot, and control was "
+                                "lost. Taking control again ends that program."),
                              Origin::Robot, agoNs <= kKnownLate ? agoNs : 0);
         } else {
-            journal_.add(Severity::Info, tr("A program of another client is running on the robot."),
+            journal_.add(Severity::Info, tr("A program from another client is running on the robot."),
                          Origin::Robot, d_->unknownStartText());
         }
     } else if (state.runtimeState == RuntimeState::Paused && state.control != ControlState::InControl) {
@@ -945,8 +945,8 @@ void RobotSession::reportEndOfExternalProgram(bool exists) {
     if (d_->externalEndNs && nowNs - *d_->externalEndNs >= kEndedNs && !d_->takingControl) {
         const std::int64_t endNs = *std::exchange(d_->externalEndNs, std::nullopt);
         if (d_->state.control != ControlState::InControl) {
-            journal_.addLate(Severity::Info, tr("The program of the other client has ended."), Origin::Robot,
-                             nowNs - endNs);
+            journal_.addLate(Severity::Info, tr("The program from the other client has ended."),
+                             Origin::Robot, nowNs - endNs);
         }
     }
 }

@@ -72,7 +72,7 @@ std::shared_ptr<receive::Receiver> SessionRecording::receiverFor(const std::vect
     if (!missing.isEmpty()) {
         session_.journal().add(
             Severity::Warning,
-            tr("The robot cannot send so many signals at once. These signals are not recorded: %1")
+            tr("The robot cannot send this many signals at once. These signals are not recorded: %1")
                 .arg(missing.join(QStringLiteral(", "))));
     }
     auto another = extraReceiver(

@@ -37,17 +37,18 @@ QString reachAdvice(const project::Reach& reach) {
             return {};
         case project::Reach::Obstacle::JointLimit:
             return WaypointModelText::tr(
-                "A joint would exceed its limit. Touch up the waypoint with another arm configuration.");
+                "A joint would exceed its limit. Touch up the waypoint with a different arm configuration.");
         case project::Reach::Obstacle::FrameMissing:
             return WaypointModelText::tr(
-                "The frame of the waypoint is not in this project. Choose another frame.");
+                "The frame of the waypoint is not in this project. Choose a different frame.");
         case project::Reach::Obstacle::OnTheWay:
             return WaypointModelText::tr(
                 "The straight line from the current position leaves the reach of the arm. Use MoveJ, or "
-                "start from another position.");
+                "start from a different position.");
         case project::Reach::Obstacle::OtherModel:
             return WaypointModelText::tr(
-                "The project was taught with another robot model. Use “Adapt project to this robot…” first.");
+                "The project was taught with a different robot model. Use “Adapt project to this robot…” "
+                "first.");
         case project::Reach::Obstacle::OutOfReach:
             break;
     }

@@ -124,7 +124,7 @@ Result<void> MoveGuard::permit(const JointPositions& start, const std::vector<Le
         const QString reason = limitText(*report.limit, check_->surroundings());
         return refusal(
             points > 1
-                ? RobotSession::tr("on the way to point %1 of %2: %3").arg(point).arg(points).arg(reason)
+                ? RobotSession::tr("while moving to point %1 of %2: %3").arg(point).arg(points).arg(reason)
                 : reason);
     };
     for (const Leg& leg : legs) {

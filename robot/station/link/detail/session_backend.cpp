@@ -288,7 +288,7 @@ QString SessionBackend::unknownStartText() const {
     return ago <= kReportedAtOnce
                ? QString()
                : RobotSession::tr(
-                     "The program started without connection to Tiller, at most %1 s before this entry.")
+                     "The program started while Tiller was not connected, at most %1 s before this entry.")
                      .arg(static_cast<double>(ago) / kNsPerSecond, 0, 'f', 1);
 }
 
@@ -447,7 +447,7 @@ QString SessionBackend::obstacle() const {
     }
     if (isTakenOver()) {
         return RobotSession::tr(
-            "A program of another client has taken over the robot. Taking control ends that program.");
+            "A program from another client has taken over the robot. Taking control ends that program.");
     }
     return state.remoteNeeded ? texts::remoteObstacle() : texts::controlLossText(loss);
 }

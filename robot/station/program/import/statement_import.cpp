@@ -373,7 +373,7 @@ private:
     bool addConverted(std::vector<ProgramStep>& steps, const ScriptStatement& statement) {
         reason_ = noStep();
         if (depth_ >= project::kMaxProgramDepth / 2 && statement.kind != Kind::Simple) {
-            reason_ = ProgramText::tr("it is nested too deeply");
+            reason_ = ProgramText::tr("the statement is nested too deeply");
             return false;
         }
         switch (statement.kind) {

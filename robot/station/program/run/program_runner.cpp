@@ -516,7 +516,7 @@ QString ProgramRunner::endText(const project::Project& now) const {
             reason = texts::stopCauseText(cause_);
             break;
         case End::StoppedOnRobot:
-            reason = ProgramText::tr("ended on the robot (pendant, another client or halt)");
+            reason = ProgramText::tr("ended on the robot (teach pendant, another client or halt)");
             break;
         case End::Unknown:
             reason = ProgramText::tr(
@@ -528,7 +528,7 @@ QString ProgramRunner::endText(const project::Project& now) const {
             reason = ProgramText::tr("paused on the robot");
             break;
         case End::Replaced:
-            reason = ProgramText::tr("a program of another client has taken over");
+            reason = ProgramText::tr("a program from another client has taken over");
             break;
         case End::Failed:
             reason = texts::errorSummary(error_);

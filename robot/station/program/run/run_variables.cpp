@@ -146,7 +146,7 @@ QString RunVariables::fixedReason(const ProgramVariable& variable) const {
     using Type = ProgramVariable::Type;
     const bool isSimple =
         variable.type == Type::Number || variable.type == Type::Whole || variable.type == Type::Flag;
-    return isOther_ ? ProgramText::tr("The values of a program of another client cannot be changed.")
+    return isOther_ ? ProgramText::tr("The values of a program from another client cannot be changed.")
            : changesMayMove_
                ? ProgramText::tr("A URScript step in this program could move the arm after a change.")
            : !isSimple ? ProgramText::tr("Only numbers and True or False values can be changed.")
