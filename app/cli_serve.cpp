@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kShowEvery{100};
 
-/// Prints each rejected origin only once, so that repeated requests do not flood the terminal.
+/// Prints each refused origin only once, so that repeated requests do not flood the terminal.
 class RefusedOrigins {
 public:
     void show(const QString& origin) {

@@ -244,7 +244,7 @@ void CollisionCheck::dropWhatNeverNearsABorder() {
     });
 }
 
-/// Maximum distance of a point of the body from each joint axis, for the joints between `fromLink` and the
+/// Maximum distance from any point of the body to each joint axis, for the joints between `fromLink` and the
 /// body.
 Vector6 CollisionCheck::radii(const LinkCapsule& body, int fromLink) const {
     Vector6 result = Vector6::Zero();

@@ -32,8 +32,8 @@ enum class ControlLoss : std::uint8_t {
 /// The limit that reduces the requested speed.
 enum class LimiterKind : std::uint8_t {
     None,
-    TcpSpeed,       ///< speed limit of the TCP
-    ElbowSpeed,     ///< speed limit of the elbow, equal to that of the TCP
+    TcpSpeed,       ///< Tiller's speed cap, reached by the TCP
+    ElbowSpeed,     ///< Tiller's speed cap, reached by the elbow
     JogSpeed,       ///< JogTarget::speedCap for TCP and elbow
     RotationSpeed,  ///< limit of the TCP rotation speed
     JointSpeed,     ///< speed limit of a joint

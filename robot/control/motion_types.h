@@ -69,7 +69,7 @@ struct JogTarget {
     friend bool operator==(const JogTarget&, const JogTarget&) = default;
 };
 
-/// Cause of the end of a motion. The user interface has a separate text for each cause.
+/// Why a motion ended. The user interface has a separate text for each cause.
 enum class StopCause : std::uint8_t {
     None,
     Released,

@@ -212,7 +212,7 @@ private:
     double targetAt_ = 0;  ///< robot time of the last target [s]
     double beganAt_ = 0;
     double packetAt_ = 0;  ///< timestamp of the newest packet
-    double servedAt_ = 0;  ///< timestamp of the packet of the last cycle
+    double servedAt_ = 0;  ///< packet timestamp of the last cycle
     double period_ = 0;
     int staleInARow_ = 0;
     std::int64_t previousNs_ = 0;

@@ -62,7 +62,7 @@ struct CycleReport {
     bool fastWakeUps = false;
 };
 
-/// Start time of the cycle of a packet.
+/// When the cycle for a packet starts.
 enum class Pacing {
     /// At regular intervals. Cycles start at a fixed delay after the usual arrival of the packets: the delay
     /// that only one packet in a thousand exceeds (at most 0.5 ms and a quarter of a period), plus a small

@@ -206,7 +206,8 @@ Result<std::vector<RobotModelId>> modelsFitting(Rows& rows, recording::RowRange 
     constexpr std::uint64_t kSpots = 100;
     constexpr double kCalibration = 0.01;  // [m], maximum error of the nominal model
     constexpr double kRounding = 0.0002;   // [m], for tables with few digits
-    constexpr double kDistinct = 5;        // minimum ratio of the errors of a wrong and the right model
+    constexpr double kDistinct =
+        5;  // minimum ratio between the errors of a wrong model and of the right model
     const bool hasTargets = rows.targetPose.isThere();
     if (!hasTargets && !rows.actualPose.isThere()) {
         return std::vector<RobotModelId>();

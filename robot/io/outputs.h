@@ -47,7 +47,7 @@ struct Report {
 struct OutputFeedback {
     /// Returns the newest report. Called from the thread that waits for a confirmation.
     std::function<Report()> newest;
-    /// RTDE names of fields that are never reported. Commands that need them for confirmation are rejected.
+    /// RTDE names of fields that are never reported. Commands that need them for confirmation are refused.
     std::vector<std::string> absent = {};
 
     /// Reads the newest sample of a receiver, which must outlive the Outputs object. The receiver has to

@@ -2,7 +2,7 @@
 #pragma once
 
 // Defines a frame by three TCP positions: the origin, a point on the +X axis, and a point on the +Y side.
-// Points that are too close together or collinear are rejected, because an error of 1 mm would rotate the
+// Points that are too close together or collinear are refused, because an error of 1 mm would rotate the
 // axes by degrees.
 
 #include <optional>

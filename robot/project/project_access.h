@@ -26,7 +26,7 @@ public:
     };
     struct SaveResult {
         Outcome outcome = Outcome::Saved;
-        QString keptCopy;  ///< name of the copy of a replaced damaged file; empty: no copy
+        QString keptCopy;  ///< file name under which a damaged project was kept; empty: none
     };
     struct Check {
         std::optional<LockOwner> owner;  ///< the other window that has the project open

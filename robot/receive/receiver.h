@@ -138,7 +138,7 @@ public:
     double period() const;
     /// Requested fields that the robot does not have.
     std::vector<std::string> absentFields() const;
-    /// Result of the priority request. Its advice also covers rejected CPU settings.
+    /// Result of the priority request. Its advice also covers refused CPU settings.
     realtime::PriorityReport priority() const;
 
     const std::shared_ptr<const SampleLayout>& layout() const;

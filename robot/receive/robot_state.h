@@ -41,7 +41,7 @@ enum class SafetyStatusBit : std::uint32_t {
 
 /// Missing values (no packet yet, a field that was not requested, or a field that the robot does not send)
 /// are returned as NaN, bit fields and integers as empty optionals, and single bits as false. Missing modes
-/// have the most restrictive value (Disconnected, Undefined, Stopped, PowerOff). All motion commands reject
+/// have the most restrictive value (Disconnected, Undefined, Stopped, PowerOff). All motion commands refuse
 /// NaN, so a target computed from missing data is not executed. To wait for data, use
 /// Receiver::waitForData(). The sample must outlive this object.
 /// Threads  one at a time. Real-time: yes (one hash look-up per call)

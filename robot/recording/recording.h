@@ -77,7 +77,7 @@ public:
     virtual std::uint64_t rows() const = 0;                    ///< Number of rows, without headers.
     virtual const std::vector<RecordedGap>& gaps() const = 0;  ///< In row order.
     virtual const std::vector<RecordedEvent>& events() const;  ///< In time order.
-    /// Usual interval between rows [s]; 0 if unknown.
+    /// Typical interval between rows [s]; 0 if unknown.
     virtual double period() const = 0;
     /// Time of the first row [ns since 1970, UTC]; empty if not in the file.
     virtual std::optional<std::int64_t> startUtcNs() const;

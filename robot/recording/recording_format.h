@@ -18,7 +18,7 @@ namespace tiller::recording {
 
 /// `source` of an operator's note, to distinguish it from a log line.
 inline constexpr const char* kNoteSource = "note";
-inline constexpr const char* kStepSource = "program";  ///< source of the steps of a program
+inline constexpr const char* kStepSource = "program";  ///< source of program steps
 
 /// A log line or a note added during a recording.
 struct RecordedNote {

@@ -42,7 +42,7 @@ struct TableFormat {
     bool operator==(const TableFormat&) const = default;
 };
 
-/// The time of the rows of a table that was read.
+/// Row times of a table that was read.
 struct TimeAxis {
     std::optional<std::size_t> column{};       ///< empty: rows are 1/rate apart
     std::optional<std::size_t> nanoseconds{};  ///< column with the nanoseconds of a time in whole seconds

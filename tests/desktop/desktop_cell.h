@@ -46,7 +46,7 @@ private:
     QByteArray output_;
 };
 
-/// The position of a widget of the window on the screen.
+/// Screen position of a widget.
 struct Place {
     bool found = false;
     bool visible = false;

@@ -53,7 +53,7 @@ protected:
     /// For tests that leave the cell in an unusable state. The next test then gets a new cell.
     void useUp() { usedUp_ = true; }
 
-    /// Presses and waits until the arm is moving. On a busy computer, a press may be rejected because of late
+    /// Presses and waits until the arm is moving. On a busy computer, a press may be refused because of late
     /// data, or control may be lost. The press is then repeated after `release`.
     void holdBy(const std::function<void()>& press, const std::function<void()>& release) {
         for (int attempt = 0; attempt < 5; ++attempt) {

@@ -30,7 +30,7 @@ constexpr int kQuietEvery = 40;  // number of steps
 /// move. The next value applies to a shorter period.
 constexpr int kLongWatch = 1;
 constexpr int kShortWatch = 15;
-/// Percentage of steps after which the window is painted. Painting causes most of the cost of a step.
+/// The window is painted after this percentage of steps, because painting takes most of the time of a step.
 constexpr int kPaintedOfHundred = 10;
 /// Maximum time from release to standstill [ms]. The limits of the contract are tested in virtual time.
 constexpr int kStandstillMs = 1000;

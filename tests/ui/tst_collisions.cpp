@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The arm does not move into known obstacles. Every bounded motion of the window is rejected with the reason,
+// The arm does not move into known obstacles. Every bounded motion of the window is refused with the reason,
 // and a jog ends at the distance that its button displays.
 
 #include <QAction>

@@ -63,7 +63,7 @@ private:
         QVERIFY2(drawn, qPrintable(name));
         QVERIFY2(image.save(folder_.filePath(name + QStringLiteral(".png"))), qPrintable(name));
     }
-    /// Saves the window in both themes and both usual sizes.
+    /// Saves the window in both themes and both standard sizes.
     void keepWindow(const QString& name) {
         for (const QSize size : {QSize(1280, 720), QSize(1920, 1080)}) {
             window().resize(size);

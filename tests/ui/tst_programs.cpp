@@ -126,7 +126,7 @@ private Q_SLOTS:
     }
 
     // Only the first attempt shows whether Local means that remote control is disabled or that commands are
-    // rejected.
+    // refused.
     void controlIsNotTakenAfterAStartInLocalControl() {
         begin({}, true);
         bool wasInControl = false;

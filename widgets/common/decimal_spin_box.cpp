@@ -100,7 +100,7 @@ void DecimalSpinBox::followText() {
     }
 }
 
-// Accept values out of range while typing, because rejecting a digit would change the entered number.
+// Accept values out of range while typing, because refusing a digit would change the entered number.
 // Additional decimals are rounded.
 QValidator::State DecimalSpinBox::validate(QString& text, int& position) const {
     text = asShown(text);

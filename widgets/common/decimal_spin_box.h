@@ -3,7 +3,7 @@
 
 // Input field for a number with a unit. The mouse wheel does not change the value. Both point and comma are
 // accepted as decimal separators. The value is reported only when editing is finished by Return or a change
-// of focus. The entered text remains as typed. A value outside the range is rejected with a message, and the
+// of focus. The entered text remains as typed. A value outside the range is refused with a message, and the
 // field is marked until its text is valid. Esc restores the last value. The minus sign is displayed
 // typographically and copied as a hyphen for spreadsheets and scripts. After Return, undo and redo apply to
 // the project.
@@ -40,7 +40,7 @@ private:
     void restore();
     void followText();
 
-    QString ownToolTip_;  ///< tooltip without the explanation of a rejected value
+    QString ownToolTip_;  ///< tooltip without the explanation of a refused value
 };
 
 }  // namespace tiller

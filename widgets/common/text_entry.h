@@ -14,7 +14,7 @@ bool takesText(const QWidget* widget);
 /// Returns  true if the event was ignored
 bool leavesUndoToProject(QEvent& event, bool canUndo, bool canRedo);
 
-/// Sets whether the field is marked as rejected, i.e. its text is invalid and was not applied.
+/// Sets whether the field is marked as refused, i.e. its text is invalid and was not applied.
 void markRefused(QWidget& field, bool refused);
 bool isMarkedRefused(const QWidget& field);
 

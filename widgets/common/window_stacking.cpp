@@ -69,7 +69,7 @@ bool isManaged(xcb_connection_t* link, xcb_window_t window, xcb_atom_t state, in
                        [&](xcb_window_t child) { return isManaged(link, child, state, depth - 1); });
 }
 
-/// The area of a child of the root window [px of the display].
+/// Area of a top-level X window in display coordinates [px].
 QRect areaOf(xcb_connection_t* link, xcb_window_t window) {
     const Owned<xcb_get_geometry_reply_t> area(
         xcb_get_geometry_reply(link, xcb_get_geometry(link, window), nullptr));

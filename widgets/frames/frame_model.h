@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Table model of the frames of the project. Editing changes the document.
+// Table model of the project's frames. Editing changes the document.
 
 #include <QAbstractTableModel>
 #include <optional>
@@ -48,7 +48,7 @@ public:
     Qt::ItemFlags flags(const QModelIndex& index) const override;
 
 Q_SIGNALS:
-    /// An edit was rejected for this reason.
+    /// An edit was refused for this reason.
     void editRefused(const QString& reason);
 
 private:

@@ -54,7 +54,7 @@ public:
     /// Opens the dialog for editing the name.
     void askForName();
 
-    /// Limits of the range of a domain [mA or V].
+    /// Minimum and maximum of a domain [mA or V].
     static double lowest(Domain domain) { return domain == Domain::Current ? 4 : 0; }
     static double highest(Domain domain) { return domain == Domain::Current ? 20 : 10; }
 

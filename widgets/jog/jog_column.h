@@ -78,7 +78,7 @@ public:
     /// The selected speed, which is an upper limit for all hold-to-run motions.
     HeldSpeed heldSpeed() const;
     /// ofProject  true if the position is from the project, so that the project guard of the session may
-    /// reject the move
+    /// refuse the move
     void setHome(const JointPositions& home, bool ofProject);
     /// Sets the axes that are free in freedrive.
     void setFreedriveAxes(FreedriveAxes axes);

@@ -25,7 +25,7 @@ public:
     /// angle  [rad]
     /// valid  if false, there is no marker
     void setAngle(double angle, bool valid);
-    /// True within 15 deg of a limit of the range.
+    /// True within 15 deg of a joint limit.
     bool isNearLimit() const;
 
     QSize sizeHint() const override { return {94, 16}; }

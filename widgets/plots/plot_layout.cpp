@@ -17,7 +17,7 @@ namespace tiller {
 namespace {
 
 constexpr qsizetype kMaxNameLength = 60;
-/// Maximum length of the name of a recording (file name) or of a derived signal.
+/// Maximum length of a recording name (file name) or derived-signal name.
 constexpr qsizetype kMaxKeyLength = DerivedSignal::kMaxTextLength;
 constexpr qsizetype kMaxHeaderLength = 2000;
 constexpr double kMinShare = 0.05;

@@ -104,7 +104,7 @@ public:
     void showLike(const PlotPane& other);
 
     static constexpr int kLegendHeight = 20;  ///< height above the area [px]
-    static constexpr int kValueWidth = 56;  ///< width of the labels of the value axis, left of the area [px]
+    static constexpr int kValueWidth = 56;    ///< width of the value-axis labels, left of the area [px]
 
 private:
     std::size_t indexOf(int signal) const;

@@ -277,7 +277,7 @@ void RunBar::askToRun(std::int32_t permitted, const QString& script) {
            "Test them with “Run (hold)”, or set the inputs and preview the program again.")
             .arg(steps),
         tr("Run"),
-        // If the program was changed while the question was open, run() rejects it or asks again.
+        // If the program was changed while the question was open, run() refuses it or asks again.
         [this, permitted, script] {
             confirmedScript_ = script;
             run(permitted);

@@ -69,7 +69,7 @@ public:
     /// text  as typed
     void changeVariable(const QString& name, const QString& text);
     void setBreakpoints(const QSet<QUuid>& steps) { runner_.setBreakpoints(steps); }
-    /// True while a held program runs whose joint moves have the speed limit of an unknown path, see heldLimits().
+    /// True while a held program runs whose joint moves use the speed limit for unknown paths; see heldLimits().
     bool isSlowed() const { return isHeld_ && isSlowed_ && runner_.isActive(); }
     /// True while a program runs without hold-to-run.
     bool runsFreely() const { return runner_.isActive() && !isHeld_; }
@@ -127,7 +127,7 @@ private:
     std::function<HeldSpeed()> heldSpeed_;
     program::ProgramRunner runner_;
     HeldSpeed startedAt_;    ///< maximum speed at the start of the held run
-    bool isSlowed_ = false;  ///< true if the held run has the speed limit of an unknown path
+    bool isSlowed_ = false;  ///< true if the held run uses the speed limit for unknown paths
     bool isHeld_ = false;    ///< true if releasing the button ends the current run
     QUuid program_;
     program::ProgramScript script_;

@@ -2,7 +2,7 @@
 #pragma once
 
 // The fields of one step, each with its unit. A problem with the step is shown above the fields. An editor
-// reports its value when editing is finished. If the value is outside its range, the form rejects it and
+// reports its value when editing is finished. If the value is outside its range, the form refuses it and
 // shows the permitted range, and the typed text is kept.
 
 #include <QJsonValue>

@@ -37,7 +37,7 @@ ProjectFit::ProjectFit(RobotSession& session, ProjectDocument& document, QWidget
     session_.setProjectGuard([this] {
         const QString why = obstacle();
         if (!why.isEmpty()) {
-            // Open the question later, after the rejected press has been processed.
+            // Open the question later, after the refused press has been processed.
             QMetaObject::invokeMethod(this, &ProjectFit::ask, Qt::QueuedConnection);
         }
         return why;

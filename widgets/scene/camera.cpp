@@ -13,7 +13,7 @@ namespace tiller {
 
 namespace {
 
-// Base X and base -Y both point to the right, so an arm in its usual configuration extends to the right.
+// Base X and base -Y both point to the right, so an arm in its default configuration extends to the right.
 constexpr double kStartAzimuth = toRadians(-138);
 constexpr double kStartElevation = toRadians(13);
 constexpr double kLowest = toRadians(2);

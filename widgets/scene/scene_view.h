@@ -71,7 +71,7 @@ public:
     const std::vector<PathMark>& paths() const { return paths_; }
     /// Sets the surroundings of the arm. They are displayed, and moves are checked against them.
     void setSurroundings(const collision::CellSurroundings& cell);
-    /// Result of the check of the move to the ghost; empty without a reachable ghost.
+    /// Result of checking the move to the ghost; empty without a reachable ghost.
     const std::optional<collision::MoveReport>& moveReport() const { return report_; }
     /// The limit on the move to the ghost, as a sentence; empty if there is none.
     QString moveLimitText() const;

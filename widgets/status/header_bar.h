@@ -119,7 +119,7 @@ private:
     QPointer<StopButton> stopAbove_;         ///< covers STOP while a dialog blocks the window
     QTimer stacking_;                        ///< active while stopAbove_ exists
     QPointer<StackingWatch> stackingWatch_;  ///< exists as long as stopAbove_
-    QLabel* cap_;  ///< the banner below the bar; hidden unless the speed limit was raised
+    QLabel* cap_;  ///< the banner below the bar; hidden unless the speed cap was raised
 };
 
 }  // namespace tiller

@@ -120,7 +120,7 @@ RecoveryPage::RecoveryPage(RobotSession& session, const StopRecorder& stops, QWi
     build();
     connect(&session_, &RobotSession::stateChanged, this, &RecoveryPage::applyState);
     connect(&session_.journal(), &Journal::added, this, [this](const JournalEvent& event) {
-        // The robot rejected the command, so the user may try again.
+        // The robot refused the command, so the user may try again.
         if (event.isMessage() && event.severity == Severity::Error && sent_) {
             sent_ = false;
             showKey();
@@ -297,7 +297,7 @@ void RecoveryPage::takeStep() {
     switch (guide_.step) {
         case RecoveryStep::Unlock:
             session_.services().unlockProtectiveStop(UnlockConsent());
-            // After a rejected command, the user must inspect the robot and confirm again.
+            // After a refused command, the user must inspect the robot and confirm again.
             for (QCheckBox* box : checks_) {
                 box->setChecked(false);
             }

@@ -166,7 +166,7 @@ void RobotPopup::followCommand(RobotCommand command, bool done) {
 }
 
 void RobotPopup::remove(qsizetype which) {
-    // A rejection refers only to the newest popup.
+    // A refusal refers only to the newest popup.
     refused_ = refused_ && which != popups_.size() - 1;
     popups_.removeAt(which);
     obstacle_ = obstacleNow(session_.state());
@@ -191,7 +191,7 @@ void RobotPopup::closeNewest() {
         return;
     }
     if (popups_.isEmpty() || refused_) {
-        // Try again after a rejection. Also close popups that were opened before the connection, because
+        // Try again after a refusal. Also close popups that were opened before the connection, because
         // their texts are unknown.
         session_.services().perform(RobotCommand::ClosePopups);
     } else if (closeObstacle().isEmpty()) {

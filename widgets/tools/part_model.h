@@ -40,7 +40,7 @@ public:
     Qt::ItemFlags flags(const QModelIndex& index) const override;
 
 Q_SIGNALS:
-    /// An edit was rejected for this reason.
+    /// An edit was refused for this reason.
     void editRefused(const QString& reason);
 
 private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Table model of the waypoints of the project. Editing and dragging change the document.
+// Table model of the project's waypoints. Editing and dragging change the document.
 
 #include <QAbstractTableModel>
 #include <QHash>
@@ -24,7 +24,7 @@ public:
     QStringList frameChoices() const;
 
     /// Sets the position of the waypoint in its frame or, for a joint target, in the base frame. The joint
-    /// positions become the nearest solution. An unreachable position is rejected for a joint target. For a
+    /// positions become the nearest solution. An unreachable position is refused for a joint target. For a
     /// pose target, it is accepted and marked.
     void setPose(int row, const Pose& pose);
 
@@ -50,7 +50,7 @@ public:
                       const QModelIndex& parent) override;
 
 Q_SIGNALS:
-    /// An edit was rejected for this reason.
+    /// An edit was refused for this reason.
     void editRefused(const QString& reason);
 
 private:

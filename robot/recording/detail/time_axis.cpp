@@ -17,7 +17,7 @@ namespace {
 
 // In a table that is not sorted by time, about every second row is earlier than the previous row.
 constexpr std::size_t kMaxRestarts = 100;
-// Number of intervals used to determine the usual interval.
+// Number of intervals used to determine the typical interval.
 constexpr std::size_t kStepsForPeriod = 1000;
 
 // Values in this range are a time since 1970 in seconds, milliseconds, microseconds or nanoseconds: the ranges do

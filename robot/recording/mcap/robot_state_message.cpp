@@ -29,7 +29,7 @@ constexpr std::array<NumberType, 6> kNumbers = {{{"float64", rtde::DataType::Dou
                                                  {"uint64", rtde::DataType::UInt64},
                                                  {"int32", rtde::DataType::Int32}}};
 
-/// Type of the components of a vector.
+/// Type of vector components.
 rtde::DataType numberType(rtde::DataType type) {
     switch (type) {
         case rtde::DataType::Vector3D:

@@ -56,7 +56,7 @@ public:
     /// If set, closing a connection at the controller does not notify the client. The connection stays
     /// half-open until the cable is plugged in again or unbury() is called.
     void setForgetting(bool forgetting) { forgetting_ = forgetting; }
-    /// Takes ownership of the descriptor of a closed connection if the client must not be notified.
+    /// Takes ownership of the socket of a closed connection if the client must not be notified.
     bool bury(native_socket::Descriptor descriptor);
     /// Closes the half-open connections. As on a real network, the client detects this only when it sends
     /// data.

@@ -23,7 +23,7 @@
 
 namespace tiller::simulator {
 
-/// Maximum size of a program file [bytes]. Larger files are rejected.
+/// Maximum size of a program file [bytes]. Larger files are refused.
 inline constexpr qint64 kLargestProgram = 16 << 20;
 
 /// Threads  the simulator thread

@@ -159,7 +159,7 @@ private:
         } else {
             token.kind = TokenKind::Float;
         }
-        // "12abc" is rejected.
+        // "12abc" is refused.
         return result.ptr == last && !isLetter(peek());
     }
 

@@ -30,7 +30,7 @@ public:
     };
 
     /// Maximum size of an unfinished unit [bytes]. A larger unit is returned as it is, and the compiler
-    /// rejects it.
+    /// refuses it.
     static constexpr std::size_t kMaxUnit = 16u << 20;
 
     void feed(std::string_view bytes);

@@ -28,7 +28,7 @@ struct Defaults {
 /// numbers of a pose, optionally preceded by a name. Missing joints are computed from the pose as the nearest
 /// solution, and a missing pose from the joints. Waypoints get new IDs. Names may be empty or already exist
 /// in the project.
-/// Errors   InvalidArgument with line and column; a text with an error is rejected as a whole
+/// Errors   InvalidArgument with line and column; a text with an error is refused as a whole
 Result<std::vector<project::Waypoint>> fromText(const QString& text, const project::FrameList& frames,
                                                 const Defaults& defaults = {});
 

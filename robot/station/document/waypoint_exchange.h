@@ -15,7 +15,7 @@ namespace tiller::waypoint_exchange {
 QByteArray toCsv(const std::vector<project::Waypoint>& waypoints, const project::FrameList& frames);
 /// Reads the columns written by toCsv(). The separator is the most frequent of comma, semicolon and tab in
 /// the first line.
-/// Errors   InvalidArgument with line and column; a file with an error is rejected as a whole
+/// Errors   InvalidArgument with line and column; a file with an error is refused as a whole
 Result<std::vector<project::Waypoint>> fromCsv(const QByteArray& bytes, const project::FrameList& frames,
                                                const waypoint_clipboard::Defaults& defaults);
 

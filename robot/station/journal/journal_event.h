@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// One entry of the journal of a robot: a message for the log, a note by the operator, a step of a program, or a
+// One journal entry: a message for the log, a note by the operator, a step of a program, or a
 // message with a recording of the event.
 
 #include <QString>

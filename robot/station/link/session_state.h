@@ -95,7 +95,7 @@ struct SessionState {
     bool programAbandoned = false;
     bool remoteControl = false;
     bool controlPlaceKnown = true;  ///< false if the software reports neither Local nor Remote
-    bool remoteNeeded = false;      ///< the robot is in Local and is known to reject commands in Local
+    bool remoteNeeded = false;      ///< the robot is in Local and is known to refuse commands in Local
     dashboard::ServiceKind service = dashboard::ServiceKind::Unknown;  ///< interface for power and programs
     QString operationalMode;  ///< "MANUAL", "AUTOMATIC"; empty: not set, or unknown
     QString loadedProgram;    ///< loaded on the robot; empty: no program
@@ -105,7 +105,7 @@ struct SessionState {
     /// Variables of the running or paused program; null: none, or not published.
     script::ProgramVariables programVariables;
     std::uint64_t primaryStates = 0;  ///< robot states received on the primary interface; 0: not connected
-    double speedCap = 0.250;          ///< speed limit of Tiller for TCP and elbow [m/s]
+    double speedCap = 0.250;          ///< for TCP and elbow [m/s]
     ControlState control = ControlState::None;
     QString controlReason;  ///< why the arm cannot be moved now, as a sentence; empty if it can
     /// Control was lost recently because the connection or the control program failed, and Tiller's own
@@ -114,7 +114,7 @@ struct SessionState {
     control::ControlLoss controlLoss =
         control::ControlLoss::NotTaken;  ///< reason for the last loss of control
     bool programRuns = false;            ///< a program is being sent or runs: RobotSession::beginProgram()
-    bool monitorOnly = false;            ///< the session rejects every command except stop
+    bool monitorOnly = false;            ///< the session refuses every command except stop
 
     // motion
     bool moving = false;           ///< the arm moves, according to data that are at most 100 ms old

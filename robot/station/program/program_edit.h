@@ -68,7 +68,7 @@ std::optional<Steps> stepsFromText(const QByteArray& text);
 QString summaryOf(const project::Project& project, const project::ProgramStep& step);
 /// Name of the step kind; for a kind unknown to this version, its ID in the file.
 QString kindName(const project::ProgramStep& step);
-/// Name of the kind of a step with this number in the script. Empty if the step does not exist.
+/// Kind name of the step with this number in the script. Empty if the step does not exist.
 QString stepName(const project::Project& project, const ProgramScript& script, int number);
 /// Number of the row of the step that has this number in the script. The two numbers can differ, because the
 /// program may have been edited since. Returns `number` for a step that was removed or belongs to a called

@@ -98,7 +98,7 @@ private:
     const SessionState& state_;
     const std::function<HeldSpeed()>& heldSpeed_;
     WaypointRoute route_;
-    QVector<int> rows_;              ///< rows of the waypoints of the route
+    QVector<int> rows_;              ///< waypoint rows of the route
     QVector<int> leg_;               ///< the waypoints of the current segment
     int legs_ = 0;                   ///< segments started since the button was pressed
     QUuid actingAt_;                 ///< last reached waypoint, while its actions are incomplete

@@ -155,7 +155,7 @@ private Q_SLOTS:
         QVERIFY(move->plan().has_value());
         const MotionPlan plan = *move->plan();
         QVERIFY(cell.stepMs(200));
-        // The speed limit slows down the move, and the status reports it.
+        // The speed cap slows down the move, and the status reports it.
         const bool slowed = speed > 1;
         QCOMPARE(plan.limiter.kind, slowed ? LimiterKind::TcpSpeed : LimiterKind::None);
         QCOMPARE(cell.controller->status().limiter.kind, plan.limiter.kind);

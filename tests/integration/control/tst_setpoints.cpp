@@ -94,7 +94,7 @@ private Q_SLOTS:
     }
 
     // Neither the first target nor a later one may be farther away than the arm can reach. The error names
-    // the rejected target, which was not sent, and the stream continues.
+    // the refused target, which was not sent, and the stream continues.
     void aServoRefusesToJump() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());

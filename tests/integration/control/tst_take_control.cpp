@@ -451,7 +451,7 @@ private Q_SLOTS:
         QVERIFY(robot.start().ok());
         Controller controller(to(robot));
         QVERIFY(controller.takeControl(soon()).ok());
-        // Starting a jog is rejected while the data are outdated, e.g. because a thread is late.
+        // Starting a jog is refused while the data are outdated, e.g. because a thread is late.
         Result<Jog> jog = Error{};
         QTRY_VERIFY_WITH_TIMEOUT(jog.ok() || (jog = Motions(controller).startJog(JogTarget{})).ok(), 20'000);
         robot.closeClients();

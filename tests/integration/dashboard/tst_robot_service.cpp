@@ -172,7 +172,7 @@ private Q_SLOTS:
             static_cast<void>(robot.perform(command));
         }
         QCOMPARE(safety(), SafetyMode::ProtectiveStop);
-        // The dashboard rejects the command for five seconds. Afterwards, there is nothing left to unlock
+        // The dashboard refuses the command for five seconds. Afterwards, there is nothing left to unlock
         // through the Robot API.
         bool unlocked = false;
         QTRY_VERIFY_WITH_TIMEOUT(

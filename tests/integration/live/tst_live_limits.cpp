@@ -101,7 +101,7 @@ void TestLiveLimits::aFrameThatIsTooLargeIsRefusedByItsHeader() {
     QCOMPARE(viewer.upgrade(), 101);
     constexpr quint64 kDeclared = 400'000'000;
     bool open = viewer.write(clientFrame(Opcode::Text, {}, true, kDeclared));
-    // The server must not read data that it will reject.
+    // The server must not read data that it will refuse.
     const QByteArray chunk(1 << 20, 'x');
     int taken = 0;
     while (open && taken < 64) {

@@ -85,7 +85,7 @@ private Q_SLOTS:
         QVERIFY(dashboard.ask("PolyscopeVersion").startsWith("URSoftware 5.20."));
     }
 
-    // Behaviour of a robot of this series. The fault "remote off" alone does not reject any command, as in
+    // Behaviour of a robot of this series. The fault "remote off" alone does not refuse any command, as in
     // the vendor's simulator.
     void localControlRefusesTheSameAsARobot_data() {
         QTest::addColumn<bool>("local");

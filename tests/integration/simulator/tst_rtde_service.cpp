@@ -22,7 +22,7 @@ private Q_SLOTS:
                      QByteArray("\x02INT32,INT32"));
             const QByteArray refused = second.setupInputs("input_int_register_24,input_int_register_30");
             QCOMPARE(refused, QByteArray("\0IN_USE,INT32", 13));
-            // A rejected recipe does not reserve any field.
+            // A refused recipe does not reserve any field.
             QCOMPARE(first.setupInputs("input_int_register_30"), QByteArray("\x03INT32"));
             first.close();
         }

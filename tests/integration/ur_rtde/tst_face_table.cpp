@@ -109,7 +109,7 @@ QList<TestFunction> functionsIn(const QString& folder, const QString& pattern,
 struct Language {
     QHash<QString, QString> objects;  ///< names of the objects of each class
     QRegularExpression assertion;
-    /// Functions that only set up a test or check rejected calls. They do not test effects.
+    /// Functions that only set up a test or check refused calls. They do not test effects.
     QRegularExpression sideShow;
 };
 

@@ -19,7 +19,7 @@ bool isNewer(const Telemetry& now) {
     return now.software >= SoftwareVersion{5, 10, 0, 0};
 }
 
-/// True for versions in which the masterboard data have one more byte. Clients reject packages of another
+/// True for versions in which the masterboard data have one more byte. Clients refuse packages of another
 /// size. Source: urcl reads all 75 bytes of software 3.14; ur_modern_driver reads 74 bytes of 3.2 and fails
 /// with 3.10 and 5.4.
 bool hasSafetyStatus(const SoftwareVersion& software) {

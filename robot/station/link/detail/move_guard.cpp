@@ -10,7 +10,7 @@
 namespace tiller {
 namespace {
 
-/// The joint positions of a target. Empty if the target is unreachable, because the controller then rejects
+/// The joint positions of a target. Empty if the target is unreachable, because the controller then refuses
 /// it.
 std::optional<JointPositions> jointsOf(const DhParameters& dh, const Pose& tcpOffset,
                                        const control::PathEntry::Target& target, const JointPositions& from) {

@@ -129,7 +129,7 @@ struct SessionBackend {
     control::AbandonedProgram abandoned;
     const std::array<std::string, 2> stateFields = control::AbandonedProgram::fields();
     dashboard::ServiceReport report;  ///< queried about twice a second; Unknown until the first reply
-    bool localRefuses = false;        ///< the robot was in Remote before, or has rejected a command in Local
+    bool localRefuses = false;        ///< the robot was in Remote before, or has refused a command in Local
     bool takingControl = false;
     bool monitorOnly = false;
     CancelToken taking;  ///< cancels taking control

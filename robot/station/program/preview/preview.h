@@ -84,7 +84,7 @@ struct PathSample {
     Pose tcp;  ///< TCP pose in the base frame
 };
 
-/// Number and duration of the runs of a step.
+/// How often a step ran, and for how long.
 struct StepTiming {
     int count = 0;
     double first = 0;  ///< first start time [s]

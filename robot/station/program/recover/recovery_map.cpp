@@ -27,7 +27,7 @@ constexpr int kPollEvery = 500;         // control periods
 
 using SwitchCounts = std::array<int, kOutputs>;  ///< number of times each output has switched on
 
-/// State at the beginning or end of a top-level step, or of an iteration of a top-level endless loop.
+/// State at the beginning or end of a top-level step, or of one iteration of a top-level endless loop.
 struct Boundary {
     double time = 0;
     ControllerState state;

@@ -267,7 +267,7 @@ Result<RobotSession::MotionId> ProgramRunner::continueHeld() {
     return id_;
 }
 
-/// Duration of the rest of the running move to a waypoint [s]; 0: the step is not such a move.
+/// Remaining duration of the running move to a waypoint [s]; 0: the step is not such a move.
 double ProgramRunner::moveSeconds() const {
     if (log_.step() < 1 || !std::isfinite(limits_.joint) || limits_.joint <= 0) {
         return 0;

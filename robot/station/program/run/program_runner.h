@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Runs a program of the project on the robot, in place of the control program. This PC supervises the
+// Runs a project program on the robot in place of the control program. This PC supervises the
 // program: it ends within 250 ms of a stop, of the end of this process or of the loss of the connection.
 // Monitors the running step, the time and the number of runs of each step.
 

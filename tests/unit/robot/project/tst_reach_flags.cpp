@@ -233,7 +233,7 @@ private Q_SLOTS:
         QVERIFY(eitherWay < 10);
     }
 
-    // Checks the independent calculation itself. It must accept poses generated from joints and reject the
+    // Checks the independent calculation itself. It must accept poses generated from joints and refuse the
     // same poses after they were moved out of reach. An error of the arm length would be detected.
     void theReferenceGeometryKnowsTheReach() {
         Dice dice(99);

@@ -113,7 +113,7 @@ private Q_SLOTS:
         QCOMPARE(messagesOf("side=1\nif side>1:\n side=0\nelse: side\n side=-1\nend\ntextmsg(side)"),
                  (Texts{"-1"}));
         QCOMPARE(messagesOf("a=1\na\ntextmsg(a)"), (Texts{"1"}));
-        // Some expressions and all unknown names are rejected.
+        // Some expressions and all unknown names are refused.
         QVERIFY(!compile("def p():\n a=1\n a b\nend\n"));
         QVERIFY(!compile("def p():\n nowhere\nend\n"));
         QVERIFY(!compile("def p():\n 1\nend\n"));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Findings of a check of a complete project without a robot.
+// Checks a complete project without a robot: the findings.
 
 #include <QTest>
 #include <cmath>
