@@ -94,7 +94,7 @@ public:
                            std::int64_t sample) = 0;
 };
 
-/// A function of the values up to a sample, such as a filter. Gaps and missing values restart it.
+/// A function of the values up to a sample, such as a filter. Gaps and missing values reset its state.
 class Running : public Node {
 public:
     Running(std::unique_ptr<Node> input, double lookBack) : input_(std::move(input)), lookBack_(lookBack) {}
@@ -215,7 +215,7 @@ private:
 
 /// A Butterworth filter, as a cascade of sections of first and second order. Each step applies the bilinear
 /// transform with the time since the last sample and a cut-off frequency that is pre-warped for this time.
-/// For a constant sample rate, this is the usual digital filter.
+/// For a constant sample rate, this is the standard digital filter.
 class Butterworth : public Running {
 public:
     enum class Band { Low, High };
@@ -275,7 +275,7 @@ private:
         double damping;
         bool isFirstOrder;
         double position = 0;  ///< output of the low-pass filter
-        double speed = 0;     ///< its derivative, divided by the cut-off frequency
+        double speed = 0;     ///< derivative of `position`, divided by the cut-off frequency
         double input = 0;
     };
 

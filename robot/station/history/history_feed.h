@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Writes the samples of each frame into the history of the signals. Defines the time axis of the plots from
+// Writes the samples of each frame to the signal history. Defines the time axis of the plots from
 // the time stamps of the controller. For interruptions in which the controller may have restarted, the host
 // time is used.
 

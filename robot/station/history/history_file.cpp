@@ -49,8 +49,8 @@ std::vector<SeriesBuffer::Mark> marksOf(const recording::Recording& file,
             if (behind < sample) {
                 marks.push_back({behind, std::min(time, before + gap->seconds)});
             } else {
-                // The chunk of this mark may begin with a log entry from within the gap, before its first
-                // row.
+                // The chunk of this mark may begin with a log entry from within the gap, before the first row
+                // of the chunk.
                 time = std::max(time, before + gap->seconds);
             }
         }

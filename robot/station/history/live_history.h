@@ -41,7 +41,7 @@ public:
 
 Q_SIGNALS:
     /// Marks the time at which the robot changed. Later samples belong to a different robot than earlier
-    /// ones.
+    /// samples.
     /// time   [s]
     /// robot  name and address
     void robotChanged(double time, const QString& robot);

@@ -63,7 +63,7 @@ public:
     ~RangeStatisticsCache() override;
 
     /// Selects the signals and the range of the next queries: the samples between `from` and `to`, in either
-    /// order. Computes some missing sums at once and the others later. Emits known() when results have
+    /// order. Computes some of the missing sums immediately and the rest later. Emits known() when results have
     /// changed.
     void want(std::span<const int> wanted, double from, double to);
     /// Fraction of the sums that is available: 0 ... 1.

@@ -20,17 +20,16 @@ public:
 
     // Times on the plots' time axis [s].
     double begin() const { return begin_; }
-    /// Controller time at this time; empty if the recording does not contain time stamps of a controller.
+    /// Controller time [s]; empty if the recording does not contain time stamps of a controller.
     std::optional<double> controllerTime(double time) const;
-    /// UTC at this time [ns since 1970]; empty if the recording does not contain its start.
+    /// UTC [ns since 1970]; empty if the recording does not contain its start time.
     std::optional<std::int64_t> utcNs(double time) const;
 
 private:
     double begin_;
     std::optional<std::int64_t> startUtcNs_;
-    /// Each entry is a time on the plots' time axis and the difference between this axis and the time stamps
-    /// from that time on [s]. The first entry is for the start, the others are for restarts of the
-    /// controller.
+    /// Times on the plots' time axis, each with the difference between the axis and the time stamps that follow
+    /// [s]. The first entry is the start of the recording; later entries are restarts of the controller.
     std::vector<std::pair<double, double>> clocks_;
 };
 

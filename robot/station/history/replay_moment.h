@@ -22,7 +22,7 @@ struct ReplayMoment {
     double time = 0;         ///< on the plots' time axis [s]
     QDateTime wallTime;      ///< invalid if unknown
     receive::Sample sample;  ///< empty: no data at that time
-    /// Name of the robot, if the history contains a later one; otherwise empty.
+    /// Name of the robot if the history also contains data from a later robot; otherwise empty.
     QString robot;
     std::optional<RobotModelId> model;  ///< empty: unknown
     double seconds = 0;                 ///< since the first row of the recording; 0 for the history

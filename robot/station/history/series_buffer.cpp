@@ -233,7 +233,7 @@ void SeriesBuffer::cut(double start, double width, int columns, ColumnGrid& grid
         } else if (i == 0) {
             edges[i] = lowerBoundBetween(start, first_, end_);
         } else {
-            // Estimate: this column has as many samples as the previous one.
+            // Estimate: this column has as many samples as the previous column.
             const std::int64_t previous = i == 1 ? 0 : edges[i - 1] - edges[i - 2];
             edges[i] = lowerBoundNear(start + static_cast<double>(i) * width, edges[i - 1] + previous);
         }

@@ -26,7 +26,7 @@ enum class Precision : std::uint8_t {
     Exact,   ///< stored as double; for integers and bit fields
 };
 
-/// Rows are counted from the oldest one kept.
+/// Rows are counted from the oldest row kept.
 /// Threads  one
 class SeriesColumn {
 public:

@@ -14,7 +14,7 @@
 namespace tiller {
 
 struct SignalInfo {
-    QString key;        ///< name as in recordings, e.g. "actual_q_0"; with the bit "robot_status_bits.1"
+    QString key;        ///< name as in recordings, e.g. "actual_q_0"; for a bit "robot_status_bits.1"
     QString field;      ///< RTDE field, e.g. "actual_q"; empty for other signals
     int component = 0;  ///< component of the field
     int bit = -1;       ///< bit of the component; -1: the whole value

@@ -769,7 +769,7 @@ void SignalStore::setLimits(const HistoryLimits& limits) {
 }
 
 void SignalStore::share() {
-    // The time stamps have the weight of two columns.
+    // The time stamps are stored as double, so they need as much memory as two value columns.
     const auto weight = [](const Table& table) { return static_cast<double>(table.columns.size() + 2); };
     const double all =
         weight(tables_[kLive]) + (tables_[kFurther].columns.empty() ? 0 : weight(tables_[kFurther]));

@@ -91,7 +91,7 @@ public:
     Result<QString> open(std::unique_ptr<recording::Recording> file, double begin);
     /// The recording of a signal; empty for live signals.
     QString recordingOf(int signal) const;
-    /// Problems of a recording found since the last call. Each one is returned once.
+    /// Problems of a recording found since the last call. Each problem is returned once.
     QStringList takeProblems(const QString& recording);
     /// The opened recording with this name, or null.
     const recording::Recording* recorded(const QString& recording) const;
@@ -128,16 +128,16 @@ public:
     const SeriesBuffer& live() const { return *tables_[kLive].buffer; }
     /// Sets the robot of all samples added from now on.
     void setRobot(const QString& address, const QString& name = {});
-    /// Sets the model that the robot of the newest samples reports. If samples of another model from the same
-    /// address precede them, these belong to another robot.
+    /// Sets the model that the robot of the newest samples reports. Earlier samples of a different model from the
+    /// same address are assigned to a different robot.
     void setRobotModel(RobotModelId model);
     /// The robot whose samples are shown at this time; null without data.
     const HistoryRobot* robotAt(double time) const;
     /// True if this robot is the one whose samples arrive now.
     bool isNewest(const HistoryRobot& robot) const { return &robot == &robots_.back(); }
-    /// The first live sample of the newest robot, if other robots' samples precede it and it has arrived.
+    /// First live sample of the newest robot; empty if it has not arrived, or if there was no earlier robot.
     std::optional<std::int64_t> newestRobotChange() const;
-    /// True if the robot's samples between these times, in either order, are of different robots.
+    /// True if the live samples between these times, in either order, are from different robots.
     bool hasSeveralRobots(double from, double to) const;
     /// Like hasSeveralRobots(), for a signal. False if it belongs to a recording.
     bool mixesRobots(int signal, double from, double to) const {
@@ -153,8 +153,8 @@ public:
     void appendFurther(std::span<const SeriesBuffer::Row> rows, Source source) {
         append(tables_[kFurther], rows, source);
     }
-    /// Call when the clock of the controller has been restarted. From the time `from` on, the plots' time
-    /// axis differs from the clock by `offset` [s].
+    /// Call when the clock of the controller has been restarted. Starting at time `from`, the plots' time axis
+    /// differs from the clock by `offset` [s].
     void beginClock(double from, double offset) { clocks_.emplace_back(from, offset); }
     /// The time of the controller's clock at a time of the plots' time axis [s].
     double controllerTime(double time) const;
@@ -178,7 +178,7 @@ public:
 Q_SIGNALS:
     /// The additional fields to request from the robot have changed.
     void furtherFieldsChanged(const QStringList& fields);
-    /// Signals were added; `signal` is the last one. -1: the recordings were closed.
+    /// Signals were added; `signal` is the last signal added. -1: the recordings were closed.
     void signalAdded(int signal);
     /// Another part of a signal computed from a long recording is available.
     void computedFurther(int signal);

@@ -48,12 +48,11 @@ struct HoldMotion {
     /// after the button is released. All other stop conditions still apply. Empty: releasing the button ends
     /// the motion.
     std::function<bool()> runsToEnd;
-    /// Called after the start. Returns the limits of the hold. Empty: the motion has no duration limit of its
-    /// own.
+    /// Called after the start. Returns the limits of the hold. Empty: the motion does not set a duration limit.
     std::function<HoldBounds()> bounds = {};
     /// Called once near the end of the maximum duration. The motion then pauses as soon as possible, and hold()
-    /// returns false when it has. Returns the time that this takes at most [ns], by which the hold is extended if
-    /// necessary. Empty: the motion ends at its maximum duration.
+    /// returns false when it has paused. Returns the maximum time until the pause [ns]; the hold is extended by this
+    /// time if necessary. Empty: the motion ends at its maximum duration.
     std::function<std::int64_t()> pause = {};
 };
 

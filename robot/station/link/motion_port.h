@@ -25,7 +25,7 @@ struct MotionPort {
     std::function<void(Id, control::StopCause)> endMotion;
     std::function<control::MotionLimits()> limits;
     std::function<Result<Id>(const control::Freedrive&)> beginFreedrive = {};
-    /// Keeps a jog active with another target. Returns false if the jog has been stopped.
+    /// Keeps a jog active with a new target. Returns false if the jog has been stopped.
     std::function<bool(Id, const control::JogTarget&)> holdWith = {};
     /// Like RobotSession::beginPath().
     std::function<Result<Id>(std::vector<control::PathEntry>, std::uint64_t stops)> beginPath = {};

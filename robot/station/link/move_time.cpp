@@ -36,7 +36,7 @@ double lineBound(const SessionState& state, const Pose& to, double cap) {
     if (!std::isfinite(cap)) {
         return std::numeric_limits<double>::infinity();
     }
-    // Use the calculated TCP instead of the reported one, so that distance and speed bound refer to the same
+    // Use the calculated TCP instead of the reported TCP, so that distance and speed bound refer to the same
     // line.
     const DhParameters& dh = state.dh;
     const LineDistance way = lineDistance(kinematics::forwardTcp(dh, state.q, state.tcpOffset), to);

@@ -15,7 +15,7 @@ struct RecoveryGuideText {
     Q_DECLARE_TR_FUNCTIONS(RecoveryGuide)
 };
 
-/// The usual steps for powering on after the safety system has returned to normal.
+/// The standard steps for powering on after the safety system has returned to normal.
 RecoveryGuide powerUpGuide(const SessionState& state, RecoveryStep next) {
     RecoveryGuide guide;
     guide.step = next;

@@ -2,7 +2,7 @@
 #pragma once
 
 // Commands from the operator to the controller other than motion: power, safety, programs. A command is sent
-// once. Its result is shown in SessionState and by a message.
+// once. The result is logged and appears in SessionState.
 
 #include <QString>
 

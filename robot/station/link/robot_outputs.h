@@ -2,7 +2,7 @@
 #pragma once
 
 // Commands of the session other than motion: outputs, registers, the speed slider. Operations that wait for
-// the robot run on the session's worker. A message reports the result, and the next state shows it.
+// the robot run on the session's worker. Results are logged and appear in the next session state.
 
 #include <QCoreApplication>
 #include <QMap>

@@ -61,7 +61,7 @@ bool isOperatorStop(control::StopCause cause) {
            cause == StopCause::Space || cause == StopCause::StopButton || cause == StopCause::SecondButton;
 }
 
-/// True if a program with step numbers ended during a step, e.g. because of the stop button of the pendant. A
+/// True if a program with step numbers ended during a step, e.g. because of the stop button of the teach pendant. A
 /// program that reaches its end resets the step number.
 bool wasStoppedOnRobot(const receive::Receiver& receiver) {
     receive::Sample newest;
@@ -146,7 +146,7 @@ void RobotSession::connectTo(const RobotAddress& address) {
     }
     link->receiver = std::make_shared<receive::Receiver>(receiverOptions);
     link->stream = link->receiver->subscribe();
-    static_cast<void>(link->receiver->start());  // lastError() keeps a failure, and readLink() shows it
+    static_cast<void>(link->receiver->start());  // lastError() stores a failure, and readLink() reports it
 
     control::ControllerOptions controllerOptions;
     controllerOptions.host = address.host;
@@ -896,8 +896,8 @@ void RobotSession::reportExternalProgram() {
     }
     d_->externalRunSeen = runs;
     if (runs) {
-        // Only the first program after a loss of control has taken over. That is known only when the control program
-        // has not responded for some time.
+        // Report a takeover only for the first program after a loss of control. The loss is detected only after the
+        // control program has not responded for some time.
         constexpr std::int64_t kKnownLate = 3 * kNsPerSecond / 2;
         const std::int64_t nowNs = d_->clock->nowNs();
         const std::int64_t agoNs = d_->startedNs ? nowNs - *d_->startedNs : 0;

@@ -121,7 +121,7 @@ public:
     bool refusesCommand(const QString& command);
 
     /// Asks the operator before a change of outputs, registers, gripper or speed slider. If a program of
-    /// another client is running, or one of Tiller without hold-to-run, emits changeQuestion() and returns
+    /// another client is running, or a Tiller program without hold-to-run, emits changeQuestion() and returns
     /// true, and the caller must not make the change. If nothing is connected to the signal, returns false.
     /// what    name of the change, e.g. "DO 3"
     /// change  makes the change after the operator has agreed
@@ -183,8 +183,8 @@ public:
     Result<MotionId> beginProgram(const QString& name, const QString& script, control::Holding holding,
                                   std::uint64_t stops, const script::StepGate& gate = {},
                                   const std::vector<script::GateVariable>& variables = {});
-    /// Call when the program of beginProgram() was paused or stopped on the robot, by the pendant or another client.
-    /// Replaces the last stop by one without a cause, because this stop was not measured.
+    /// Call when the program of beginProgram() was paused or stopped on the robot, by the teach pendant or
+    /// another client. Replaces the last stop with a stop without a cause, because this stop was not measured.
     void noteStopOnRobot();
     /// Name of the program of beginProgram() that is active without hold-to-run; empty if there is none.
     std::optional<QString> freeProgram() const;

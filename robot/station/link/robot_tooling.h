@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Sets TCP and payload of the tool on the robot. Requires control. The next state shows whether the robot has
-// accepted them. A message reports the result.
+// Sets TCP and payload of the tool on the robot. Requires control. Results are logged, and the values
+// accepted by the robot appear in the next session state.
 
 #include <QCoreApplication>
 #include <QString>

@@ -113,11 +113,11 @@ struct SessionState {
     bool controlInDoubt = false;
     control::ControlLoss controlLoss =
         control::ControlLoss::NotTaken;  ///< reason for the last loss of control
-    bool programRuns = false;            ///< a program is being sent or runs: RobotSession::beginProgram()
-    bool monitorOnly = false;            ///< the session refuses every command except stop
+    bool programRuns = false;  ///< a program is being sent or is running: RobotSession::beginProgram()
+    bool monitorOnly = false;  ///< the session refuses every command except stop
 
     // motion
-    bool moving = false;           ///< the arm moves, according to data that are at most 100 ms old
+    bool moving = false;           ///< the arm is moving, according to data that are at most 100 ms old
     bool motionActive = false;     ///< a motion is commanded, even if the arm does not move yet
     bool jogActive = false;        ///< the commanded motion is a jog
     bool freedriveActive = false;  ///< the commanded motion is freedrive
@@ -167,8 +167,8 @@ struct SessionState {
         return hasData() && control != ControlState::InControl && runtimeState != RuntimeState::Stopped &&
                runtimeState != RuntimeState::Paused;
     }
-    /// True if a program of another client or of the pendant is running or paused. Taking control would end
-    /// it.
+    /// True if a program from another client or the teach pendant is running or paused. Taking control would
+    /// end that program.
     bool hasForeignProgram() const {
         return (foreignProgramRuns() && !(programAbandoned && isFresh())) ||
                (hasData() && control != ControlState::InControl && runtimeState == RuntimeState::Paused);

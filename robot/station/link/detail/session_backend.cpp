@@ -223,7 +223,7 @@ void SessionBackend::readControl() {
     }
     using control::ControlLoss;
     const ControlLoss reported = state.programRuns && !status.fresh ? ControlLoss::DataStale : status.loss;
-    // After another program has taken over, a lost connection is not a further loss of control.
+    // After another program has taken over, keep this cause even if the connection is then lost.
     const bool isTakenAway =
         loss == ControlLoss::ScriptStopped || (loss == ControlLoss::EchoStalled && doubtEnded);
     loss = isTakenAway && reported == ControlLoss::LinkLost ? loss : reported;
@@ -263,8 +263,8 @@ bool SessionBackend::isControlInDoubt() {
     return !doubtEnded;
 }
 
-/// True if data have been fresh for so long after a dead connection that the control program would be known to be
-/// abandoned if it were running.
+/// True if data have been fresh for long enough after a dead connection: a control program that were still running
+/// would by now be recognized as abandoned, so the running program is a different one.
 bool SessionBackend::isRunningOtherProgram() const {
     constexpr std::int64_t kAbandonedKnown = 900 * kNsPerMs;
     const receive::RobotState robot(sample);
@@ -298,8 +298,8 @@ bool SessionBackend::isSendingPath(const control::ControllerStatus& status) cons
 }
 
 bool SessionBackend::isReplaced() const {
-    // The control program counts the time without a client. When its answers have been missing for so long that control
-    // was lost, it would be recognized as abandoned within this time if it were running.
+    // The control program counts the time without a client. After control was lost because its answers were missing, a
+    // control program that is still running is recognized as abandoned within this time.
     constexpr std::int64_t kAbandonedKnown = 400 * kNsPerMs;
     const receive::RobotState robot(sample);
     const bool isCountKnown = std::any_of(stateFields.begin(), stateFields.end(), [&](const auto& field) {

@@ -110,7 +110,7 @@ struct SessionBackend {
     const Clock* clock;
     SessionState state;
     RobotAddress address;
-    std::uint64_t generation = 0;  ///< number of the connection; replies to earlier ones are ignored
+    std::uint64_t generation = 0;  ///< number of the connection; replies on earlier connections are ignored
     /// Numbers of the next path and the next program. They do not restart with a connection, so that a button
     /// of an earlier connection cannot hold a new motion.
     control::MotionId nextPath = PathStart::kFirstTicket;
@@ -198,9 +198,9 @@ struct SessionBackend {
     bool isTakenOver() const;
     /// True if the running program may be the control program of a lost connection.
     bool mayOwnProgramRun() const { return state.controlInDoubt && !ownProgramEnded; }
-    /// Since when the running program may have been running; empty if it started just now.
+    /// Sentence with the earliest possible start of the running program; empty if it has just started.
     QString unknownStartText() const;
-    /// True if the running program cannot be the control program, although its connection works.
+    /// True if the running program cannot be the control program, although the control connection works.
     bool isReplaced() const;
 
 private:
