@@ -219,7 +219,7 @@ void DockStage::resizeEvent(QResizeEvent* event) {
 void DockStage::showEvent(QShowEvent* event) {
     QMainWindow::showEvent(event);
     // A window that is restored after being minimized has kept its sizes. Resizing its panels would push the
-    // last one out of the window.
+    // last panel out of the window.
     if (!event->spontaneous()) {
         // Resize the panels later, because they do not have their final size yet.
         QTimer::singleShot(0, this, &DockStage::proportion);

@@ -2,8 +2,8 @@
 #pragma once
 
 // If the focused element is hidden or disabled, Qt moves the focus to the next element of the window, which may be
-// a control of the jog column: Return would then arm the keyboard. This class moves the focus to an element near
-// the previous one instead.
+// a control of the jog column: Return would then arm the keyboard. This class moves the focus to an element
+// near the previous element instead.
 
 #include <QList>
 #include <QObject>

@@ -26,7 +26,7 @@ public:
     void borrow(simulator::Simulator* controller) { borrowed_ = controller; }
     /// All running controllers.
     QList<simulator::Simulator*> controllers() const;
-    /// The controller to which a session is connected; null if it is not one of controllers().
+    /// The controller to which a session is connected; null if the controller is not in controllers().
     simulator::Simulator* controllerOf(const SessionState& state) const;
 
 private:

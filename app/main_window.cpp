@@ -95,7 +95,7 @@ constexpr QSize kStart{1600, 900};
 constexpr int kGap = 10;
 constexpr int kKeepLayoutMs = 2000;
 /// Time for the window manager to give a new window its size. Shorter than kKeepLayoutMs, so that the stored
-/// layout is still the last one.
+/// layout is still the previous layout.
 constexpr int kOpenMs = 1500;
 /// Time after a request of the desktop to end its session in which the window closes without a question.
 constexpr int kDesktopEndMs = 60'000;

@@ -130,8 +130,8 @@ public:
     }
     io::Outputs& outputs() { return *outputs_; }  ///< Outputs and the speed slider, confirmed by the robot.
 
-    /// The pendant service: power, brakes, programs, recovery. Connects if necessary. After a lost
-    /// connection, a new object replaces the previous one.
+    /// The dashboard server or Robot API: power, brakes, programs, recovery. Connects if necessary. After a
+    /// lost connection, a new object replaces the previous one.
     /// Errors   as for dashboard::openService()
     /// Threads  one at a time. Blocks: until the deadline
     Result<dashboard::RobotService*> service(const Deadline& deadline);

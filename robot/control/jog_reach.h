@@ -2,7 +2,7 @@
 #pragma once
 
 // Predicts the distance after which a Cartesian jog ends. Simulates the jog with the limiter of the
-// controller, so that the displayed distance matches the actual one.
+// controller, so that the displayed distance matches the actual distance.
 
 #include "robot/control/control_status.h"
 #include "robot/core/robot_model.h"

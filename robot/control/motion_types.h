@@ -96,7 +96,7 @@ enum class StopCause : std::uint8_t {
     Superseded,    ///< replaced by a newer command
     Contact,       ///< contact detected
     Unreachable,   ///< the robot finds no joint positions for the target
-    TargetTooFar,  ///< servo target too far from the previous one: see kJointLeeway
+    TargetTooFar,  ///< servo target too far from the previous target: see kJointLeeway
     HoldUnproven,  ///< the key, button or finger is not verified as still pressed
     HeldTooLong,   ///< held longer than the maximum time
 };

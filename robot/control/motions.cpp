@@ -28,8 +28,8 @@ MotionCommand program(ScriptCommand what, Holding holding) {
     return command;
 }
 
-/// Joint positions for the pose that are nearest to the current ones, computed with the dimensions reported
-/// by the robot.
+/// Joint positions for the pose that are nearest to the current joint positions, computed with the dimensions
+/// reported by the robot.
 std::optional<JointPositions> reach(const ArmLimits& arm, const ControllerStatus& status,
                                     const Pose& target) {
     return kinematics::inverseNearest(arm.dh, target, Pose::fromArray(status.tcpOffset),

@@ -93,7 +93,8 @@ public:
 
     /// Moves linearly in joint space to the target [rad]. Source: URScript movej
     Result<Motion> moveJ(const JointPositions& target, const MoveParameters& parameters = {});
-    /// Like moveJ(), to the joint positions with this TCP pose [m, rad] that are nearest to the current ones.
+    /// Like moveJ(), to the joint positions with this TCP pose [m, rad] that are nearest to the current joint
+    /// positions.
     Result<Motion> moveJToPose(const Pose& target, const MoveParameters& parameters = {});
     /// Moves the TCP on a straight line to a pose in the base frame [m, rad]. Source: URScript movel
     Result<Motion> moveL(const Pose& target, const MoveParameters& parameters = {});

@@ -32,7 +32,7 @@ public:
     StopConfirmation(std::uint64_t epoch, const StopEvidence& evidence);
 
     /// Registers another stop before the verdict. Only the new stop must be confirmed, but within the time
-    /// limit of the first one, so that repeated requests do not postpone the verdict.
+    /// limit of the first stop, so that repeated requests do not postpone the verdict.
     void repeat(std::uint64_t epoch) { epoch_ = epoch; }
 
     enum class Verdict {

@@ -254,7 +254,7 @@ Result<std::vector<RobotModelId>> modelsFitting(Rows& rows, recording::RowRange 
     return fitting;
 }
 
-/// Compares the chosen model with the one that the recording states and with its TCP poses.
+/// Compares the selected model with the model named in the recording, and with the recorded TCP poses.
 void identify(Report& report, const std::vector<RobotModelId>& fitting, std::optional<RobotModelId> stated) {
     const DhParameters& dh = robotModel(report.model).dh;
     const bool fits = std::find(fitting.begin(), fitting.end(), report.model) != fitting.end();
@@ -463,7 +463,7 @@ private:
         const auto place = static_cast<std::size_t>(std::max(now.joint, 0));
         Stretch& stretch = stretches_[static_cast<std::size_t>(now.quantity)][place];
         const auto found = stretch.see(now, outcome.limit, limits_.lasting);
-        // If several joints diverge in the same row, report the one with the largest deviation. For a single
+        // If several joints diverge in the same row, report the joint with the largest deviation. For a single
         // joint, report its maximum.
         if (found && (!outcome.parted || found->row < outcome.parted->row ||
                       (found->row == outcome.parted->row && found->amount > outcome.parted->amount))) {

@@ -80,7 +80,8 @@ struct Outcome {
 
 struct Report {
     RobotModelId model = RobotModelId::UR5e;
-    /// The model of the recorded arm if it is another one, according to the recorded TCP poses or to the recording.
+    /// The model of the recorded arm if it differs from the selected model, according to the recorded TCP poses
+    /// or the model named in the recording.
     std::optional<RobotModelId> otherModel = {};
     /// True if the recording states `model`, or if its TCP poses fit no other model. If false, an arm of another model
     /// may not differ from `model` in the compared values.

@@ -298,7 +298,7 @@ Result<void> Outputs::setDigitalOutputs(std::uint32_t mask, std::uint32_t values
                 return opened;
             }
         }
-        // Check every group before sending to the first one, so that either all outputs are set or none.
+        // Check every group before sending to the first group, so that either all outputs are set or none.
         std::vector<Group> groups;
         for (const Group group : {kStandard, kConfigurable, kTool}) {
             const std::uint32_t ofGroup = ((1U << kFacts[group].bits) - 1) << kFacts[group].firstBit;

@@ -59,7 +59,7 @@ public:
     EventFd(const EventFd&) = delete;
     EventFd& operator=(const EventFd&) = delete;
 
-    void wake() const;  ///< Ends the current wait, or the next one.
+    void wake() const;  ///< Ends the current wait, or the next wait.
     /// Resets the object after calls to wake().
     /// Returns  true if wake() was called
     bool take() const;

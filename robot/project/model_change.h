@@ -20,7 +20,7 @@ bool hasTaughtPlaces(const Project& project);
 bool isOfOtherModel(const Project& project, RobotModelId connected);
 
 enum class Keep {
-    Poses,   ///< keep poses; inverse kinematics selects the joint positions nearest to the old ones
+    Poses,  ///< keep poses; inverse kinematics selects the joint positions nearest to the old joint positions
     Joints,  ///< keep joint positions; poses are recomputed by forward kinematics
 };
 

@@ -42,8 +42,8 @@ std::optional<Pose> placeOf(const Waypoint& waypoint, const RobotModel& model, c
 /// T_base_frame  frame of the move
 Pose movedPose(const Pose& T_base_tcp, const RelativeMove& move, const Pose& T_base_frame);
 
-/// The waypoints after the move, each with the joint positions nearest to the previous ones. An unreachable
-/// pose target is kept and marked.
+/// The waypoints after the move, each with the joint positions nearest to the previous joint positions. An
+/// unreachable pose target is kept and marked.
 /// Errors   NoSolution if a waypoint with a joint target is unreachable (the context contains the names,
 ///          separated by commas); InvalidArgument if the frame of the move or of a waypoint is not in the
 ///          list

@@ -74,7 +74,7 @@ void ArrivalPace::begin(double delay) {
 }
 
 void ArrivalPace::learn(double late) {
-    // Packets cannot arrive before they are sent. A packet this early shows that the previous ones were
+    // Packets cannot arrive before they are sent. A packet this early shows that the previous packets were
     // late.
     if (late < usualNs_ - mostNs_) {
         usualNs_ = late;
@@ -82,8 +82,8 @@ void ArrivalPace::learn(double late) {
     track(usualNs_, late, kMedian, periodNs_ * std::max(kFirstStep / packages_, kUsualStep));
     const double more = late - usualNs_;
     if (more > mostNs_) {
-        // No margin can cover this delay, so it does not affect the margin. After a stall, each packet is
-        // one period less late than the previous one. If the network delay has increased, all packets are
+        // No margin can cover this delay, so it does not affect the margin. After a stall, each packet is one
+        // period less late than the previous packet. If the network delay has increased, all packets are
         // equally late.
         const bool first = lateInARow_ == 0 || more < leastLateNs_ - mostNs_;
         lateInARow_ = first ? 1 : lateInARow_ + 1;

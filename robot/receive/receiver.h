@@ -68,7 +68,7 @@ struct ReceiverCounters {
     std::uint64_t packets = 0;
     std::uint64_t late = 0;         ///< arrived more than half a period late
     std::uint64_t lost = 0;         ///< skipped by the controller, according to its time stamps
-    std::uint64_t reconnects = 0;   ///< connections after the first one
+    std::uint64_t reconnects = 0;   ///< connections after the first connection
     double rateHz = 0;              ///< average over the last half second
     std::int64_t lastJitterNs = 0;  ///< deviation of the newest packet from its expected arrival time
 };

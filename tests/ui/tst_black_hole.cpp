@@ -30,7 +30,7 @@ constexpr double kMaxWaitMs = 50;
 constexpr int kAttempts = 3;
 
 /// Divides the time of a thread into computing, waiting for a CPU, and being blocked. The first two depend on
-/// the computer. The last one is caused by sockets, locks or disks.
+/// the computer. Blocking is caused by sockets, locks or disks.
 class Stretch {
 public:
     Stretch() { restart(); }

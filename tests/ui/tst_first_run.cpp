@@ -320,7 +320,7 @@ private Q_SLOTS:
         }
         QCOMPARE(app::startProject(settings).path, mine);
         QVERIFY(app::startProject(settings).missing.isEmpty());
-        // If the file is missing, the previous file or a new one is used, and the user is informed.
+        // If the file is missing, the previous file or a new file is used, and the user is informed.
         QVERIFY(QFile::rename(mine, mine + ".away"));
         QCOMPARE(app::startProject(settings).path, first);
         QCOMPARE(app::startProject(settings).missing, mine);

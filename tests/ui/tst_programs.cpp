@@ -256,7 +256,7 @@ private Q_SLOTS:
         QVERIFY2(!card->geometry().intersects(QRect(jog->mapTo(window_.get(), QPoint()), jog->size())),
                  "the card covers the jog column");
 
-        // A second popup covers the first one, as on the pendant.
+        // A second popup covers the first popup, as on the teach pendant.
         QVERIFY(robot_->inject("popup Close the door").ok());
         auto* text = card->findChild<QLabel*>("robotPopup.text");
         QTRY_COMPARE_WITH_TIMEOUT(text->text(), QString("Close the door"), 20'000);

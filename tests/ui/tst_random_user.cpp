@@ -106,7 +106,7 @@ int numberFrom(const char* variable, int otherwise) {
 
 // ---- windows for testing the checks ----------------------------------------------------------------------------
 
-/// Two buttons near each other and one that is far away.
+/// Two buttons near each other, and a third button that is far away.
 struct Keys {
     QWidget window;
     QPushButton* first = new QPushButton(QStringLiteral("first"), &window);

@@ -27,7 +27,7 @@ public:
 
     /// Robot time at the start of the trace; 0 if empty.
     double begins() const { return points_.empty() ? 0 : points_.front().time; }
-    /// The corners of the line, oldest first. The last one is the current TCP position.
+    /// The corners of the line, oldest first. The last corner is the current TCP position.
     const std::deque<Point>& points() const { return points_; }
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Needs no robot: moves a simulated robot in this process like a real one, and triggers a fault.
+// Needs no robot: moves a simulated robot in this process like a real robot, and triggers a fault.
 #include <iostream>
 #include <thread>
 

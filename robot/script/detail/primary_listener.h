@@ -23,7 +23,7 @@
 
 namespace tiller::script {
 
-/// Delays between connection attempts; the last one repeats.
+/// Delays between connection attempts; the last delay repeats.
 inline constexpr std::array<std::chrono::milliseconds, 4> kReconnectDelays{
     std::chrono::milliseconds(500), std::chrono::milliseconds(1000), std::chrono::milliseconds(2000),
     std::chrono::milliseconds(5000)};

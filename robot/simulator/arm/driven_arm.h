@@ -33,7 +33,7 @@ public:
     void setPayload(const Payload& payload);
     /// Sets gravity as measured by an accelerometer at the base [m/s2]; [0, 0, 9.82] when upright.
     void setGravity(const Eigen::Vector3d& gravity);
-    /// Places the arm at q at rest. The next target may be at any distance from the previous one.
+    /// Places the arm at q at rest. The next target may be at any distance from the previous target.
     void place(const JointPositions& q);
     void step(const JointPositions& q, const JointVelocities& qd);
     /// Measured state after the last step, without contact.

@@ -151,8 +151,8 @@ protected:
     std::optional<ProtectiveStop> protectiveStop_;
     std::array<MotionWarning, kMaxWarnings> warnings_{};
     int warningCount_ = 0;
-    // Program time by which the last timed speed or servo command overran. It is subtracted from the next
-    // one.
+    // Program time by which the last timed speed or servo command overran. This time is subtracted from the
+    // next command.
     double overrun_ = 0;
 };
 

@@ -33,7 +33,7 @@ public:
     void start(const Segment& segment);
     void start(const Segment& segment, const Segment& runOut);
 
-    /// True if another move can be blended into the current one.
+    /// True if another move can be blended into the current move.
     bool acceptsNext() const;
     bool nextWaiting() const { return nextWaiting_; }
     /// Sets the next segment, which starts where the current segment ends.

@@ -100,7 +100,7 @@ bool Interpreter::Machine::runnable(const ScriptThread& thread) const {
            (thread.state == ScriptThread::State::Joining && find(thread.joined) == nullptr);
 }
 
-// Returns the thread with the most remaining time; the oldest one if several have the same time.
+// Returns the thread with the most remaining time; the oldest of these threads if several have the same time.
 ScriptThread* Interpreter::Machine::next() const {
     const auto precedes = [this](const ScriptThread& later, const ScriptThread& best) {
         const bool mainWaits = !limits_.mainFirst && best.id == 0;

@@ -133,7 +133,7 @@ public:
     void setRobotModel(RobotModelId model);
     /// The robot whose samples are shown at this time; null without data.
     const HistoryRobot* robotAt(double time) const;
-    /// True if this robot is the one whose samples arrive now.
+    /// True if the samples that arrive now are from this robot.
     bool isNewest(const HistoryRobot& robot) const { return &robot == &robots_.back(); }
     /// First live sample of the newest robot; empty if it has not arrived, or if there was no earlier robot.
     std::optional<std::int64_t> newestRobotChange() const;

@@ -45,7 +45,7 @@ public:
     /// trail is kept.
     HoldMotion motion();
 
-    /// Positions closer than this to the previous one are not recorded [rad].
+    /// Positions closer than this to the previous position are not recorded [rad].
     static constexpr double kSpacing = 0.0087;
     static constexpr int kCapacity = 4000;
     /// A larger change between two reported positions is a jump [rad].

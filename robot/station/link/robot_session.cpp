@@ -989,7 +989,8 @@ void RobotSession::reportControllerMessages() {
             d_->startedNs = now;
             d_->programNode.clear();
             reportReplacement();
-            d_->changesConfirmed = false;  // a new program may have replaced the confirmed one without a stop
+            d_->changesConfirmed =
+                false;  // a new program may have replaced the confirmed program without a stop
         }
         const Severity severity = m.severity >= script::MessageSeverity::Violation ? Severity::Error
                                   : m.severity == script::MessageSeverity::Warning ? Severity::Warning

@@ -48,7 +48,7 @@ public:
     const WaypointRoute& route() const { return route_; }
     /// True from the first step until a restart.
     bool isUnderWay() const { return route_.isUnderWay(); }
-    /// Row of the next waypoint; -1 after the last one.
+    /// Row of the next waypoint; -1 after the last waypoint.
     int comingRow() const;
     /// The action being executed, or null.
     const project::WaypointAction* acting() const;

@@ -56,7 +56,7 @@ std::optional<int> WaypointRoute::previous(int place) const {
     if (place > 0) {
         return place - 1;
     }
-    // In the first round of a loop, no waypoint precedes the first one.
+    // In the first round of a loop, no waypoint precedes the first waypoint.
     return loop_ && cameRound_ ? std::optional(size() - 1) : std::nullopt;
 }
 

@@ -15,8 +15,8 @@
 
 namespace tiller::urrtde {
 
-/// Serves up to kMaxClients connections at a time. Another connection replaces the one that has been inactive
-/// for the longest time. A client that does not read its program for 5 s is disconnected.
+/// Serves up to kMaxClients connections at a time. A further connection replaces the connection that has been
+/// inactive for the longest time. A client that does not read its program for 5 s is disconnected.
 /// Threads  one, with normal priority, from construction to destruction. The destructor takes at most 50 ms
 class ProgramServer {
 public:

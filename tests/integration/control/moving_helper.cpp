@@ -234,8 +234,8 @@ std::map<QString, Way> everyWay(Controller& c) {
         }
     };
 
-    // This row is not a motion. It sets two outputs. One of them stays on as long as this process refreshes
-    // it.
+    // This row sets two outputs instead of starting a motion. One output stays on only while this process
+    // refreshes it.
     ways["pulse"] = [&c, begun = false]() mutable {
         if (!begun) {
             OutputPulses pulses(c);

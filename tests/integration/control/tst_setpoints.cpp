@@ -93,8 +93,8 @@ private Q_SLOTS:
         QVERIFY(cell.controller->status().inControl);
     }
 
-    // Neither the first target nor a later one may be farther away than the arm can reach. The error names
-    // the refused target, which was not sent, and the stream continues.
+    // A target too far from the previous target, or a first target too far from the arm, is refused and not
+    // sent. The error names the joint or the TCP, and the stream continues.
     void aServoRefusesToJump() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());

@@ -32,7 +32,7 @@ class TestStopRaces : public QObject {
 
 private Q_SLOTS:
     // The arm moves, and time does not advance. One call waits for the end of the program, and the other call
-    // waits for the first one. The stop must end both.
+    // waits for the first call. The stop must end both.
     void stopAlsoEndsQueuedCallers() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());

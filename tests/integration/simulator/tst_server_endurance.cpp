@@ -111,7 +111,7 @@ private Q_SLOTS:
                 ++connections;
                 QVERIFY(client->isConnected());
             }
-            // Send only a few inputs at a time, because the inputs after one that causes a disconnection are
+            // Send only a few inputs at a time, because inputs after an input that causes a disconnection are
             // lost.
             QByteArray batch;
             for (int i = 0; i < 5; ++i, ++done) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Stops any program on the robot: an external program (from the pendant, another PC, or left running), and
-// Tiller's own program if the control connection is unreliable. All routes are used simultaneously: "stop
-// program" on the primary interface, and the stop command of the dashboard or the Robot API. Each route uses
-// a connection opened in advance and a new connection, because the robot may have dropped the existing one
+// Stops any program on the robot: an external program (from the teach pendant, another PC, or left running),
+// and Tiller's own program if the control connection is unreliable. All routes are used simultaneously: "stop
+// program" on the primary interface, and the stop command of the dashboard or the Robot API. Each route uses a
+// connection opened in advance and a new connection, because the robot may have dropped the existing one
 // without closing it. Robot data determine whether the stop has succeeded. Private to robot/station/link.
 
 #include <atomic>

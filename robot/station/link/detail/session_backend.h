@@ -186,7 +186,7 @@ struct SessionBackend {
 
     void followExtraFields();
 
-    /// Fetches the samples since the last frame into `into`, and the last one into `sample`.
+    /// Fetches the samples since the last frame into `into`, and the last sample into `sample`.
     SampleBatch drain(std::vector<receive::Sample>& into);
     /// Fills `state` from the newest sample and the controller's status.
     void read();

@@ -90,7 +90,7 @@ private Q_SLOTS:
         QCOMPARE(bench.count<urscript::Move>(), 1);
         const auto target = [](const urscript::Move& move) { return std::get<JointPositions>(move.target); };
         QCOMPARE(target(*bench.last<urscript::Move>()), there);
-        // A second move directly follows the first one and uses the parameters of its own package.
+        // A second move directly follows the first move and uses the parameters of its own package.
         const JointPositions elsewhere(-0.2, -0.9, 1.1, -1.2, -1.4, 0.5);
         bench.hold(ScriptCommand::MoveJ, 3, 60, elsewhere.array());
         QCOMPARE(bench.count<urscript::Move>(), 2);

@@ -176,7 +176,7 @@ private Q_SLOTS:
         QCOMPARE(last->duration, 0.002);
     }
 
-    // The first target must be close to the arm, and each later one close to the previous one.
+    // The first target must be close to the arm, and each later target close to the previous target.
     void aServoDoesNotJump() {
         Bench bench;
         bench.host.q = JointPositions(0.2, -1, 1, -1, -1, 0);

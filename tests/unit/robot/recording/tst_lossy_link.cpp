@@ -122,7 +122,7 @@ std::shared_ptr<const RecordingFormat> formatOf(const QString& name) {
     return name == QLatin1String("mcap") ? mcapFormat({.ros = false}) : csvFormat();
 }
 
-/// Checks that the rows are the sent packets, starting with the first one, with the correct gaps.
+/// Checks that the rows are the sent packets, starting with the first packet, with the correct gaps.
 void verifyBeginningOf(const Bench& bench, const Recording& recording) {
     QVERIFY(recording.rows() <= bench.sent.size());
     const std::vector<double> stamps = column(recording, "timestamp");

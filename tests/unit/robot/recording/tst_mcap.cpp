@@ -297,7 +297,7 @@ void TestMcap::theClockFollowsTheFastestPackages() {
     constexpr std::int64_t kMs = 1'000'000;
     const std::int64_t base = test::kMadeStartNs;
     QCOMPARE(clock.toUtc(10.000, base + 3 * kMs, 1), base + 3 * kMs);
-    // A packet that arrives earlier than expected shows that the first one was late. The time does not go
+    // A packet that arrives earlier than expected shows that the first packet was late. The time does not go
     // backwards.
     QCOMPARE(clock.toUtc(10.002, base + 3 * kMs, 1), base + 3 * kMs);
     const std::int64_t third = clock.toUtc(10.004, base + 40 * kMs, 1);

@@ -284,8 +284,8 @@ private Q_SLOTS:
         QVERIFY2(stopped.ok(), why(stopped));
     }
 
-    // The command may be lost on the open connection and on the new one. It is sent again 0.3 s later on a
-    // third connection.
+    // The command may be lost on the open connection and on the new connection. It is sent again 0.3 s later on
+    // a third connection.
     void theStopIsRepeatedWhileTheProgramRuns() {
         Heard heard;
         VirtualClock clock;

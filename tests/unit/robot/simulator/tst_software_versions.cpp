@@ -28,8 +28,7 @@ SoftwareVersion versionOf(const QString& text) {
     return {parts[0].toUInt(), parts[1].toUInt(), parts.size() > 2 ? parts[2].toUInt() : 0, 0};
 }
 
-/// Returns the release before the first one that has a feature; empty for 3.0 and 5.0, which have no
-/// predecessor.
+/// Returns the last release without a feature; empty for 3.0 and 5.0, which have no predecessor.
 std::optional<SoftwareVersion> before(SoftwareVersion first) {
     if (first.bugfix > 0) {
         --first.bugfix;

@@ -162,7 +162,7 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(tab_->input(0)->stateWord(), QString("no data"), 60'000);
     }
 
-    // The analog values belong to the same sample as the bits, not to a newer one.
+    // The analog values belong to the same sample as the bits, not to a newer sample.
     void analogValuesMatchTheShownSample() {
         test::SampleStream stream;
         stream.set(stream.add(1.0, 1), "standard_analog_input0", 12);

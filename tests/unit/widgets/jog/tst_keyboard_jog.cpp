@@ -176,7 +176,7 @@ private Q_SLOTS:
             b.down(code, key);
         }
         QCOMPARE(b.ends, QList<StopCause>{StopCause::SelectionChanged});
-        // Another key pressed while the first one is still down does not count as a press.
+        // Another key pressed while the first key is still down does not count as a press.
         b.down(scan::kRight, Qt::Key_Right);
         QVERIFY(!b.moves());
         b.up(scan::kRight, Qt::Key_Right);

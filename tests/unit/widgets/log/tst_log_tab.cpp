@@ -86,7 +86,7 @@ private Q_SLOTS:
         QCOMPARE(rows(), 2);
     }
 
-    // A later message must not be displayed above an earlier one.
+    // A later message must not be displayed above an earlier message.
     void onlyConsecutiveRepeatsAreCounted() {
         const auto say = [this](Severity severity, const char* text) {
             journal_->add(severity, text, Origin::Robot);

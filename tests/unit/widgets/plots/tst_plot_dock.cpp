@@ -2379,7 +2379,7 @@ private Q_SLOTS:
         const PlotLayout kept = PlotLayout::fromJson(b.dock.arrangement()).value();
         QVERIFY(near(kept.modelLimits.jointPosition, 0.5 * 3.14159265 / 180, 1e-6));
 
-        // After cancelling, no result is shown, not even the previous one.
+        // After cancelling, no result is shown, not even the previous result.
         answer(0.5, "UR5e");
         QTest::mouseClick(compare, Qt::LeftButton);
         QVERIFY(b.dock.marks().marks().empty());

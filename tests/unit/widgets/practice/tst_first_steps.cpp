@@ -46,7 +46,7 @@ private:
 
     void show(const SessionState& state) { Q_EMIT session_->stateChanged(state); }
     bool isDone(FirstStep step) const { return steps_->isDone(step); }
-    /// Simulates one of Tiller's own moves, as reported in frames.
+    /// Simulates a move by Tiller, as reported in frames.
     void move(const JointPositions& from, const JointPositions& to) {
         SessionState state = liveState(from);
         show(state);

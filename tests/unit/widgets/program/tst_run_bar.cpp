@@ -483,7 +483,7 @@ private Q_SLOTS:
         QVERIFY2(bench.runner().end() == ProgramRunner::End::Completed, qPrintable(bench.status()));
     }
 
-    // This step has no end, so the program cannot wait before the next one.
+    // This step has no end, so the program cannot wait before the next step.
     void aRunHeldTooLongNamesTheRemedy() {
         TabBench bench;
         bench.setProgram({program::step("loop", {{"times", 2}}, {program::step("wait", {{"time", 60}})})});
@@ -660,7 +660,7 @@ private Q_SLOTS:
         QVERIFY(!model.index(1, 0).data(Qt::FontRole).value<QFont>().bold());
     }
 
-    // Such a program is usually imported.
+    // Imported programs usually set their TCP.
     void aProgramThatSetsItsTcpRunsWithAnyTcp() {
         TabBench bench;
         const Pose tcp(0, 0, 0.1, 0, 0, 0);  // not the TCP of the robot

@@ -273,7 +273,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(files_->store().obstacle() == ProjectStore::Obstacle::OpenElsewhere, 60'000);
     }
 
-    // The notice may appear under the pointer of a user who is about to click another one.
+    // The notice may appear under the pointer of a user who is about to click another notice.
     void theDefaultAnswerToAnExternalChangeKeepsBothVersions() {
         files_->open(path_);
         document_->insertWaypoints(0, {named("mine")}, "Teach");

@@ -429,7 +429,7 @@ private Q_SLOTS:
         QCOMPARE(session.speeds, QList<double>{0.36});
     }
 
-    // Power on, Release brakes, Take control: the second click is at the position of the first one.
+    // Power on, Release brakes, Take control: the second click is at the position of the first click.
     void secondClickHitsTheSameButton_data() {
         QTest::addColumn<int>("width");
         for (const int width : {1264, 1280, 1366, 1600, 1850, 1920}) {

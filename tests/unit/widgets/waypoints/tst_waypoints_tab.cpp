@@ -470,7 +470,7 @@ private Q_SLOTS:
         QApplication::sendEvent(&left, &deactivate);
         QCOMPARE(arm_.ends, std::vector<StopCause>{StopCause::WindowDeactivated});
         QVERIFY(!goTo()->isHolding());
-        // The release was sent to another window, so the next press counts as a new one.
+        // The release was sent to another window, so the next press counts as a new press.
         keyDown(to, scan::kG, Qt::Key_G);
         QCOMPARE(arm_.moves.size(), std::size_t(2));
         keyUp(to, scan::kG, Qt::Key_G);

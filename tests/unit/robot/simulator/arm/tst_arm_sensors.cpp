@@ -240,7 +240,7 @@ void TestArmSensors::noiseIsSmallSeededAndAllowsStandstillDetection() {
     QVERIFY(speed < 1e-3);
     QVERIFY(current > 1e-3 && current < 0.1);
     QVERIFY(a.state().isSteady());
-    // All joints except the first one are at standstill, so their readings must not vary.
+    // All joints except the base are at standstill, so their readings must not vary.
     a->motion().speedJ(JointVelocities(0.5, 0, 0, 0, 0, 0), 5, 1.0);
     b->motion().speedJ(JointVelocities(0.5, 0, 0, 0, 0, 0), 5, 1.0);
     double previous = a.state().actualQ[0];
