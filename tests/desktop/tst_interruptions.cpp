@@ -99,7 +99,7 @@ private Q_SLOTS:
         QVERIFY2(arm().stays(1), "the arm moved again after the program resumed");
     }
 
-    // Another program sends a synthetic key press to the window. No release would follow.
+    // Another program sends a synthetic key press to the window. No release follows such a press.
     void theArmStopsAfterASyntheticKeyPress() {
         const Vector6 from = arm().joints();
         hand().sendKey(cell().place("mainWindow").window, kRight, true);

@@ -86,7 +86,8 @@ private Q_SLOTS:
         useUp();
     }
 
-    // The STOP button of another Tiller is a window without a frame, and leaves out what it must not cover.
+    // The STOP button of another Tiller window is a window without a frame. Its shape omits areas that it must
+    // not cover.
     void windowsWithoutAFrameDoNotCoverIt() {
         openCommands();
         const QPoint stop = cell().place("stopButton").middle();

@@ -252,7 +252,8 @@ private Q_SLOTS:
         QVERIFY2(perform(), qPrintable(bench.said->join('\n')));
     }
 
-    // Another client has taken over. Its program keeps running, so no text may ask to take control again.
+    // Another client has taken over. Its program keeps running, so no text may ask the user to take control
+    // again.
     void anOutageWhileAnotherProgramRunsIsNotALossOfControl() {
         DeadLinkBench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));

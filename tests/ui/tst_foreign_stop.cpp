@@ -327,7 +327,7 @@ private Q_SLOTS:
         QVERIFY(bench.within([&] { return bench.state().control == ControlState::InControl; }));
     }
 
-    // A dialog blocks the window behind it. STOP is still available at its usual position.
+    // A dialog blocks the window behind it. STOP is still available at its normal position.
     void stopCanBeClickedWhileADialogIsOpen() {
         Bench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
@@ -385,7 +385,7 @@ private Q_SLOTS:
         QVERIFY(bench.comesToRest());
     }
 
-    // The program of the pendant is running. The operator cancels while control is being taken.
+    // A program started on the teach pendant is running. The operator cancels while control is being taken.
     void stopsWhileControlIsBeingTaken_data() {
         QTest::addColumn<Way>("way");
         QTest::addColumn<int>("afterMs");
@@ -414,8 +414,8 @@ private Q_SLOTS:
         QVERIFY(standsStill(bench.cell));
     }
 
-    // The program of another client has just replaced that of the window, and the window has not detected it
-    // yet.
+    // The program of another client has just replaced the program of the window, and the window has not
+    // detected it yet.
     void stopsDirectlyAfterATakeover() {
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));

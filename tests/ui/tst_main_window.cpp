@@ -59,7 +59,7 @@ private Q_SLOTS:
     }
     void initTestCase() { initResources(); }
 
-    // The list of windows distinguishes two robots.
+    // The titles distinguish two robots in the window list of the desktop.
     void theTitleNamesTheRobot() {
         VirtualClock clock;
         app::MainWindow window(settings(), clock);

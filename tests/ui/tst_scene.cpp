@@ -70,8 +70,8 @@ private Q_SLOTS:
     }
     void cleanup() { bench_.reset(); }
 
-    // Each arm deviates from its model by some tenths of a millimetre. It reports the deviation by frames
-    // that are far from its links.
+    // Each arm deviates from its model by some tenths of a millimetre. It reports the deviation as calibrated
+    // link frames, which are far from the links.
     void armIsDrawnAndCalculatedWithItsCalibration() {
         simulator::SimulatorOptions robot = VirtualCell::options();
         robot.calibration = 2;

@@ -200,7 +200,7 @@ private Q_SLOTS:
     }
 
     // When a page opens or closes, the focus must stay in its panel. If it moved to "Arm keyboard", pressing
-    // Return would enable keyboard jogging.
+    // Return would arm the keyboard.
     void theFocusDoesNotFallOnTheJogColumn() {
         window().showTab("frames");
         QVERIFY(QTest::qWaitForWindowActive(&window()));

@@ -59,8 +59,8 @@ private Q_SLOTS:
         QVERIFY(!move->cancel());
     }
 
-    // During a protective stop, the control program cannot be sent again. This must not look as if control were
-    // still being taken.
+    // During a protective stop, the control program cannot be sent again. The state must not indicate that
+    // control is still being taken.
     void aProtectiveStopDuringAScriptEndsTakingControl() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
@@ -422,7 +422,8 @@ private Q_SLOTS:
         QVERIFY(cell.controller->status().inControl);
     }
 
-    // The watchdog thread writes this register before it ends the script.
+    // Like the inserted watchdog thread, the script reports the missing heartbeat in output register 26 before
+    // it ends.
     void aScriptEndedByItsWatchdogIsNotCompleted() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());

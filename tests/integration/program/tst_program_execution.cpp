@@ -129,7 +129,7 @@ private Q_SLOTS:
         QVERIFY(bench.controller.status().inControl);
     }
 
-    // A rotated TCP changes the path of the waypoints as much as a shifted one.
+    // A rotated TCP changes the path of the waypoints as much as a shifted TCP.
     void aProgramForAnotherTcpIsRefused_data() {
         QTest::addColumn<Pose>("tcp");
         QTest::newRow("shifted") << Pose(0, 0, 0.01, 0, 0, 0);
@@ -151,7 +151,7 @@ private Q_SLOTS:
         QVERIFY2(checked.obstacles.front().contains("TCP"), qPrintable(checked.obstacles.front()));
     }
 
-    // A halt resets the state of the program on the robot in the same way as its normal end.
+    // A halt resets the state of the program on the robot in the same way as the normal end of the program.
     void aHaltWithoutSamplesIsNotTheEndOfTheProgram() {
         ExecutionBench bench;
         const auto up = bench.bringUp();

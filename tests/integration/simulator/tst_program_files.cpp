@@ -527,7 +527,7 @@ private Q_SLOTS:
         QVERIFY2(heard.texts[0].startsWith("Error while loading program: p.urp: "), heard.texts[0]);
     }
 
-    // As on the pendant, an unfinished program can be edited but not played.
+    // As on the teach pendant, an unfinished program can be edited but not played.
     void anUnfinishedProgramLoadsAndDoesNotPlay_data() {
         QTest::addColumn<QString>("parts");
         QTest::addColumn<QString>("why");

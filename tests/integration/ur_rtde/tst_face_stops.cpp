@@ -61,8 +61,8 @@ private Q_SLOTS:
         QVERIFY(near(joints(), kStart));
     }
 
-    // The move starts only after the previous move has been stopped. Its reply must not be taken for the
-    // reply to the stop.
+    // The move starts only after the previous move has been stopped. The reply to the previous move must not be
+    // interpreted as the reply to the stop.
     void aStopAfterAReplacedMoveIsNotLost() {
         static std::atomic<bool> impatient;
         for (const bool interrupted : {false, true}) {
@@ -103,8 +103,8 @@ private Q_SLOTS:
         }
     }
 
-    // A command that waits for standstill reads its values afterwards. They must not be overwritten in the
-    // meantime.
+    // A command that waits for standstill reads its values afterwards. The values must not be overwritten in
+    // the meantime.
     void obsoleteSetpointIsNotFollowed() {
         QVERIFY(control_->moveJ(with(kStart, 0, 1.0), 1.0, 1.4, true));
         QVERIFY(cell_->until(

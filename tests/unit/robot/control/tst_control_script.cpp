@@ -155,8 +155,8 @@ private Q_SLOTS:
         }
     }
 
-    // The control program starts to count for other clients after 0.5 s. By then, the client of the program
-    // has also lost control.
+    // The control program publishes its time without a client only after 0.5 s, when its client has also lost
+    // control.
     void theTimeWithoutAClientIsCounted() {
         for (const auto range : {RegisterRange::Lower, RegisterRange::Upper}) {
             Bench bench(range);

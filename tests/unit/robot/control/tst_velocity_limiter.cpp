@@ -54,7 +54,7 @@ private Q_SLOTS:
         QCOMPARE(limiter.scale, 1.0);
     }
 
-    // A robot that reports incomplete or implausible values gets the limits of its model and can be moved.
+    // If a robot reports incomplete or implausible values, the limits of its model apply, and it can be moved.
     void unreportedValuesAreTakenFromTheModel() {
         const ArmLimits model = ArmLimits::of(ur5e());
         script::RobotConfiguration told;

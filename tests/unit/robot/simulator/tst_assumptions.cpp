@@ -77,7 +77,7 @@ struct Writer {
         QVERIFY(rtde::encodeValues(recipe.layout, values, bytes));
         inputs.apply(recipe, bytes);
     }
-    /// Finishes the current period and starts the next one.
+    /// Finishes the current period and starts the next period.
     void period() {
         plant.step();
         inputs.applyRest();

@@ -34,7 +34,7 @@ private Q_SLOTS:
     void init() { applyNotation(*qApp, {}); }
     void cleanupTestCase() { applyNotation(*qApp, {}); }
 
-    // The typed text remains, so the box marks it as different from the value.
+    // The typed text remains, so the box marks it as invalid.
     void aRefusedNumberIsMarkedUntilItIsCorrected() {
         applyTheme(*qApp, Theme::light());
         QWidget window;

@@ -208,7 +208,7 @@ private Q_SLOTS:
         QVERIFY(!notice.isVisible());
     }
 
-    // Closing a notice may show the next one. A second click at the same position must not close the next
+    // Closing a notice may show the next notice. A second click at the same position must not close the next
     // notice unread.
     void aSecondClickDoesNotCloseTheNoticeOfTheFirst() {
         NoticeBar notice;

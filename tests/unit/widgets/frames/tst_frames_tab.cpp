@@ -191,7 +191,7 @@ private Q_SLOTS:
         QVERIFY(project::poseDifference(placeOf(0), place).distance < 1e-12);
     }
 
-    // While the question is shown, it follows the moving arm. The pose at the time of the confirmation is
+    // While the question is shown, it is updated as the arm moves. The pose at the time of confirmation is
     // stored.
     void touchUpFollowsTheArm() {
         teachWithWaypoints(1);

@@ -47,7 +47,8 @@ private Q_SLOTS:
         QCOMPARE(s.target.ends, QList<StopCause>{StopCause::Released});
     }
 
-    // The motion pauses in the last quarter of the maximum hold time, which may take longer than the rest of it.
+    // The motion pauses in the last quarter of the maximum hold time. Pausing may take longer than the
+    // remaining hold time.
     void theMotionPausesBeforeTheMaximumHoldTime_data() {
         QTest::addColumn<int>("needed");  // [s]
         QTest::addColumn<int>("end");     // [s]

@@ -43,7 +43,7 @@ private Q_SLOTS:
         journal_.reset();
     }
 
-    // The word has no article, so it is correct in all languages.
+    // The origin has no article, so the same text fits in every language.
     void theOriginIsNamed() {
         journal_->add(Severity::Info, "Speed slider: 50 %", Origin::Operator);
         const QString details = tab_->model().index(0, LogModel::Text).data(Qt::ToolTipRole).toString();

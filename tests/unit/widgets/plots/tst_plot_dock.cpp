@@ -417,7 +417,7 @@ private Q_SLOTS:
         QVERIFY2(b.readout().startsWith("A–B Δt −9.800 s · ΔFz −9.8 N"), qPrintable(b.readout()));
     }
 
-    /// A click anywhere in a plot, including its upper edge, but not on a name in the legend.
+    /// Includes the upper edge of the plot. Only a click on a name in the legend does not place a cursor.
     void aClickAnywhereInAPlotPlacesACursor() {
         Bench b;
         b.view().pause();
@@ -580,7 +580,7 @@ private Q_SLOTS:
         QCOMPARE(b.view().window().span(), time);
     }
 
-    /// Without its leading digits, a label would be another number.
+    /// Without its leading digits, a label would show a different number.
     void labelsOfTheValueAxisAreNeverCutOff_data() {
         QTest::addColumn<double>("low");
         QTest::addColumn<double>("high");
@@ -1637,7 +1637,7 @@ private Q_SLOTS:
         QVERIFY(b.view().panes()[0]->curves()[0]->raster() > shown);
     }
 
-    // Without this, the button would move away from the pointer when the panel has its minimum height.
+    // Otherwise, the button would move away from the pointer when the panel has its minimum height.
     void buttonsDoNotIncreaseThePanelHeight_data() {
         QTest::addColumn<QString>("key");
         QTest::newRow("values") << "plots.valuesKey";

@@ -365,7 +365,7 @@ private Q_SLOTS:
         QVERIFY(!bench.from().isChecked());
     }
 
-    // Such a program has no known duration, and the steps are in a section.
+    // The duration of the program is unknown, and its steps are in a section.
     void aHeldRunContinuesAfterTheMaximumHoldTime() {
         TabBench bench;
         bench.setProgram({program::step("loop", {{"times", 8}}, bench.moves({"pick", "place"}))});
@@ -483,7 +483,7 @@ private Q_SLOTS:
         QVERIFY2(bench.runner().end() == ProgramRunner::End::Completed, qPrintable(bench.status()));
     }
 
-    // This step has no end, so the program cannot wait before the next step.
+    // The step has no known end, so the program cannot pause before the next step.
     void aRunHeldTooLongNamesTheRemedy() {
         TabBench bench;
         bench.setProgram({program::step("loop", {{"times", 2}}, {program::step("wait", {{"time", 60}})})});
@@ -537,7 +537,7 @@ private Q_SLOTS:
         QVERIFY2(bench.status().contains("did not reach step 6"), qPrintable(bench.status()));
     }
 
-    // The stop time of the pendant is not known.
+    // The time of a stop on the teach pendant is not known.
     void aStopOnTheRobotIsTheLastStop() {
         TabBench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));

@@ -142,7 +142,7 @@ private Q_SLOTS:
         QCOMPARE(document_->waypoints().size(), 2);
     }
 
-    // The name of a kept copy is the name of its file.
+    // A kept copy is named after its file, so its name already has the suffix.
     void saveAsProposesOneSuffix_data() {
         QTest::addColumn<QString>("name");
         QTest::addColumn<QString>("proposed");

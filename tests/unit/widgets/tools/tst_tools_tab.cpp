@@ -451,7 +451,7 @@ private Q_SLOTS:
         everythingGoesThereAndBack(6);
     }
 
-    // The questions follow an arm that moves on. The position at the confirmation is stored.
+    // The questions are updated while the arm moves. The position at the time of confirmation is stored.
     void questionsAboutPositionsFollowTheArm() {
         tab_->showPage(ToolsTab::Positions);
         feed(liveState());

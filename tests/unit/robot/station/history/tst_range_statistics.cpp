@@ -108,7 +108,7 @@ class TestRangeStatistics : public QObject {
 private Q_SLOTS:
     void initTestCase() { long_ = std::make_unique<Long>(); }
 
-    // Statistics of two robots would describe neither.
+    // Statistics over samples from two robots would describe neither robot.
     void samplesOfTwoRobotsAreNotMixed() {
         SignalStore store;
         const int signal = store.find("actual_q_0");

@@ -106,7 +106,7 @@ class TestForeignProgram : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    // The other client has the registers while its program runs.
+    // The other client claims the registers while its program runs.
     void aRefusalEndsWithTheProgramOfTheOtherClient() {
         ProgramBench bench;
         const EventSpy messages(bench.session.journal());

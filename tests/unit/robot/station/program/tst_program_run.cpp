@@ -334,7 +334,7 @@ private Q_SLOTS:
         QCOMPARE(bench.runner.end(), ProgramRunner::End::Completed);
     }
 
-    // A halt resets the state of the program on the robot in the same way as its normal end.
+    // A halt resets the state of the program on the robot in the same way as the normal end of the program.
     void anEndWithoutSamplesIsUnknown() {
         RunBench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
@@ -1227,7 +1227,7 @@ private Q_SLOTS:
         QVERIFY2(fastest >= kTool * (previewed ? 0.85 : 0.1), qPrintable(QString::number(fastest)));
     }
 
-    // The joint moves of a branch that the preview did not run may need a lower limit.
+    // The joint moves of a branch that the preview did not run may need a lower speed limit.
     void stepsThatThePreviewDidNotRunAreKnown() {
         RunBench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
