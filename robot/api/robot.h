@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A robot in one object: data, control, outputs, pendant services, a recording, and callbacks for events.
+// A robot in one object: data, control, outputs, dashboard services, a recording, and callbacks for events.
 // Robot owns the objects of the other folders and gives access to all of them:
 //
 //   Robot robot("192.168.0.10");

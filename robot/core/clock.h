@@ -19,7 +19,7 @@ public:
     /// False for a clock that is advanced only manually, for which a wait would never end.
     virtual bool runsByItself() const = 0;
     /// Waits until the time `ns`. The last `awakeNs` are a busy wait, for an accuracy of microseconds if the
-    /// CPU is available. Returns at once if the clock does not run by itself.
+    /// CPU is available. Returns at once if the clock does not run automatically.
     virtual void waitUntil(std::int64_t ns, std::int64_t awakeNs) const = 0;
 };
 

@@ -96,7 +96,7 @@ Result<void> recoverWith(Client& client, const RecoveryConsent& consent, const D
             return error;
         }
         outage = error;
-        // Steps started before a restart have to be repeated, except for an unlock, because a consent is
+        // Steps started before a restart must be repeated, except for an unlock, because a consent is
         // valid for one unlock only.
         last = last == RecoveryStep::Unlock ? last : RecoveryStep::Look;
         pause(deadline, kOutagePause);

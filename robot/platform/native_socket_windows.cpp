@@ -39,7 +39,7 @@ int poll(WSAPOLLFD* items, ULONG count, std::chrono::nanoseconds atMost) {
 void keepTimersPrecise() {
     timeBeginPeriod(1);
     // Windows 11 ignores the line above and slows down a program whose window is minimized or covered.
-    // Windows 10 does not know the first of these flags, and refuses both.
+    // Windows 10 does not support the first of these flags, and refuses both.
     for (const ULONG never : {ULONG{PROCESS_POWER_THROTTLING_IGNORE_TIMER_RESOLUTION} |
                                   ULONG{PROCESS_POWER_THROTTLING_EXECUTION_SPEED},
                               ULONG{PROCESS_POWER_THROTTLING_EXECUTION_SPEED}}) {

@@ -341,7 +341,7 @@ struct Recorder::Worker : publish::SampleSink {
         last = last || isDone();
         const auto now = steady_clock::now();
         if (outcome && file && now >= lookDue && !last) {
-            // If the folder was renamed, the file is still open and the recording goes on.
+            // If the folder was renamed, the file is still open and the recording continues.
             const std::optional<std::int64_t> left = freeBytesFor(options.path);
             freeBytes = left.value_or(freeBytes);
             lookDue = now + kLookAtDiskEvery;

@@ -30,7 +30,7 @@ struct Connection::State {
     QString peer;
     mutable std::mutex errorMutex;
     Error error;    ///< protected by the mutex
-    Bytes replies;  ///< bytes that the session has to send
+    Bytes replies;  ///< bytes that the session must send
     // The data package being sent. Bytes remain here only while the peer is not reading.
     std::array<std::uint8_t, kMaxPackageSize> outgoing{};
     std::size_t outgoingBegin = 0;
@@ -286,7 +286,7 @@ Connection::Send Connection::sendInputs(std::size_t recipe, std::span<const doub
     if (d.socket == kNoSocket || recipe >= recipes.size() || !recipes[recipe].isValid()) {
         return Send::Failed;
     }
-    // The remaining bytes of an earlier package have to be sent first to keep the stream intact.
+    // The remaining bytes of an earlier package must be sent first to keep the stream intact.
     Status status = d.flush();
     if (status == Status::Ok) {
         d.outgoingEnd = writeDataPackage(d.outgoing, recipes[recipe].id(), recipes[recipe].layout(), values);

@@ -174,7 +174,7 @@ void talkToSession(Input input) {
         } else if (what == 0xFF) {
             session.start(out);
         } else {
-            // A framed package, so that the fuzzer does not have to find valid sizes.
+            // A framed package, so that the fuzzer need not find valid sizes.
             const ByteView payload = input.take(input.byte());
             static constexpr char kTypes[] = "VvMUOISP";
             session.handle({static_cast<PackageType>(what < 0xF0 ? kTypes[what % 8] : what), payload}, out);

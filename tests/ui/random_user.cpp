@@ -45,7 +45,8 @@ constexpr QSize kLargest{1920, 1080};
 
 struct Fault {
     const char* words;
-    const char* cure;  ///< command that ends the fault; empty: it ends by itself or the operator must end it
+    const char*
+        cure;  ///< command that ends the fault; empty: it ends automatically or the operator must end it
     int weight;
     bool link = false;
 };

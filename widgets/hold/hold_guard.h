@@ -83,7 +83,7 @@ private:
     bool pressed_ = false;
     bool runsToEnd_ = false;
     bool pauses_ = false;  ///< true after HoldMotion::pause
-    bool hasEnd_ = false;  ///< true if the motion ends by itself while the button is held
+    bool hasEnd_ = false;  ///< true if the motion ends automatically while the button is held
 };
 
 }  // namespace tiller

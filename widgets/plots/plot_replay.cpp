@@ -94,7 +94,7 @@ Replay PlotReplay::momentNow() const {
     ReplayMoment moment;
     moment.source = source;
     moment.time = *time;
-    // True if the sample is already displayed and does not have to be read again.
+    // True if the sample is already displayed and need not be read again.
     const bool same =
         moment_ && moment_->source == source && moment_->time == *time && !moment_->sample.isEmpty();
     moment.sample = same ? moment_->sample : store_.sampleAt(source, *time);

@@ -143,7 +143,7 @@ void GoThroughBar::updateAvailability() {
                                                : state_.controlReason;
     }
     for (std::size_t i = 0; i < keys_.size(); ++i) {
-        // Do not disable a held button. The motion ends by itself.
+        // Do not disable a held button. The motion ends automatically.
         if (robot.isEmpty() && keys_[i]->isHolding()) {
             continue;
         }

@@ -50,7 +50,7 @@ Q_SIGNALS:
     /// Emitted when the next waypoint changes, or when a button is pressed or released.
     void comingChanged();
     /// A press had no effect, or the run was aborted for this reason.
-    /// passing  true if the reason disappears by itself, e.g. because another button is held
+    /// passing  true if the reason disappears automatically, e.g. because another button is held
     void refused(const QString& reason, bool passing);
 
 private:

@@ -29,7 +29,7 @@ public:
 
 Q_SIGNALS:
     /// A press had no effect for this reason.
-    /// passing  true if the reason disappears by itself, e.g. because another button is held
+    /// passing  true if the reason disappears automatically, e.g. because another button is held
     void refused(const QString& reason, bool passing);
 
 protected:

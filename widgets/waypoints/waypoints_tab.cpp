@@ -178,7 +178,7 @@ void WaypointsTab::buildLayout(MotionPort port, HoldPolicy& policy) {
 
     connect(teach_, &QPushButton::clicked, this, &WaypointsTab::teach);
     connect(touchUp_, &QPushButton::clicked, this, &WaypointsTab::touchUp);
-    // A reason that disappears by itself is also in the log, so its notice need not be closed by hand.
+    // A reason that disappears automatically is also in the log, so its notice need not be closed by hand.
     passing_.setSingleShot(true);
     passing_.setInterval(kPassingMs);
     connect(&passing_, &QTimer::timeout, this, [this, &policy] {

@@ -390,7 +390,7 @@ void ControlLoop::watch(const Feedback& data) {
     if (unanswered > dataTimeoutNs()) {
         endDelayed(StopCause::ControlLost, MotionDelay::Kind::Answer, unanswered, data.hostNs);
     }
-    // Data arrive, but too late: a stop would be late as well.
+    // Data arrive, but too late: a stop would also be late.
     const auto roundTripNs = static_cast<std::int64_t>(status_.roundTripMs * static_cast<double>(kNsPerMs));
     if (roundTripNs > dataTimeoutNs()) {
         endDelayed(StopCause::LinkLost, MotionDelay::Kind::RoundTrip, roundTripNs, data.hostNs);

@@ -96,7 +96,7 @@ public:
     /// Call after loss of the connection.
     void lost(std::int64_t nowNs, ControlLoss loss);
 
-    /// Requests the end of the program from the next tick on. `loss` is reported when the program has ended.
+    /// Requests the end of the program starting with the next tick. `loss` is reported when the program has ended.
     void requestEnd(ControlLoss loss = ControlLoss::Released) {
         endLoss_.store(loss, std::memory_order_relaxed);
         endRequested_.store(true, std::memory_order_release);
@@ -110,17 +110,17 @@ public:
     /// For joining a running program: continues with the sequence and epoch of the previous client.
     /// Threads: after begin(), before the control thread starts
     void follow(const Echo& echo);
-    /// Permits a move or path to complete without a client, from the next tick on.
+    /// Permits a move or path to complete without a client, starting with the next tick.
     void permitFinish();
     /// True if the robot has received this permission.
     bool isFinishPermitted() const { return finishReceived_.load(std::memory_order_acquire); }
-    /// Accepts only the program with this session, from the next tick on. Withdraws earlier requests to end a program.
+    /// Accepts only the program with this session, starting with the next tick. Withdraws earlier requests to end a program.
     void expectSession(std::int32_t session) {
         endRequested_.store(false, std::memory_order_release);
         takingAbandoned_.store(false, std::memory_order_release);
         nextSession_.store(session, std::memory_order_release);
     }
-    /// Call if the control program could not be sent, or not sent again after a script: from the next tick on,
+    /// Call if the control program could not be sent, or not sent again after a script: starting with the next tick,
     /// the loss is ScriptStopped.
     void abandonTaking() { takingAbandoned_.store(true, std::memory_order_release); }
 
@@ -137,10 +137,10 @@ public:
     /// Permits force mode. The caller, an unsafe mode, the loss of control, or the end of a motion that was
     /// not refreshed in time revokes the permission.
     void permitForce(bool permitted);
-    /// Speed limit of TCP and elbow for jogs [m/s], from the next tick on.
+    /// Speed limit of TCP and elbow for jogs [m/s], starting with the next tick.
     void setSpeedCap(double cap) { speedCap_.store(cap); }
     double speedCap() const { return speedCap_.load(); }
-    /// Makes jogs keep the safety distance of this check from the next tick on; null: no check.
+    /// Makes jogs keep the safety distance of this check starting with the next tick; null: no check.
     /// Threads  any; one at a time
     void setCollisionCheck(std::shared_ptr<const collision::CollisionCheck> check) {
         check_.publish(std::move(check));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One object for data, control, outputs and pendant services, with callbacks for events.
+// One object for data, control, outputs and dashboard services, with callbacks for events.
 #include <iostream>
 
 #include "robot/api/robot.h"

@@ -37,7 +37,7 @@ public:
     ProgramRunner(const ProgramRunner&) = delete;
     ProgramRunner& operator=(const ProgramRunner&) = delete;
 
-    /// Accepts a unit from a script port. The unit is compiled at once and runs from the next period on.
+    /// Accepts a unit from a script port. The unit is compiled at once and runs starting with the next period.
     /// Compile errors are reported to primary clients.
     void submit(const urscript::SourceSplitter::Unit& unit);
     /// Like submit(), for the text of a program file. Returns false if the text does not compile.

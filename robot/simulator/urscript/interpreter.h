@@ -69,7 +69,7 @@ public:
     /// Threads  always the same thread; hosts may call pause(), resume() and stop() from inside this function
     State runFrame();
 
-    void pause();  ///< Pauses from the next frame on; sleeps and read timeouts pause too
+    void pause();  ///< Pauses starting with the next frame; sleeps and read timeouts pause too
     void resume();
     void stop();  ///< Ends the program; inside runFrame(): after the current statement
 

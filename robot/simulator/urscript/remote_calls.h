@@ -25,13 +25,14 @@ public:
     Result<std::int32_t> declare(std::string_view url);
     /// Returns a handle and starts to check whether the server accepts connections.
     Result<std::int32_t> open(std::string_view url);
-    /// Returns true when the server accepts connections. Poll until then.
+    /// Returns true when the server accepts connections. Call repeatedly until it returns true.
     Result<bool> opened(std::int32_t handle);
 
     /// Starts a call and returns its number.
     Result<std::int64_t> begin(std::int32_t handle, std::string_view method,
                                std::span<const Value> arguments);
-    /// Returns the result of a call; empty while it is not available. Poll until then.
+    /// Returns the result of a call; empty while it is not available. Call repeatedly until the result is
+    /// available.
     Result<std::optional<Value>> result(std::int64_t call);
 
 private:

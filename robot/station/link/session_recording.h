@@ -43,7 +43,7 @@ public:
     void start(const QString& path, const QStringList& fields = {}) {
         start(RecordingOrder{.path = path, .fields = fields});
     }
-    /// Sets the project stored in files of formats that support it, from the next recording on. Empty name:
+    /// Sets the project stored in files of formats that support it, starting with the next recording. Empty name:
     /// no project is stored.
     void setProject(const QString& name, const QByteArray& content);
     void stop();

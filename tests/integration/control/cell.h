@@ -20,7 +20,7 @@ namespace tiller::test {
 
 inline constexpr double kDeg = 3.14159265358979323846 / 180;
 
-/// A clock that is advanced manually. It can behave like a clock that runs by itself.
+/// A clock that is advanced manually. It can behave like a clock that runs automatically.
 class CellClock final : public Clock {
 public:
     std::int64_t nowNs() const override {
@@ -44,7 +44,7 @@ public:
     std::int64_t longestNs() const { return longestNs_; }
     std::int64_t awakeNs() const { return awakeNs_; }
     void advanceNs(std::int64_t ns) { clock_.advanceNs(ns); }
-    /// Makes the clock report that it runs by itself. Timed actions then happen at their time even though no
+    /// Makes the clock report that it runs automatically. Timed actions then happen at their time even though no
     /// thread waits for them.
     void pretendToRun() { pretending_ = true; }
 

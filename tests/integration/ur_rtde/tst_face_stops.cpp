@@ -61,8 +61,8 @@ private Q_SLOTS:
         QVERIFY(near(joints(), kStart));
     }
 
-    // The move starts only after the previous move has been stopped. The reply to the previous move must not be
-    // interpreted as the reply to the stop.
+    // The move starts only after the previous move has been stopped. A reply to a move must not be interpreted
+    // as the reply to the stop.
     void aStopAfterAReplacedMoveIsNotLost() {
         static std::atomic<bool> impatient;
         for (const bool interrupted : {false, true}) {
@@ -84,8 +84,8 @@ private Q_SLOTS:
                 }
                 impatient = false;
             } else {
-                // The stop must come after the change of direction. Before it, the arm would continue with
-                // the change, which would be a different test.
+                // The stop must be sent after the change of direction. If it were sent earlier, the arm would
+                // still change direction, which is a different test.
                 QVERIFY(
                     cell_->until([](const simulator::SimulatedState& t) { return t.qd.array()[0] < 0.98; }));
             }

@@ -136,7 +136,7 @@ private Q_SLOTS:
         QVERIFY(s.session.jogs.isEmpty());
         QCOMPARE(s.session.moves.size(), 1);
         QVERIFY(std::abs(s.session.moves.first().pose.position.x() - (-0.1435 + 0.001)) < 1e-12);
-        QVERIFY(s.column.isHolding());  // the step completes by itself
+        QVERIFY(s.column.isHolding());  // the step completes automatically
         QVERIFY(s.session.ends.isEmpty());
         s.session.running = 0;  // the target is reached
         s.key("jog.X+")->guard().pump();

@@ -305,7 +305,8 @@ private Q_SLOTS:
             QCOMPARE(s.passed.size(), 3);
         }
     }
-    // Another program takes over while the operator is about to press a key that was a stop key until then.
+    // Another program takes over while the operator is about to press a key that was a stop key until the
+    // takeover.
     void theKeysStopForThreeSecondsAfterControlWasLost() {
         Dark s;
         s.state.runtimeState = RuntimeState::Playing;

@@ -1163,7 +1163,7 @@ private Q_SLOTS:
         QVERIFY(preview.isGood());
         QCOMPARE(why(&preview, plan.script.text), QString());
         QVERIFY(!why(&preview, "def other():\nend\n").isEmpty());
-        // The first waypoint is somewhere else.
+        // The first waypoint is at a different position.
         const Preview elsewhere = previewProgram(bench.project, plan.script, options);
         QVERIFY(why(&elsewhere, plan.script.text).contains("start position"));
         preview.findings.push_back({Finding::Kind::Collision, 1, 0, "near"});
