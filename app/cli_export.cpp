@@ -109,7 +109,7 @@ const Command& exportCommand() {
               "1e12",
               {-1e12, 1e12}},
              {"separator", "CHAR", "column separator of a .csv file: , ; or tab (default %1)", ","},
-             {"decimal", "CHAR", "decimal sign of a .csv file: . or , (default %1)", "."},
+             {"decimal", "CHAR", "decimal separator of a .csv file: . or , (default %1)", "."},
              {"units", "", "adds a line of units below the header of a .csv file"},
              {"head", "",
               "writes the start time, metadata and units at the top of a .csv file, in lines that begin "

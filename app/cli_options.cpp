@@ -36,7 +36,7 @@ std::vector<CommandOption> withTableOptions(std::vector<CommandOption> options) 
         {"time-unit", "UNIT", "unit of the time column: s, ms, us or ns"},
         {"table-rate", "HZ", "rows per second of a table without a time column", "", {1e-6, 1e9}},
         {"table-separator", "CHAR", "column separator of the table: , ; | tab or space"},
-        {"table-decimal", "CHAR", "decimal sign of the table: . or ,"},
+        {"table-decimal", "CHAR", "decimal separator of the table: . or ,"},
         {"no-header", "",
          "the first row of the table is data, and its columns are named column 1, column 2, ..."}};
     for (const CommandOption& option : table) {

@@ -176,7 +176,8 @@ const Command& simulateCommand() {
              {"headless", "", "starts with the brakes released and in remote control, ready to move"},
              {"local", "", "starts in local control and refuses the same commands as a real robot"},
              {"programs", "FOLDER",
-              "folder with programs: .urp files as saved by the pendant, .urpx files, or URScript text; also "
+              "folder with programs: .urp files as saved by the teach pendant, .urpx files, or URScript "
+              "text; also "
               "contains the installation files that the programs use"},
              {"urcaps", "FOLDER",
               "URScript that replaces nodes of URCaps: one .script file for each node class, "

@@ -54,7 +54,7 @@ Result<void> bringBack(Controller::Private& d, bool hasEnded) {
         !waitUntil(Deadline::after(milliseconds(500), deadline.token()), isStopped)) {
         d.loop.abandonTaking();
         return Error{ErrorCode::NotInControl, QStringLiteral("run a script"),
-                     QStringLiteral("a program of another client replaced the script")};
+                     QStringLiteral("a program from another client replaced the script")};
     }
     bool isStopSent = true;
     if (!d.link.isRunning() || plays()) {

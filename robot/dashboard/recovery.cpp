@@ -138,7 +138,7 @@ Result<void> recoverWith(Client& client, const RecoveryConsent& consent, const D
                     break;
                 case RecoveryStep::RestartSafety:
                     if (!consent.restartSafety) {
-                        return missing("the safety system has to be restarted, which requires your consent");
+                        return missing("the safety system must be restarted, which requires your consent");
                     }
                     report(next);
                     done = client.restartSafety(deadline);

@@ -181,7 +181,7 @@ struct Outputs::Link {
         const auto& owned = connection->session().inUse()[group];
         if (!owned.empty()) {
             return Error{ErrorCode::RegisterInUse,
-                         QStringLiteral("%1: another RTDE client or a fieldbus owns %2")
+                         QStringLiteral("%1: another RTDE client or a fieldbus uses %2")
                              .arg(name, QString::fromStdString(rtde::joinNames(owned))),
                          {}};
         }

@@ -10,7 +10,7 @@ using Receive = Shown<RTDEReceiveInterface>;
 
 PYBIND11_MODULE(rtde_receive, module) {
     prepareModule();
-    module.doc() = "Reads and records what a Universal Robots arm sends over RTDE.";
+    module.doc() = "Reads and records the RTDE data of a Universal Robots arm.";
     py::class_<Receive, OwnHolder<Receive>> cls(module, "RTDEReceiveInterface");
     for (const char* host : kHostNames) {
         cls.def(py::init<std::string, double, std::vector<std::string>, bool, bool, int>(), py::arg(host),

@@ -201,7 +201,7 @@ bool isNumber(std::string_view cell) {
 /// The form of a text table, found in its first lines.
 struct TextLayout {
     char separator = kNoSeparator;
-    char decimal = '\0';  ///< '\0': the first number with a decimal sign decides
+    char decimal = '\0';  ///< '\0': the first number with a decimal separator decides
     bool hasHeader = true;
     std::string headingInComment{};  ///< header in a comment line; `hasHeader` is false then
 };
@@ -232,11 +232,12 @@ public:
         layout_.decimal = format_.decimal.value_or(layout_.separator == ',' ? '.' : '\0');
         findHeader();
         if (!layout_.hasHeader && layout_.headingInComment.empty() && isCommaUnclear()) {
-            return Error{ErrorCode::InvalidArgument, path_,
-                         QStringLiteral("the comma in \"%1\" may separate two columns or be a decimal sign. "
-                                        "Specify --table-separator or --table-decimal")
-                             .arg(QString::fromUtf8(lines_.front().data(),
-                                                    static_cast<qsizetype>(lines_.front().size())))};
+            return Error{
+                ErrorCode::InvalidArgument, path_,
+                QStringLiteral("the comma in \"%1\" may separate two columns or be a decimal separator. "
+                               "Specify --table-separator or --table-decimal")
+                    .arg(QString::fromUtf8(lines_.front().data(),
+                                           static_cast<qsizetype>(lines_.front().size())))};
         }
         return layout_;
     }
@@ -277,7 +278,7 @@ private:
                 bestScore = score;
             }
         }
-        // A comma in numbers below a single heading is a decimal sign.
+        // A comma in numbers below a single heading is a decimal separator.
         const char fallback = separatorOf(lines_.front());
         return best != kNoSeparator ? best : fallback == format_.decimal ? kNoSeparator : fallback;
     }

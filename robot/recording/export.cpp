@@ -187,9 +187,10 @@ Result<ExportReport> exportCsv(const Recording& recording, const ExportChoice& c
     if (std::string_view(",;\t").find(style.separator) == std::string_view::npos ||
         std::string_view(".,").find(style.decimal) == std::string_view::npos ||
         style.separator == style.decimal) {
-        return Error{ErrorCode::InvalidArgument, QStringLiteral("export to %1").arg(choice.path),
-                     QStringLiteral("use , ; or a tab as separator and a point or a comma as decimal sign, "
-                                    "but not a comma for both")};
+        return Error{
+            ErrorCode::InvalidArgument, QStringLiteral("export to %1").arg(choice.path),
+            QStringLiteral("use , ; or a tab as separator and a point or a comma as decimal separator, "
+                           "but not a comma for both")};
     }
     const auto columns = columnsWithTime(recording, choice.columns);
     if (!columns) {

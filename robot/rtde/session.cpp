@@ -279,7 +279,7 @@ void Session::onInputs(ByteView payload, Bytes& out) {
     if (!taken.empty()) {
         if (required) {
             fail(ErrorCode::RegisterInUse,
-                 QStringLiteral("another RTDE client or a fieldbus owns %1").arg(listed(taken)));
+                 QStringLiteral("another RTDE client or a fieldbus uses %1").arg(listed(taken)));
             return;
         }
     } else if (known.size() < asked_.size() && !known.empty()) {

@@ -84,7 +84,7 @@ struct RTDEIOInterface::Private {
         if (!inputs.isValid() || inputs.size() != values.size()) {
             const auto& owned = connection->session().inUse()[recipe];
             return complain(owned.empty() ? "this robot has no such input"
-                                          : "another RTDE client or a fieldbus owns " + owned.front());
+                                          : "another RTDE client or a fieldbus uses " + owned.front());
         }
         return connection->sendInputs(recipe, values) == Connection::Send::Sent ||
                complain("the robot is not reading its inputs");

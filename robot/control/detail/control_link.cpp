@@ -323,7 +323,7 @@ Result<void> ControlLink::sendWrench(const std::array<double, 6>& wrench) {
     if (!wrenchUsable_) {
         return Error{
             ErrorCode::RegisterInUse, context,
-            QStringLiteral("this robot has no input external_force_torque, or another client owns it")};
+            QStringLiteral("this robot has no input external_force_torque, or another client uses it")};
     }
     const std::lock_guard lock(wrenchCallers_);
     wrench_.publish(wrench);
@@ -337,7 +337,7 @@ Result<void> ControlLink::kickWatchdog() {
     }
     if (!watchdogUsable_) {
         return Error{ErrorCode::RegisterInUse, context,
-                     QStringLiteral("another client owns the required register")};
+                     QStringLiteral("another client uses the required register")};
     }
     kick_.store(true, std::memory_order_release);
     return {};

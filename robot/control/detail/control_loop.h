@@ -114,7 +114,8 @@ public:
     void permitFinish();
     /// True if the robot has received this permission.
     bool isFinishPermitted() const { return finishReceived_.load(std::memory_order_acquire); }
-    /// Accepts only the program with this session, starting with the next tick. Withdraws earlier requests to end a program.
+    /// Accepts only the program with this session, starting with the next tick.  Withdraws earlier requests to
+    /// end a program.
     void expectSession(std::int32_t session) {
         endRequested_.store(false, std::memory_order_release);
         takingAbandoned_.store(false, std::memory_order_release);

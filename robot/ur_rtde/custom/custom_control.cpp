@@ -221,8 +221,8 @@ std::string CustomControl::program(RegisterLink& link, const std::string& pathCo
         throw std::runtime_error("The script " + scriptFile_ + " contains an invalid version marker");
     }
     if (!link.beginHeartbeat()) {
-        throw std::runtime_error("Another client owns input_int_register_" +
-                                 std::to_string(link.heartbeatRegister()) + ", which the heartbeat needs");
+        throw std::runtime_error("Another client uses input_int_register_" +
+                                 std::to_string(link.heartbeatRegister()) + ", which the heartbeat requires");
     }
     if (bare) {
         // In a program with the URCap, the header runs long before the URCap's node.
@@ -327,7 +327,7 @@ bool CustomControl::runCustom(const std::string& program, control::Supervision s
     std::string text = program;
     if (supervision == control::Supervision::Heartbeat) {
         if (!current->beginHeartbeat()) {
-            say("another client owns the register that the heartbeat needs");
+            say("another client uses the register that the heartbeat requires");
             return false;
         }
         text = script::supervised(QString::fromStdString(program), heartbeatOf(*current), current->version())

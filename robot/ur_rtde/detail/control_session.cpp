@@ -157,7 +157,7 @@ std::shared_ptr<ControlBackend> ControlSession::open() {
     const bool uploads = options_.has(Face::FLAG_UPLOAD_SCRIPT);
     if (!isExempt(options_.host) && !server_ && !pendant_.allowsRemoteControl()) {
         throw std::logic_error("The robot at " + options_.host +
-                               " is in local control. Switch it to remote control on the pendant.");
+                               " is in local control. Switch it to remote control on the teach pendant.");
     }
     if (!scriptFile_.empty()) {
         return openCustom();
