@@ -37,7 +37,7 @@ enum class Holding : std::uint8_t { Held, Free };
 enum class Supervision : std::uint8_t {
     Heartbeat,  ///< the arm brakes when the client exits, disconnects or sends nothing for 100 ms
     /// The arm continues until the motion or program is complete, even after the client has exited.
-    /// Meanwhile, only a person at the pendant or another client can stop it.
+    /// Meanwhile, only a person at the teach pendant or another client can stop it.
     Unattended,
 };
 

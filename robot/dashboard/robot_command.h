@@ -21,7 +21,7 @@ enum class RobotCommand {
     ReleaseBrakes,
     PowerOff,
     RestartSafety,  ///< after a violation or fault; the arm remains powered off
-    ClosePopups,    ///< both the ordinary popup and the safety popup on the pendant
+    ClosePopups,    ///< both the ordinary popup and the safety popup on the teach pendant
     Play,           ///< starts or resumes the loaded program
     Pause,
     StopProgram,

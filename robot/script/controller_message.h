@@ -23,12 +23,12 @@ using tiller::operator<<;  // makes the enumerations below printable
 enum class MessageKind : std::uint8_t {
     Text,              ///< textmsg() of a program
     ProgramLabel,      ///< a program step became active
-    Popup,             ///< shown on the pendant
+    Popup,             ///< shown on the teach pendant
     Version,           ///< first message of every connection
     SafetyMode,        ///< the safety mode changed
     ErrorCode,         ///< a numbered error, e.g. C209A0
     Key,               ///< a program started or stopped
-    RequestValue,      ///< a program is waiting for operator input on the pendant
+    RequestValue,      ///< a program is waiting for operator input on the teach pendant
     RuntimeException,  ///< a program could not be compiled or failed at run time
     Other,             ///< unknown to this library
 };

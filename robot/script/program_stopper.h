@@ -6,8 +6,8 @@
 // on a new connection, because the controller may have dropped the existing one without closing it. Motions
 // of control::Controller are stopped by Controller::stop() instead.
 //
-// A robot in Local control refuses this command, like all commands on this interface; use the pendant in this
-// case. Commands on a connection opened in Local control are refused even after the switch to Remote, so a
+// A robot in Local control refuses this command, like all commands on this interface; use the teach pendant in
+// this case. Commands on a connection opened in Local control are refused even after the switch to Remote, so a
 // refusal is followed by another attempt on a new connection. If the primary interface is disabled, use
 // DashboardClient or RobotService::perform(StopProgram). Use both if the stop is critical.
 //

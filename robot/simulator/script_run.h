@@ -34,8 +34,8 @@ struct ScriptRunOptions {
 /// An event that ends the script from outside.
 enum class StopEvent {
     ProtectiveStop,  ///< same stop as after a collision
-    OperatorStop,    ///< the stop button of the pendant
-    EmergencyStop,   ///< the emergency stop button of the pendant
+    OperatorStop,    ///< the stop button of the teach pendant
+    EmergencyStop,   ///< the emergency stop button of the teach pendant
     PowerLoss,       ///< the supply of the arm fails
 };
 

@@ -128,7 +128,7 @@ public:
     // ---- hooks: each takes effect in the next control period; no function blocks ------------------------
 
     void protectiveStop();                          ///< Same reaction as to a collision.
-    void emergencyStop(bool pressed);               ///< Emergency stop button of the pendant.
+    void emergencyStop(bool pressed);               ///< Emergency stop button of the teach pendant.
     void systemEmergencyStop(bool active);          ///< External emergency stop input.
     void safeguardStop(bool open);                  ///< External safeguard input.
     void reducedMode(bool active);                  ///< External reduced mode input.
@@ -136,15 +136,15 @@ public:
     void fault();                                   ///< Fault reported by the safety system.
     void setDigitalInput(int number, bool value);   ///< 0-7 standard, 8-15 configurable, 16-17 tool
     void setAnalogInput(int number, double value);  ///< 0, 1: control box [A or V]; 2, 3: tool
-    void setRemoteControl(bool remote);             ///< Local/Remote switch of the pendant.
-    void pressFreedriveButton(bool pressed);        ///< Freedrive button on the back of the pendant.
+    void setRemoteControl(bool remote);             ///< Local/Remote switch of the teach pendant.
+    void pressFreedriveButton(bool pressed);        ///< Freedrive button on the back of the teach pendant.
     /// Simulates a hand that pushes the tool; zero ends the push.
     /// wrench  [N, Nm] at the TCP, base frame
     void pressHand(const Wrench& wrench);
     /// Changes the environment of the arm: surfaces, boxes, the actual load, a hand, conveyors. `change` runs
     /// in the simulator thread.
     void changeWorld(std::function<void(arm::Environment&)> change);
-    void setSpeedSlider(double fraction);  ///< Speed slider of the pendant, 0 ... 1.
+    void setSpeedSlider(double fraction);  ///< Speed slider of the teach pendant, 0 ... 1.
     /// Answers the oldest call of request_..._from_primary_client() with a value of the requested type: bool,
     /// std::int32_t, double or std::string. Values of other types are ignored.
     void answerRequest(const std::variant<bool, std::int32_t, double, std::string>& answer);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Translates arbitrary program files of the pendant. The result must be URScript or an error, and this
+// Translates arbitrary program files of the teach pendant. The result must be URScript or an error, and this
 // URScript must compile or cause an error with its position.
 
 #include <cstddef>

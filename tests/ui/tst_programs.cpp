@@ -324,7 +324,7 @@ private Q_SLOTS:
         QVERIFY(card->isVisible());
         QCOMPARE(card->count(), 1);
         QTRY_VERIFY_WITH_TIMEOUT(key->isEnabled(), 60'000);
-        // If the robot does not close a popup, the user must close it on the pendant.
+        // If the robot does not close a popup, the user must close it on the teach pendant.
         Q_EMIT window_->session().commandDone(RobotCommand::ClosePopups, false);
         window_->session().refresh();
         QCOMPARE(key->text(), QString("Hide"));

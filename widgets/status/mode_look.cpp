@@ -146,7 +146,7 @@ ModeLook controlLook(const SessionState& state) {
             const ModeLook program = runtimeLook(state.runtimeState);
             if (state.programRuns && state.hasData() &&
                 (state.runtimeState == RuntimeState::Pausing || state.runtimeState == RuntimeState::Paused)) {
-                // The pendant or another client has paused the program of this window.
+                // The teach pendant or another client has paused the program of this window.
                 return {(state.remoteControl ? place : ModeLookText::tr("In control")) + dot + program.text,
                         program.shape, program.emphasis, state.controlReason, program.mark};
             }

@@ -28,7 +28,7 @@ public:
     /// over    the popup is centred on this widget while it is visible
     RobotPopup(RobotSession& session, QWidget& window, QWidget& over);
 
-    /// Number of popups that are known to be open on the pendant, at most kMaxPopups. The newest is
+    /// Number of popups that are known to be open on the teach pendant, at most kMaxPopups. The newest is
     /// displayed.
     int count() const { return static_cast<int>(popups_.size()); }
     /// Closes the newest popup on the robot. Like the button, it has no effect until the popup could be read,
@@ -66,7 +66,7 @@ private:
     RobotSession& session_;
     QWidget& over_;
     QList<script::ControllerMessage> popups_;
-    QString obstacle_;  ///< the reason why the popup can be closed only on the pendant
+    QString obstacle_;  ///< the reason why the popup can be closed only on the teach pendant
     /// Index of the popup that the robot is requested to close; empty after the response.
     std::optional<qsizetype> asked_;
     double robotTime_ = 0;  ///< time since the controller was switched on, as last reported [s]

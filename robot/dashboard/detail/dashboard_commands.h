@@ -39,7 +39,7 @@ Result<UserRole> userRole(DashboardClient& client, const Deadline& deadline);
 // Identification and modes
 Result<QString> version(DashboardClient& client,
                         const Deadline& deadline);  ///< version number only; e-Series
-/// e-Series. A mode set with this function cannot be changed on the pendant until it is cleared.
+/// e-Series. A mode set with this function cannot be changed on the teach pendant until it is cleared.
 Result<void> setOperationalMode(DashboardClient& client, OperationalMode mode, const Deadline& deadline);
 Result<OperationalMode> operationalMode(DashboardClient& client, const Deadline& deadline);  ///< since 5.6
 Result<void> clearOperationalMode(DashboardClient& client, const Deadline& deadline);

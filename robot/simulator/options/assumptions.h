@@ -62,8 +62,8 @@ struct BehaviourOptions {
     ThreadStart threadStart = ThreadStart::SamePeriod;  ///< when a thread started by `run` begins
 
     enum class EventNode : std::uint8_t { Level, Edge };
-    /// Whether an event node of the pendant runs while its condition is true, or once each time the condition
-    /// becomes true.
+    /// Whether an event node of the teach pendant runs while its condition is true, or once each time the
+    /// condition becomes true.
     EventNode eventNode = EventNode::Level;
     enum class UnknownUrcap : std::uint8_t { Refuse, Ask, Skip };
     /// Effect of a URCap node without a stand-in: the program does not load, a popup replaces the node and

@@ -8,7 +8,8 @@ namespace tiller::simulator::pendant {
 
 namespace {
 
-/// The pendant stores some operators as single characters. Inside strings, these characters must not change.
+/// The teach pendant stores some operators as single characters. Inside strings, these characters must not
+/// change.
 QString withOperators(const QString& text) {
     static const std::pair<char16_t, const char*> kSigns[] = {
         {0x225F, "=="}, {0x2260, "!="}, {0x2264, "<="}, {0x2265, ">="}, {0x2254, "="},
@@ -28,7 +29,7 @@ QString withOperators(const QString& text) {
     return script;
 }
 
-/// The pendant stores some keywords without surrounding spaces.
+/// The teach pendant stores some keywords without surrounding spaces.
 QString separated(const QString& token) {
     const bool begins = !token.isEmpty() && token.front().isLetterOrNumber();
     const bool ends = !token.isEmpty() && token.back().isLetterOrNumber();

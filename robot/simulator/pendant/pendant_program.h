@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Reads programs saved by the pendant: `.urp` of PolyScope 3 and 5 (XML, gzipped) and `.urpx` of PolyScope X
-// (JSON). When the pendant plays a program, it converts the nodes to URScript. This module performs the same
-// conversion. It is independent of the simulated controller. If a node cannot be translated faithfully, the
-// whole program is refused, with line, node and reason. README.md of the simulator lists the supported nodes.
+// Reads programs saved by the teach pendant: `.urp` of PolyScope 3 and 5 (XML, gzipped) and `.urpx` of
+// PolyScope X (JSON). When the teach pendant plays a program, it converts the nodes to URScript. This module
+// performs the same conversion. It is independent of the simulated controller. If a node cannot be translated
+// faithfully, the whole program is refused, with line, node and reason. README.md of the simulator lists the
+// supported nodes.
 
 #include <QByteArray>
 #include <QString>

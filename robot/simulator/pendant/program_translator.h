@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Translates the nodes of a pendant program to URScript, as the pendant does when it plays the program.
+// Translates the nodes of a pendant program to URScript, as the teach pendant does when it plays the program.
 
 #include <QByteArray>
 #include <QString>

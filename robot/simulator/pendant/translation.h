@@ -18,7 +18,8 @@
 
 namespace tiller::simulator::pendant {
 
-/// Converts text to a valid identifier as the pendant does: spaces and similar characters become underscores.
+/// Converts text to a valid identifier as the teach pendant does: spaces and similar characters become
+/// underscores.
 QString identifier(const QString& text);
 QString quoted(QString text);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The elements of a pendant file (program, installation) as a tree. The pendant writes an object at its first
-// use. At all other uses, the element has an attribute `reference` with the path to the object.
+// The elements of a pendant file (program, installation) as a tree. The teach pendant writes an object at its
+// first use. At all other uses, the element has an attribute `reference` with the path to the object.
 
 #include <QByteArray>
 #include <QString>

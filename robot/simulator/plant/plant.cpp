@@ -256,7 +256,7 @@ void Plant::reactToSafety() {
 
 void Plant::reactToArm() {
     while (arm_.takeWarning()) {
-        // Warnings are only shown on the pendant. No client waits for them.
+        // Warnings are only shown on the teach pendant. No client waits for them.
     }
     if (arm_.protectiveStop() && !safety_.isProtectiveStopped()) {
         const arm::ProtectiveStop& stop = *arm_.protectiveStop();

@@ -79,7 +79,7 @@ public:
     /// Sets the reading of an external sensor, received through RTDE [N, Nm].
     void setExternalForceTorque(const Wrench& wrench) { externalForce_ = wrench; }
     void setExternalSensorInUse(bool inUse) { externalSensor_ = inUse; }
-    /// Sets the Local/Remote switch of the pendant. Leaving Remote ends the script connections.
+    /// Sets the Local/Remote switch of the teach pendant. Leaving Remote ends the script connections.
     void setRemoteControl(bool remote);
     bool isRemoteControl() const { return remoteControl_; }
     /// True if a connection opened now may send scripts. CB3 has no local control.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Popups shown on the pendant.
+// Popups shown on the teach pendant.
 
 #include <algorithm>
 #include <vector>

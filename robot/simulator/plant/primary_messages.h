@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Messages of the primary interface as bytes: messages shown on the pendant, and messages for which clients
-// wait.
+// Messages of the primary interface as bytes: messages shown on the teach pendant, and messages for which
+// clients wait.
 
 #include <cstdint>
 #include <string>

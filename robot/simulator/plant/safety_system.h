@@ -11,7 +11,7 @@
 
 namespace tiller::simulator {
 
-/// Operational mode set on the pendant or through the Dashboard Server. None: not set.
+/// Operational mode set on the teach pendant or through the Dashboard Server. None: not set.
 enum class OperationalMode { None, Manual, Automatic };
 
 class SafetySystem {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The program node "External Control", with which the pendant runs a script from another PC. When the program
-// is played, the robot requests the script from that PC with one line of text and inserts it in place of the
-// node. The end of the script is not marked. The part between the header marks of the script is placed at the
-// beginning of the program and runs first.
+// The program node "External Control", with which the teach pendant runs a script from another PC. When the
+// program is played, the robot requests the script from that PC with one line of text and inserts it in place
+// of the node. The end of the script is not marked. The part between the header marks of the script is placed
+// at the beginning of the program and runs first.
 
 #include <QByteArray>
 #include <QElapsedTimer>

@@ -5,7 +5,8 @@
 // file outside that folder is read or written, even if the name sent by a client contains `..` or leads
 // through symbolic links. The folder is checked at each access. Program files are:
 //
-// - `.urp` or `.urpx` files saved by the pendant. The `.script` file that the pendant saved with the program
+// - `.urp` or `.urpx` files saved by the teach pendant. The `.script` file that the teach pendant saved with
+// the program
 //   runs. If there is none, pendant/pendant_program.h translates the nodes.
 // - Any other file, which contains URScript text.
 

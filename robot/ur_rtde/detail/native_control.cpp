@@ -150,7 +150,7 @@ NativeControl::NativeControl(const SessionOptions& options, Pendant& pendant, Pr
         wanted.dataTimeout = kDataTimeout;
         wanted.connectionTimeout = kDataTimeout;
         wanted.force = kCalmForce;
-        wanted.keepPaused = true;  // programs for ur_rtde continue after a pause on the pendant
+        wanted.keepPaused = true;  // programs for ur_rtde continue after a pause on the teach pendant
         if (server != nullptr) {
             wanted.awaitProgram = !options.has(Face::FLAG_NO_WAIT);
             wanted.deliver = [this](const QString& program, const Deadline&) -> Result<void> {

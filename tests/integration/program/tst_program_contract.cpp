@@ -297,7 +297,7 @@ const std::vector<ContractEvent>& events() {
         std::vector<ContractEvent> all{
             {"button released", 250, [](ContractCell& c) { c.holding = false; }, {}}};
         // A program that was paused when its process was killed moves for up to 100 ms when it is resumed on
-        // the pendant.
+        // the teach pendant.
         std::copy_if(contractEvents().begin(), contractEvents().end(), std::back_inserter(all),
                      [](const ContractEvent& event) { return !event.losesBoth; });
         for (ContractEvent& event : all) {

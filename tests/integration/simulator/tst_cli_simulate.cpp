@@ -131,7 +131,7 @@ private Q_SLOTS:
         RawDashboard dashboard(ownAddress(), 29999);
         QCOMPARE(dashboard.ask("is in remote control"), QByteArray("false\n"));
         QCOMPARE(isObeyed(ownAddress()), std::optional(!local));
-        // The switch on the pendant also works, in both directions.
+        // The switch on the teach pendant also works, in both directions.
         const auto turn = [&](const char* where) {
             Cli fault({"fault", ownAddress(), "remote", where});
             return fault.exitCode() == 0;

@@ -13,7 +13,7 @@ using namespace tiller::test;
 
 namespace {
 
-/// Converts to the file format of the pendant. qCompress() produces the same deflate data in another
+/// Converts to the file format of the teach pendant. qCompress() produces the same deflate data in another
 /// container.
 QByteArray gzipped(const QByteArray& content) {
     quint32 sum = ~quint32(0);

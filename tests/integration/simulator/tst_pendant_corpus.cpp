@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Programs as saved by the pendant (tests/data/pendant). Each program is loaded and played in virtual time,
-// and the events visible to clients are compared with the program's trace. For some programs there is also a
-// script exported by the pendant (exports/), which must have the same effect.
+// Programs as saved by the teach pendant (tests/data/pendant). Each program is loaded and played in virtual
+// time, and the events visible to clients are compared with the program's trace. For some programs there is
+// also a script exported by the teach pendant (exports/), which must have the same effect.
 //
 // To update the traces, run:  TILLER_UPDATE=1 tst_pendant_corpus
 #include <QDir>

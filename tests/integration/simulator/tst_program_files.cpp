@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Programs as saved by the pendant. Variables are defined once and then referenced. The tests also cover
+// Programs as saved by the teach pendant. Variables are defined once and then referenced. The tests also cover
 // sequences, branches, loops, threads, and waypoints given by a variable.
 #include <QFile>
 #include <QRegularExpression>

@@ -21,7 +21,7 @@ public:
     DashboardCommands(ControllerModel& plant, ProgramStore& store) : plant_(plant), store_(store) {}
 
     /// Rights of a connection. They are determined when the connection is opened and end when the
-    /// Local/Remote switch of the pendant changes.
+    /// Local/Remote switch of the teach pendant changes.
     using Rights = std::uint64_t;
     Rights rightsOfNewClient() const;
 

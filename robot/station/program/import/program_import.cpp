@@ -47,7 +47,7 @@ Result<PendantProgram> readScriptFile(const ImportSource& source, QString& note)
         : suffix == QLatin1String("urpx") ? simulator::pendant::readUrpx(source.content)
                                           : PendantProgram{source.content.toStdString(), {}, {}};
     if (!read) {
-        // The pendant saves the script of a program in the same folder.
+        // The teach pendant saves the script of a program in the same folder.
         const auto saved = isUrp || suffix == QLatin1String("urpx")
                                ? pendant.files(QFileInfo(source.file).completeBaseName() + ".script")
                                : std::nullopt;

@@ -28,7 +28,7 @@ struct ImportSource {
     std::function<std::optional<QByteArray>(const QString& name)> files;
 };
 
-/// The result for one node of the pendant program, or one statement of the script.
+/// The result for one node of the teach pendant program, or one statement of the script.
 struct ImportRow {
     enum class Result {
         Step,     ///< a step of kind `kind`

@@ -34,7 +34,7 @@ struct ScriptStatement {
     int first = 0;  ///< index of the first line
     int last = 0;   ///< index of the last line
     QString code = {};
-    int node = 0;           ///< line of the node in the program tree of the pendant; 0: none
+    int node = 0;           ///< line of the node in the program tree of the teach pendant; 0: none
     QString nodeName = {};  ///< text of the node in the program tree
     std::vector<ScriptStatement> body = {};
     std::vector<Branch> branches = {};

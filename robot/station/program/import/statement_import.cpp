@@ -440,7 +440,7 @@ private:
                      const ScriptStatement& statement, bool isFirst) {
         for (const ScriptStatement::Branch& branch : statement.branches) {
             const QString condition = withoutBrackets(branch.condition);
-            // The pendant writes "else if" as an If in the Else.
+            // The teach pendant writes "else if" as an If in the Else.
             const ScriptStatement* inner =
                 condition.isEmpty() && branch.body.size() == 1 ? &branch.body.front() : nullptr;
             const bool continues =
@@ -539,7 +539,7 @@ private:
         return true;
     }
 
-    /// Converts statements that the pendant has written for a Switch node.
+    /// Converts statements that the teach pendant has written for a Switch node.
     bool addSwitch(std::vector<ProgramStep>& steps, const Statements& list, std::size_t i) {
         static const QRegularExpression value(QStringLiteral("^(switch_\\d+)\\s*=\\s*(.+)$"));
         const auto match = value.match(list[i].code);

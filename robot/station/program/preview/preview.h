@@ -40,8 +40,8 @@ struct PreviewEvent {
         AnalogInput,     ///< AI0 or AI1; `value` in [A or V]
         HandForce,       ///< hand force `force` at the TCP
         ProtectiveStop,  ///< same reaction as to a collision
-        OperatorStop,    ///< the stop button of the pendant
-        EmergencyStop,   ///< the emergency stop button of the pendant
+        OperatorStop,    ///< the stop button of the teach pendant
+        EmergencyStop,   ///< the emergency stop button of the teach pendant
         PowerLoss,       ///< failure of the power supply of the arm
         LinkLoss,        ///< loss of the connection to the PC
     };

@@ -82,8 +82,8 @@ public:
         StepFailed,
         Stopped,
         Unknown,         ///< robot data were missing at the end
-        StoppedOnRobot,  ///< ended by the pendant or another client
-        PausedOnRobot,   ///< held, and ended because the pendant or another client paused it
+        StoppedOnRobot,  ///< ended by the teach pendant or another client
+        PausedOnRobot,   ///< held, and ended because the teach pendant or another client paused it
         Replaced,        ///< replaced by a program of another client
         Failed,
     };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A program file of the pendant with every known node, damaged in a thousand ways. Either it is converted to
-// URScript that compiles or fails with the position of the error, or it is refused with a reason. The
+// A program file of the teach pendant with every known node, damaged in a thousand ways. Either it is converted
+// to URScript that compiles or fails with the position of the error, or it is refused with a reason. The
 // converter never crashes or runs endlessly.
 
 #include <QTest>
@@ -236,8 +236,8 @@ private Q_SLOTS:
     }
 
     void aThousandDamagedArchivesAreRefusedOrRead() {
-        // Compressed as on the pendant. qCompress() produces the same deflated bytes with a different header,
-        // and the checksum at the end detects damage.
+        // Compressed as on the teach pendant. qCompress() produces the same deflated bytes with a different
+        // header, and the checksum at the end detects damage.
         const QByteArray zlib = qCompress(everyNode());
         const QByteArray gzip = QByteArray("\x1f\x8b\x08\0\0\0\0\0\0\xff", 10) +
                                 zlib.mid(6, zlib.size() - 10) + QByteArray(8, '\0');

@@ -563,7 +563,7 @@ private Q_SLOTS:
         QCOMPARE(slider.value(), 50);
         QTest::mouseRelease(&slider, Qt::LeftButton, {}, QPoint(111, 30));
         slider.setReported(0.50, true);  // the robot has followed
-        slider.setReported(0.20, true);  // changed on the pendant
+        slider.setReported(0.20, true);  // changed on the teach pendant
         QCOMPARE(slider.value(), 20);
     }
 

@@ -731,7 +731,7 @@ private Q_SLOTS:
         QVERIFY(bench.begin(Holding::Free, 1));
         QVERIFY(bench.reachWaiting());
         QVERIFY(bench.showsVariables({"n 1"}));
-        // The change is made before the session has detected the pause on the pendant.
+        // The change is made before the session has detected the pause on the teach pendant.
         QVERIFY(bench.sendFromOutside("pause program\n"));
         while (bench.cell.truth().runtimeState != RuntimeState::Paused) {
             bench.clock.advanceNs(2 * kNsPerMs);
