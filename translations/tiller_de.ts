@@ -524,8 +524,8 @@
         <translation>Schlagen Sie C%1 im Fehlercode-Verzeichnis des Herstellers nach.</translation>
     </message>
     <message>
-        <source>Correct the payload and the mounting, let go of the arm, and try again.</source>
-        <translation>Korrigieren Sie Nutzlast und Montage, lassen Sie den Arm los und versuchen Sie es erneut.</translation>
+        <source>Correct the payload and the mounting, and do not push the arm when Freedrive starts.</source>
+        <translation>Korrigieren Sie Nutzlast und Montage, und drücken Sie beim Start von Freedrive nicht gegen den Arm.</translation>
     </message>
 </context>
 <context>

@@ -524,7 +524,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Correct the payload and the mounting, let go of the arm, and try again.</source>
+        <source>Correct the payload and the mounting, and do not push the arm when Freedrive starts.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

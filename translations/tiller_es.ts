@@ -524,8 +524,8 @@
         <translation>Busque C%1 en el directorio de códigos de error del fabricante.</translation>
     </message>
     <message>
-        <source>Correct the payload and the mounting, let go of the arm, and try again.</source>
-        <translation>Corrija la carga útil y el montaje, suelte el brazo e inténtelo de nuevo.</translation>
+        <source>Correct the payload and the mounting, and do not push the arm when Freedrive starts.</source>
+        <translation>Corrija la carga útil y el montaje, y no empuje el brazo al iniciar Freedrive.</translation>
     </message>
 </context>
 <context>

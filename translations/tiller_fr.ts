@@ -524,8 +524,8 @@
         <translation>Cherchez C%1 dans le répertoire des codes d’erreur du fabricant.</translation>
     </message>
     <message>
-        <source>Correct the payload and the mounting, let go of the arm, and try again.</source>
-        <translation>Corrigez la charge utile et le montage, lâchez le bras et réessayez.</translation>
+        <source>Correct the payload and the mounting, and do not push the arm when Freedrive starts.</source>
+        <translation>Corrigez la charge utile et le montage, et ne poussez pas le bras au démarrage de Freedrive.</translation>
     </message>
 </context>
 <context>

@@ -524,8 +524,8 @@
         <translation>メーカーのエラーコード一覧で C%1 を調べてください。</translation>
     </message>
     <message>
-        <source>Correct the payload and the mounting, let go of the arm, and try again.</source>
-        <translation>ペイロードと取り付けを直し、アームから手を離して、もう一度試してください。</translation>
+        <source>Correct the payload and the mounting, and do not push the arm when Freedrive starts.</source>
+        <translation>ペイロードと取り付けを直し、フリードライブの開始時にアームを押さないでください。</translation>
     </message>
 </context>
 <context>

@@ -524,8 +524,8 @@
         <translation>在制造商的错误代码目录中查找 C%1。</translation>
     </message>
     <message>
-        <source>Correct the payload and the mounting, let go of the arm, and try again.</source>
-        <translation>更正有效负载和安装，松开机械臂，然后重试。</translation>
+        <source>Correct the payload and the mounting, and do not push the arm when Freedrive starts.</source>
+        <translation>更正有效负载和安装，并且在自由驱动开始时不要推动机械臂。</translation>
     </message>
 </context>
 <context>

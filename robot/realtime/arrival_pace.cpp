@@ -110,7 +110,7 @@ void ArrivalPace::learnMargin(double more) {
 }
 
 // Called for a packet that may have arrived before the thread waited for it, because processing the previous
-// one took too long. The consumer causes this delay, so packets are held back for a shorter time.
+// packet took too long. The consumer causes this delay, so packets are held back for a shorter time.
 void ArrivalPace::holdLess(double late) {
     const double less = periodNs_ * kLessStep;
     if (late - usualNs_ < 2 * mostNs_) {

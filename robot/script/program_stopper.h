@@ -3,8 +3,8 @@
 
 // Stops any program on the controller immediately, regardless of whether the teach pendant or another PC
 // started it. The command "stop program" is sent on an existing connection to the primary interface, and then
-// on a new connection, because the controller may have dropped the existing one without closing it. Motions
-// of control::Controller are stopped by Controller::stop() instead.
+// on a new connection, because the controller may have dropped the existing connection without closing it.
+// Motions of control::Controller are stopped by Controller::stop() instead.
 //
 // A robot in Local control refuses this command, like all commands on this interface; use the teach pendant in
 // this case. Commands on a connection opened in Local control are refused even after the switch to Remote, so a

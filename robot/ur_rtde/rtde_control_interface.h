@@ -240,9 +240,9 @@ public:
     /// DashboardClient::unlockProtectiveStop. Does not move the arm.
     void unlockProtectiveStop();
 
-    // ---- queries. Without a response of the robot, functions for which an empty list, 0 or false is a
-    // regular result return it (step time, history, waypoint, contact, inverse kinematics, limits, steady).
-    // All others throw std::runtime_error.
+    // ---- queries. If the robot does not respond, functions for which an empty list, 0 or false is a valid
+    // result return this value (step time, history, waypoint, contact, inverse kinematics, limits, steady). All
+    // other functions throw std::runtime_error.
     double getStepTime();
     std::vector<double> getActualJointPositionsHistory(int steps = 0);
     std::vector<double> getTargetWaypoint();

@@ -41,7 +41,7 @@ public:
         {156, QT_TR_NOOP("Wrong payload or mounting"),
          QT_TR_NOOP(
              "The measured forces do not match the payload, or the arm was pushed when Freedrive started."),
-         QT_TR_NOOP("Correct the payload and the mounting, let go of the arm, and try again.")},
+         QT_TR_NOOP("Correct the payload and the mounting, and do not push the arm when Freedrive starts.")},
         {157, QT_TR_NOOP("Collision detected by a joint"),
          QT_TR_NOOP("A joint required more torque than expected for the motion."),
          QT_TR_NOOP("Remove the obstacle. If the arm did not touch anything, check the payload.")},

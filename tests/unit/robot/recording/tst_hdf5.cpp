@@ -308,7 +308,7 @@ void TestHdf5::theTimeOfOtherProgramsIsRead() {
     QVERIFY(std::abs(times[0] - 0.01) < 1e-6 && std::abs(times[1] - 0.02) < 1e-6);
 }
 
-// The time of an HDF5 export is not one of its columns. A text file of it must contain the time nevertheless.
+// In an HDF5 export, the time is not a column. A text file exported from it must still contain the time.
 void TestHdf5::timesWithoutAColumnAreExported() {
     const auto source = made(path("n.mcap"));
     exportHdf5(*source, {.path = path("n.h5"), .columns = {"actual_q"}}).value();

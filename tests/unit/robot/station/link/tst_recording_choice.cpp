@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// File names of recordings: the pattern is expanded, and no recording overwrites another one.
+// File names of recordings: the pattern is expanded, and no recording overwrites another recording.
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
