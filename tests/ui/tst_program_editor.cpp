@@ -423,7 +423,7 @@ private Q_SLOTS:
                                     << "a.script: line 4: the block that begins on line 2 has no end"
                                     << "repair the file";
         QTest::newRow("not a program") << "a.urp" << QByteArray("<Installation/>") << "a.urp: "
-                                       << "Save the program on the pendant";
+                                       << "Save the program on the teach pendant";
         QTest::newRow("no file") << "a.script" << QByteArray() << "a.script"
                                  << "Check that the file exists";
     }

@@ -242,7 +242,7 @@ void TestCliRecording::findsThePushThatCausedAStop() {
     const QString seconds = QString::number(first["seconds"].toDouble() - 0.01);
     QCOMPARE(run({"divergence", path("pushed.mcap"), "--until", seconds}).code, 0);
     const Answer text = run({"divergence", path("pushed.mcap")});
-    QVERIFY2(text.out.contains("arm and model differ from"), qPrintable(text.out));
+    QVERIFY2(text.out.contains("arm and model differ starting at"), qPrintable(text.out));
     QCOMPARE(run({"divergence", path("pushed.mcap"), "--force", "0", "--current", "0"}).code, 0);
     const Answer other = run({"divergence", path("pushed.mcap"), "--model", "ur20"});
     QVERIFY2(other.out.contains("The arm deviates from the model from the start"), qPrintable(other.out));
