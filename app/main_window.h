@@ -174,7 +174,7 @@ private:
     QStringList runningWork() const;
     QString programName() const;
     QString programText() const;
-    /// The program that a question is about.
+    /// The program to which a question refers.
     struct AskedProgram {
         std::optional<RuntimeState> state;  ///< empty without data
         QString name;

@@ -46,8 +46,8 @@ inline constexpr const char* kLostColumn = "packages_lost";
 
 struct RecorderOptions {
     Text path = {};
-    /// Field names; the receiver must have subscribed to all of them. Empty: all fields of the receiver.
-    /// `timestamp` is always the first column.
+    /// Field names; the receiver must have subscribed to all of these fields. Empty: all fields of the
+    /// receiver. `timestamp` is always the first column.
     std::vector<std::string> fields{};
     bool asGiven = false;  ///< record exactly these fields in this order, without timestamp and packages_lost
     /// Record every n-th packet, 1 or more. Skipped packets are not lost packets.

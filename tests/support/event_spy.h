@@ -26,7 +26,7 @@ QMetaObject::Connection onMessage(const Journal& journal, const QObject* context
     });
 }
 
-/// Collects the later events of one kind.
+/// Collects the events of one type that occur after its creation.
 class EventSpy {
 public:
     explicit EventSpy(const Journal& journal, JournalEvent::Kind kind = JournalEvent::Kind::Message) {

@@ -282,7 +282,7 @@ class Program:
 
     @property
     def waypoints(self) -> tuple[str, ...]:
-        """Names of the waypoints of the project."""
+        """Names of the project's waypoints."""
         return tuple(self._native.waypoints())
 
     def add_waypoint(self, name: str, q: Floats, *, tcp: Floats = ZEROS, blend: float = 0.0) -> None:

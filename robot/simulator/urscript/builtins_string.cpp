@@ -20,7 +20,7 @@ Value bounded(std::string text) {
     return Value(std::move(text));
 }
 
-// to_str and str_cat accept string, bool, number, pose, and lists of those.
+// to_str and str_cat accept string, bool, number, pose, and lists of these types.
 void checkPrintable(const Call& c, std::size_t i) {
     const Value& v = c.args[i];
     const bool structs = v.is(Value::Type::List) && v.list().kind == ListData::Kind::Other &&

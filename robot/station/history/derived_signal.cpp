@@ -306,7 +306,8 @@ private:
     bool hasLast_ = false;
 };
 
-/// An expression of the parser, evaluated for each sample. Calls of running functions are variables in it.
+/// An expression of the parser, evaluated for each sample. Calls of running functions are variables of the
+/// expression.
 class Expression : public Node {
 public:
     double lookBack() const override {

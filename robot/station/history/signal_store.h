@@ -182,7 +182,7 @@ Q_SIGNALS:
     void signalAdded(int signal);
     /// Another part of a signal computed from a long recording is available.
     void computedFurther(int signal);
-    /// A signal could not be computed, or only part of it.
+    /// A signal could not be computed, or could be computed only in part.
     void computationFailed(const QString& why);
 
 private:

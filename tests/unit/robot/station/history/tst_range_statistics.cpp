@@ -142,7 +142,7 @@ private Q_SLOTS:
         QVERIFY(!store.mixesRobots(signal, 2.5, 4) && !store.mixesRobots(signal, 1, 2.9));
         QCOMPARE(ask(sums, signal, 2.9, 4).value().mean, 7.0);
         QVERIFY(sums.problem().isEmpty());
-        // Another model at the same address is another robot.
+        // A different model at the same address is a different robot.
         store.setRobotModel(RobotModelId::UR5e);
         store.setRobot("second");
         append(4, 7);
