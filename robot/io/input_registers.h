@@ -55,9 +55,9 @@ public:
     ///         LinkLost, Timeout (the robot does not report the value), Cancelled
     /// Blocks  until the robot reports the value, if the receiver subscribed to the register
     Result<void> setInt(int number, std::int32_t value, const Deadline& deadline);
-    /// Errors and blocking as setInt().
+    /// Errors and blocking: as for setInt().
     Result<void> setDouble(int number, double value, const Deadline& deadline);
-    /// Bits 64 ... 127. Errors and blocking as setInt().
+    /// Bits 64 ... 127. Errors and blocking: as for setInt().
     Result<void> setBit(int number, bool value, const Deadline& deadline);
 
 private:
