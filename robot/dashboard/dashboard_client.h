@@ -63,8 +63,8 @@ public:
     Result<void> closeSafetyPopup(const Deadline& deadline);  ///< Closes one safety popup.
     Result<void> restartSafety(const Deadline& deadline);     ///< After a safety violation or fault.
 
-    Result<RobotMode> robotMode(const Deadline& deadline);
-    Result<SafetyMode> safetyMode(const Deadline& deadline);
+    Result<RobotMode> robotMode(const Deadline& deadline);    ///< Rejected if the reply is not a known mode.
+    Result<SafetyMode> safetyMode(const Deadline& deadline);  ///< Rejected if the reply is not a known mode.
     /// Also false if remote control is disabled in the settings. Since 5.6
     Result<bool> isInRemoteControl(const Deadline& deadline);
 
