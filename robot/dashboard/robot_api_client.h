@@ -38,8 +38,8 @@ public:
     Result<void> unlockProtectiveStop(const Deadline& deadline);  ///< Call only after inspecting the arm.
     Result<void> restartSafety(const Deadline& deadline);         ///< After a safety violation or fault.
 
-    Result<RobotMode> robotMode(const Deadline& deadline) const;     ///< Current robot mode.
-    Result<SafetyMode> safetyMode(const Deadline& deadline) const;   ///< Current safety mode.
+    Result<RobotMode> robotMode(const Deadline& deadline) const;     ///< ProtocolError: unknown mode.
+    Result<SafetyMode> safetyMode(const Deadline& deadline) const;   ///< ProtocolError: unknown mode.
     Result<bool> isInRemoteControl(const Deadline& deadline) const;  ///< False in automatic and manual mode.
 
     /// name  without the file extension
