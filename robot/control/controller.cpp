@@ -343,6 +343,10 @@ Result<void> Controller::setSpeedCap(double metresPerSecond) {
     return {};
 }
 
+const ControllerOptions& Controller::options() const {
+    return d_->options;
+}
+
 SoftwareVersion Controller::version() const {
     return d_->program.version();
 }

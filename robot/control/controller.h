@@ -163,6 +163,7 @@ public:
     /// Moves, paths and streams are not checked: see collision::CollisionCheck::obstruction.
     /// Threads  any; one at a time. Blocks: never
     void setCollisionCheck(std::shared_ptr<const collision::CollisionCheck> check);
+    const ControllerOptions& options() const;  ///< The options of the constructor.
     /// Software version of the robot at the last takeControl(); zeros before.
     SoftwareVersion version() const;
 

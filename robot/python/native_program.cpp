@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Part of tiller._native: programs of a project. Fields of steps are passed as JSON.
 #include <QFileInfo>
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <algorithm>
+#include <map>
 
 #include "robot/kinematics/arm_kinematics.h"
 #include "robot/python/native_objects.h"
@@ -11,6 +13,7 @@
 #include "robot/station/program/preview/preview.h"
 #include "robot/station/program/program_edit.h"
 #include "robot/station/program/recover/recovery_map.h"
+#include "robot/station/program/recover/steps_not_reached.h"
 #include "robot/station/program/step_kind.h"
 
 namespace tiller::python {
@@ -133,6 +136,33 @@ const char* recoveryName(program::Recovery recovery) {
     return "";
 }
 
+/// The value of a variable as a Python object. A list of other items than numbers is a string in URScript.
+py::object valueOf(const script::ProgramVariable& variable) {
+    using Type = script::ProgramVariable::Type;
+    const QJsonValue value = program::jsonValue(variable);
+    if (variable.type == Type::Whole) {
+        return py::int_(value.toInteger());
+    }
+    switch (value.type()) {
+        case QJsonValue::Bool:
+            return py::bool_(value.toBool());
+        case QJsonValue::Double:
+            return py::float_(value.toDouble());
+        case QJsonValue::String:
+            return string(value.toString());
+        case QJsonValue::Array: {
+            py::list list;
+            const QJsonArray numbers = value.toArray();
+            for (const QJsonValue& number : numbers) {
+                list.append(number.toDouble());
+            }
+            return list;
+        }
+        default:
+            return py::none();
+    }
+}
+
 /// Runs a simulation without the interpreter lock. Ctrl+C ends it.
 template <class Call>
 auto simulated(Call call) {
@@ -170,6 +200,19 @@ public:
         result["seconds"] = now.seconds;
         result["timings"] = timingList(now.timings);
         return result;
+    }
+    /// Python type: (name, value, is a pose) for each variable.
+    py::list variables() const {
+        py::list list;
+        for (const script::ProgramVariable& variable : execution().variables()) {
+            list.append(py::make_tuple(string(variable.name), valueOf(variable),
+                                       variable.type == script::ProgramVariable::Type::Pose));
+        }
+        return list;
+    }
+    void setVariable(const std::string& name, const std::string& text, const Seconds& seconds) const {
+        waited(seconds, [&run = execution(), name = qText(name), text = qText(text)](
+                            const Deadline& deadline) { return run.changeVariable(name, text, deadline); });
     }
     void wait(const Seconds& seconds) const {
         waited(seconds, [&run = execution()](const Deadline& deadline) { return run.wait(deadline); });
@@ -371,7 +414,8 @@ public:
         return result;
     }
 
-    /// Python type: (step number, name, number of the step to continue from, [(mark, reason) for each kind of stop]).
+    /// Python type: (step number, name, number of the step to continue from, [(mark, reason) for each kind of stop],
+    /// reason why the step was not checked).
     py::list recoverability(const std::vector<std::tuple<double, int, bool>>& inputs,
                             double timeLimit) const {
         const program::ProgramScript script = validScript({});
@@ -384,6 +428,10 @@ public:
                    QStringLiteral("the simulated program did not complete. Preview the program first")});
         }
         const QStringList stepNames = nameList(script);
+        std::map<int, QString> unchecked;
+        for (const program::UncheckedStep& step : program::uncheckedSteps(project_, script, map)) {
+            unchecked[step.number] = step.reason;
+        }
         py::list list;
         for (std::size_t i = 0; i < map.steps.size(); ++i) {
             py::list marks;
@@ -392,7 +440,7 @@ public:
                 marks.append(py::make_tuple(recoveryName(mark.recovery), string(mark.reason)));
             }
             list.append(py::make_tuple(i + 1, string(stepNames[static_cast<qsizetype>(i)]), map.steps[i].from,
-                                       marks));
+                                       marks, string(unchecked[static_cast<int>(i) + 1])));
         }
         return list;
     }
@@ -563,6 +611,8 @@ py::list kindList() {
 void defineProgram(py::module_& module) {
     py::class_<NativeRun>(module, "ProgramRun")
         .def("status", &NativeRun::status)
+        .def("variables", &NativeRun::variables)
+        .def("set_variable", &NativeRun::setVariable, py::arg("name"), py::arg("value"), py::arg("timeout"))
         .def("wait", &NativeRun::wait, py::arg("timeout"))
         .def("pause", [](const NativeRun& self) { self.execution().pause(); })
         .def("resume", [](const NativeRun& self) { self.execution().resume(); })

@@ -33,7 +33,7 @@ TABLE = {
         "version": "Robot.version", "motionState": "Move.cause", "end": "Move.cancel",
         "joinProgram": Missing("continues a program of another client"),
         "leave": Missing("lets the arm move without this process"),
-        "stops": Missing("used by the handles"), "localPort": INTERNAL, "isConnected": "Robot.in_control",
+        "stops": Missing("used by the handles"), "localPort": INTERNAL, "options": INTERNAL, "isConnected": "Robot.in_control",
         "setCollisionCheck": "Robot.set_collision_check"},
     "Motions": {
         "moveJ": "Robot.move_j", "moveJToPose": "Robot.move_j_to_pose", "moveL": "Robot.move_l",
@@ -104,7 +104,8 @@ TABLE = {
     "ProgramExecution": {
         "script": "Program.script", "status": "ProgramRun.state", "isActive": "ProgramRun.active", "pause": "ProgramRun.pause",
         "resume": "ProgramRun.resume", "stepOnce": "ProgramRun.step_once", "setEndsWithCycle": "ProgramRun.finish_cycle",
-        "stop": "ProgramRun.stop", "wait": "ProgramRun.wait"},
+        "stop": "ProgramRun.stop", "wait": "ProgramRun.wait", "variables": "ProgramRun.variables",
+        "changeVariable": "ProgramRun.set_variable"},
     "Subscription": {
         "next": "Samples.__next__", "lost": "Samples.lost", "pending": "Samples.pending",
         "isValid": Missing("Samples is always valid")},

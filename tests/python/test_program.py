@@ -120,6 +120,18 @@ class TestSimulated(unittest.TestCase):
         self.assertEqual((marks[1].continue_from, marks[1].operator_stop), (1, "move_back"))
         self.assertIn(marks[4].protective_stop, ("continue", "move_back", "unsafe"))
         self.assertEqual(len(marks[0].reasons), 4)
+        self.assertEqual({mark.not_checked for mark in marks}, {""})
+
+    def test_steps_that_recoverability_did_not_reach_have_a_reason(self):
+        program = tiller.Program("branch")
+        section = program.add("if", condition="DI2")
+        program.add("wait", inside=section, time=0.1)
+        program.add("wait", time=0.1, disabled=True)
+        program.add("wait", time=0.1)
+        marks = program.recoverability()
+        self.assertEqual([(mark.continue_from, mark.not_checked) for mark in marks],
+                         [(4, ""), (0, "the simulated program did not reach this step, or ended in it"),
+                          (0, "the step is disabled"), (4, "")])
 
 
 def raising(error):
@@ -195,6 +207,66 @@ class TestRun(unittest.TestCase):
         # The loop itself is shorter than the period of the packets.
         self.assertEqual([step.count for step in run.timings[1:]], [2, 2, 2])
         self.assertAlmostEqual(run.timings[2].total, 0.4, delta=0.05)
+
+    def counting(self):
+        """Moves only if the variable "count" is changed to 7. Pauses before step 5, after the variables are set."""
+        program = moves(1)
+        program.remove(program.steps[0])
+        for variable, kind, value in (("count", "whole", "2"), ("depth", "number", "0.1"), ("done", "flag", "False"),
+                                      ("label", "text", '"a"')):
+            program.add("assign", variable=variable, type=kind, value=value)
+        program.add("assign", variable="place", type="pose", value="p[0.1, 0, 0, 0, 0, 0]")
+        section = program.add("if", condition="count == 7")
+        program.add("moveJ", inside=section, waypoint="turned")
+        run = program.start(self.robot, breakpoints=[section])
+        self.until(lambda: run.state == "waiting" and run.variables.get("place") is not None)
+        return run
+
+    def test_variables_are_read_and_changed_while_the_program_waits(self):
+        run = self.counting()
+        values = run.variables
+        self.assertIsInstance(values["place"], tiller.Pose)
+        np.testing.assert_allclose(values.pop("place"), [0.1, 0, 0, 0, 0, 0])
+        self.assertEqual(values, {"count": 2, "depth": 0.1, "done": False, "label": "a"})
+        self.assertEqual({name: type(value) for name, value in values.items()},
+                         {"count": int, "depth": float, "done": bool, "label": str})
+        for name, value, text in (("count", 2.5, "not a whole number"), ("done", 1, "not True or False"),
+                                  ("label", 1, "Only numbers"), ("none", 1, "no variable"),
+                                  ("depth", float("nan"), "not a number")):
+            with self.subTest(name), self.assertRaises(errors.InvalidArgument) as raised:
+                run.set_variable(name, value)
+            self.assertIn(text, str(raised.exception))
+        for name, value in (("count", np.int64(7)), ("depth", -2.5e-7), ("done", True), ("done", np.bool_(False))):
+            run.set_variable(name, value, TIMEOUT)
+            self.assertEqual(run.variables[name], value)
+        self.assertEqual(run.state, "waiting")
+        np.testing.assert_allclose(self.simulator.truth.q, START, atol=1e-4)
+        run.resume()
+        run.wait(TIMEOUT)
+        np.testing.assert_allclose(self.simulator.truth.q, TURNED, atol=2e-3)
+        self.assertEqual(run.variables["count"], 7)
+        with self.assertRaisesRegex(errors.InvalidArgument, "No program is running"):
+            run.set_variable("count", 8)
+
+    def test_an_exception_while_a_variable_is_set_ends_the_program(self):
+        for error in (InterruptedError, KeyboardInterrupt, TimeoutError):
+            with self.subTest(error.__name__):
+                run = self.counting()
+                with self.assertRaises(error):
+                    tiller.ProgramRun(run._native, (), raising(error)).set_variable("count", 7)
+                self.assert_brakes()
+                with self.assertRaises(errors.Stopped):
+                    run.wait(TIMEOUT)
+                np.testing.assert_allclose(self.simulator.truth.q, START, atol=1e-4)
+
+    def test_a_change_without_a_confirmation_is_a_timeout(self):
+        run = self.counting()
+        with self.assertRaisesRegex(errors.Timeout, "did not confirm"):
+            run.set_variable("count", 7, 0.0)
+        self.assertEqual(run.state, "waiting")
+        run.stop()
+        with self.assertRaises(errors.Stopped):
+            run.wait(TIMEOUT)
 
     def test_pause_takes_effect_before_the_next_step(self):
         run = self.started()

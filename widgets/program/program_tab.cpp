@@ -20,7 +20,7 @@
 
 #include "robot/core/atomic_file.h"
 #include "robot/station/document/project_document.h"
-#include "robot/station/program/run/steps_not_reached.h"
+#include "robot/station/program/recover/steps_not_reached.h"
 #include "robot/station/program/step_uses.h"
 #include "robot/station/text/texts.h"
 #include "widgets/common/choice_box.h"

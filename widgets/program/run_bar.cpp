@@ -11,7 +11,7 @@
 
 #include "robot/station/document/project_document.h"
 #include "robot/station/link/obstacles.h"
-#include "robot/station/program/run/steps_not_reached.h"
+#include "robot/station/program/recover/steps_not_reached.h"
 #include "robot/station/program/step_field.h"
 #include "robot/station/text/texts.h"
 #include "widgets/common/enter_key.h"

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from . import _native
 from ._arguments import checked
 from ._values import ZEROS, Array, Floats, Joints, Pose, floats, joint_positions, pose_numbers
-from .errors import Timeout
+from .errors import InvalidArgument, Stopped, Timeout
 from .motions import Waiting
 from .robot import Robot
 
@@ -128,6 +128,7 @@ class Recovery:
     link_loss: str  #: mark for a lost connection
     power_loss: str  #: mark for a loss of power
     reasons: tuple[str, ...]  #: reasons for the marks, in the order of the stops; empty strings for "continue"
+    not_checked: str  #: why the step was not checked, e.g. because it is disabled; empty if it was checked
 
 
 @checked
@@ -135,7 +136,7 @@ class ProgramRun:
     """A program on a robot; see Program.start(). `run.wait()` returns at its end.
 
     The program does not depend on this object. The arm stops on stop(), Robot.stop(), Robot.close() or the end of the
-    robot's `with` block, on Ctrl+C or any other exception in wait(), on an uncaught exception, and when the process ends
+    robot's `with` block, on Ctrl+C or any other exception in wait() or set_variable(), on an uncaught exception, and when the process ends
     or loses the connection.
     """
 
@@ -155,6 +156,37 @@ class ProgramRun:
             with self._waiting():
                 self._native.wait(timeout)
         except Timeout:
+            raise
+        except BaseException:
+            self._native.stop()
+            raise
+
+    @property
+    def variables(self) -> dict[str, Any]:
+        """The global variables of the program, with their last values after its end. The robot sends them ten times per
+        second; empty before.
+
+        Values: bool, int, float (in single precision), str, Pose, or a list of numbers. A list with other items is a
+        string in URScript; None: no value yet.
+        """
+        return {name: Pose(value) if is_pose and value is not None else value
+                for name, value, is_pose in self._native.variables()}
+
+    def set_variable(self, name: str, value: bool | float, timeout: float | None = 5.0) -> None:
+        """Changes a variable while `state` is "waiting", and waits until the robot has confirmed the new value.
+
+        name: of a number or a True or False value that a "Set variable" step sets. value: in the type of the variable.
+        timeout [s]. The simulation of Program.start() did not use this value: before resume(), make sure that the rest
+        of the program is safe with it.
+        Raises InvalidArgument with the reason if the variable cannot be changed now, and if the value may have been
+        changed: Timeout without a confirmation, Stopped if the program continued or ended. On Ctrl+C or any other
+        exception the program ends.
+        """
+        item = value.item() if hasattr(value, "item") else value
+        try:
+            with self._waiting():
+                self._native.set_variable(name, repr(item), timeout)
+        except (InvalidArgument, Timeout, Stopped):
             raise
         except BaseException:
             self._native.stop()
@@ -353,10 +385,10 @@ class Program:
         inputs, time_limit: as in preview(). Raises ScriptError if the simulated program does not complete.
         """
         rows = []
-        for step, name, continue_from, marks in self._native.recoverability(_inputs(inputs), time_limit):
+        for step, name, continue_from, marks, not_checked in self._native.recoverability(_inputs(inputs), time_limit):
             protective_stop, operator_stop, link_loss, power_loss = (mark for mark, _ in marks)
             rows.append(Recovery(step, name, continue_from, protective_stop, operator_stop, link_loss, power_loss,
-                                 tuple(reason for _, reason in marks)))
+                                 tuple(reason for _, reason in marks), not_checked))
         return tuple(rows)
 
     # ---- run

@@ -3,6 +3,10 @@
 // Check and run of a program without a session, on the simulated controller through its real ports.
 
 #include <QTest>
+#include <functional>
+#include <memory>
+#include <tuple>
+#include <utility>
 
 #include "program_samples.h"
 #include "robot/control/controller.h"
@@ -57,14 +61,25 @@ struct ExecutionBench {
     receive::Receiver receiver{receiverOptions()};
     control::Controller controller{controllerOptions()};
 
-    ExecutionBench() {
-        const auto move = [this](const char* waypoint) {
-            return step("moveL", {{"waypoint", waypointId(project, waypoint)}});
-        };
-        const project::Program made =
-            makeProgram("Test", {step("loop", {{"times", 20}}, {move("pick"), move("place")})});
+    ExecutionBench() { setSteps({step("loop", {{"times", 20}}, {move("pick"), move("place")})}); }
+    project::ProgramStep move(const char* waypoint) const {
+        return step("moveL", {{"waypoint", waypointId(project, waypoint)}});
+    }
+    void setSteps(std::vector<project::ProgramStep> steps) {
+        const project::Program made = makeProgram("Test", std::move(steps));
         project.programs.append(made);
         program = made.id;
+    }
+    /// Steps that move to "place" and set output 1 if the variable "count" was changed to 7.
+    void setStepsWithVariables() {
+        const auto assign = [](const char* variable, const char* type, const char* value) {
+            return step("assign", {{"variable", variable}, {"type", type}, {"value", value}});
+        };
+        setSteps(
+            {assign("count", "whole", "2"), assign("depth", "number", "0.5"),
+             assign("label", "text", "\"a\""), move("pick"),
+             step("if", {{"condition", "count == 7"}}, {step("setOutput", {{"output", 1}}), move("place")}),
+             step("wait", {{"time", 0.3}})});
     }
     Result<void> bringUp() {
         if (const auto started = robot.start(); !started) {
@@ -81,11 +96,39 @@ struct ExecutionBench {
     CheckedProgram check(PreviewOptions preview = {}) const {
         return checkForRobot(project, program, {}, preview, receiver.latest());
     }
+    /// Starts the program, which pauses before the step with this number.
+    std::unique_ptr<ProgramExecution> startUntil(int number) {
+        const CheckedProgram checked = check();
+        for (const QString& obstacle : checked.obstacles) {
+            qWarning("%s", qPrintable(obstacle));
+        }
+        return std::make_unique<ProgramExecution>(
+            controller, receiver.subscribe(), checked,
+            QSet<QUuid>{checked.script.steps.at(static_cast<std::size_t>(number - 1)).step});
+    }
     bool isMoving() const { return robot.truth().tcpSpeed.linear.norm() > 0.05; }
     bool isAt(const JointPositions& q) const {
         return (robot.truth().q.values - q.values).cwiseAbs().maxCoeff() < 1e-3;
     }
 };
+
+bool isWaiting(const ProgramExecution& execution) {
+    return execution.status().state == ProgramExecution::State::Waiting;
+}
+
+/// The variables as "name value".
+QStringList shown(const ProgramExecution& execution) {
+    QStringList texts;
+    for (const script::ProgramVariable& variable : execution.variables()) {
+        texts << variable.name + ' ' + variable.text;
+    }
+    return texts;
+}
+
+/// A deadline that calls this function while a call waits. The call ends when the function returns true.
+Deadline during(std::function<bool()> action) {
+    return Deadline::after(std::chrono::seconds(60), CancelToken(std::move(action)));
+}
 
 }  // namespace
 
@@ -102,6 +145,113 @@ private Q_SLOTS:
         ProgramExecution execution(bench.controller, bench.receiver.subscribe(), checked);
         QTRY_VERIFY_WITH_TIMEOUT(bench.isMoving(), 60'000);
         QVERIFY(execution.isActive());
+    }
+
+    void variablesAreShownAndChangedWhileTheProgramWaits() {
+        ExecutionBench bench;
+        const auto up = bench.bringUp();
+        QVERIFY2(up.ok(), why(up).constData());
+        bench.setStepsWithVariables();
+        const auto execution = bench.startUntil(5);
+        QTRY_VERIFY_WITH_TIMEOUT(isWaiting(*execution), 60'000);
+        const QStringList before{"count 2", "depth 0.5", "label \"a\""};
+        QTRY_COMPARE_WITH_TIMEOUT(shown(*execution), before, 60'000);
+        for (const auto& [name, text, reason] :
+             {std::tuple("count", "2.5", "not a whole number"), std::tuple("depth", "deep", "not a number"),
+              std::tuple("label", "b", "Only numbers"), std::tuple("none", "1", "no variable")}) {
+            const auto refused = execution->changeVariable(name, text, patience());
+            QVERIFY(!refused.ok() && refused.error().code == ErrorCode::InvalidArgument);
+            QVERIFY2(refused.error().toString().contains(reason), why(refused).constData());
+        }
+        const JointPositions q = bench.robot.truth().q;
+        const auto changed = execution->changeVariable("count", "7", patience());
+        QVERIFY2(changed.ok(), why(changed).constData());
+        QCOMPARE(shown(*execution).at(0), QStringLiteral("count 7"));
+        const auto again = execution->changeVariable("depth", "-2.5", patience());
+        QVERIFY2(again.ok(), why(again).constData());
+        QVERIFY(isWaiting(*execution) && bench.isAt(q));
+
+        execution->resume();
+        QTRY_VERIFY_WITH_TIMEOUT(bench.isMoving(), 60'000);
+        const auto running = execution->changeVariable("count", "8", patience());
+        QVERIFY2(running.error().toString().contains("Pause the program first."), why(running).constData());
+        const auto ended = execution->wait(patience());
+        QVERIFY2(ended.ok(), why(ended).constData());
+        QVERIFY((bench.robot.truth().digitalOutputs & 2U) != 0);
+        QCOMPARE(shown(*execution), (QStringList{"count 7", "depth -2.5", "label \"a\""}));
+        const auto late = execution->changeVariable("count", "8", patience());
+        QVERIFY2(late.error().toString().contains("No program is running."), why(late).constData());
+    }
+
+    // A stop, a step of another thread and the loss of the connection end the call. None of them moves the arm.
+    void aChangeEndsWithTheProgram_data() {
+        QTest::addColumn<QString>("event");
+        for (const char* event : {"stop", "other client", "emergency stop", "cut link", "cancelled"}) {
+            QTest::newRow(event) << event;
+        }
+    }
+    void aChangeEndsWithTheProgram() {
+        QFETCH(QString, event);
+        ExecutionBench bench;
+        const auto up = bench.bringUp();
+        QVERIFY2(up.ok(), why(up).constData());
+        bench.setStepsWithVariables();
+        const auto execution = bench.startUntil(5);
+        QTRY_VERIFY_WITH_TIMEOUT(isWaiting(*execution) && shown(*execution).size() == 3, 60'000);
+        const JointPositions q = bench.robot.truth().q;
+        script::ScriptClient pendant(bench.robot.listenAddress(), bench.robot.ports().primary);
+        QVERIFY(pendant.connect(patience()).ok());
+        bool isFirst = true;
+        const Result<void> changed = execution->changeVariable(
+            "count", "7", during([&] {
+                if (!std::exchange(isFirst, false)) {
+                    return event == "cancelled";
+                }
+                if (event == "stop") {
+                    execution->stop();
+                } else if (event == "other client") {
+                    (void)pendant.send("stop program\n", patience());
+                } else if (event != "cancelled") {
+                    (void)bench.robot.inject(event == "cut link" ? "link lost" : "emergency-stop on");
+                }
+                return event == "cancelled";
+            }));
+        if (!changed.ok()) {
+            QCOMPARE(changed.error().code, event == "cancelled" ? ErrorCode::Cancelled : ErrorCode::Stopped);
+            QVERIFY2(changed.error().toString().contains("did not confirm"), why(changed).constData());
+        } else {
+            // The robot can confirm the change before it receives the event.
+            QVERIFY(event == "other client" || event == "emergency stop");
+        }
+        QVERIFY(isWaiting(*execution) || event != "cancelled");
+        execution->stop();
+        QVERIFY(!execution->wait(patience()).ok());
+        QVERIFY(bench.isAt(q));
+        QVERIFY((bench.robot.truth().digitalOutputs & 2U) == 0);
+    }
+
+    // The program could otherwise take the value when it waits again.
+    void aChangeEndsWhenTheProgramContinues() {
+        ExecutionBench bench;
+        const auto up = bench.bringUp();
+        QVERIFY2(up.ok(), why(up).constData());
+        bench.setStepsWithVariables();
+        const auto execution = bench.startUntil(5);
+        QTRY_VERIFY_WITH_TIMEOUT(isWaiting(*execution) && shown(*execution).size() == 3, 60'000);
+        const Result<void> changed = execution->changeVariable(
+            "depth", "7", during([&] {
+                const auto second = execution->changeVariable("count", "7", patience());
+                if (second.ok() || !second.error().toString().contains("another variable")) {
+                    qWarning("%s", why(second).constData());
+                }
+                execution->resume();
+                return false;
+            }));
+        QVERIFY(!changed.ok());
+        QCOMPARE(changed.error().code, ErrorCode::Stopped);
+        const auto ended = execution->wait(patience());
+        QVERIFY2(ended.ok(), why(ended).constData());
+        QVERIFY((bench.robot.truth().digitalOutputs & 2U) == 0);
     }
 
     // The path from another position has not been checked.

@@ -9,6 +9,7 @@
 #include "robot/kinematics/arm_kinematics.h"
 #include "robot/receive/robot_state.h"
 #include "robot/rtde/fields.h"
+#include "robot/script/script_client.h"
 #include "robot/station/program/execution/start_conditions.h"
 #include "robot/station/program/program_text.h"
 
@@ -41,6 +42,22 @@ QString mismatch(const project::Project& project, const ProgramScript& script,
                 .arg(QLatin1String(model.name));
     }
     return script.tcp && !isSameTcp(*script.tcp, robot.tcpOffset()) ? otherTcpText() : QString();
+}
+
+/// The change of a variable ended without a confirmation.
+Error unconfirmed(ErrorCode code) {
+    return {code, QStringLiteral("change a variable"),
+            QStringLiteral("the robot did not confirm the new value. Check the value of the variable")};
+}
+
+script::PrimaryClientOptions primaryOptions(const control::ControllerOptions& controller) {
+    script::PrimaryClientOptions options;
+    options.host = controller.host;
+    options.port =
+        controller.primaryPort != 0 ? controller.primaryPort : script::kPrimaryPort + controller.portOffset;
+    options.clock = controller.clock;
+    options.maxMessages = 1;  // the messages are not used
+    return options;
 }
 
 }  // namespace
@@ -91,7 +108,10 @@ ProgramExecution::ProgramExecution(control::Controller& controller, receive::Sub
     , samples_(std::move(samples))
     , script_(std::move(checked.script))
     , start_(checked.start)
-    , log_(static_cast<int>(script_.steps.size())) {
+    , log_(static_cast<int>(script_.steps.size()))
+    , primary_(primaryOptions(controller.options())) {
+    variables_.begin(script_);
+    primary_.start();
     // Start the runner first, because its arguments copy the subscription from which the monitor then reads.
     runner_ = std::thread(&ProgramExecution::run, this, script_.gatedText(breakpoints),
                           stops.value_or(controller.stops()), samples_);
@@ -127,6 +147,7 @@ void ProgramExecution::run(const QString& text, std::uint64_t stops, receive::Su
     control::ScriptTerms terms;
     terms.stops = stops;
     terms.gate = script::StepGate();
+    terms.variables = script_.variables;
     terms.starting = [&](const control::Motion& motion) {
         const Result<void> checked = checkPosition(position);  // not under the mutex, because it waits
         const std::lock_guard lock(mutex_);
@@ -164,6 +185,7 @@ void ProgramExecution::monitor() {
         if (next) {
             add();
         }
+        followVariables();
         std::unique_lock lock(mutex_);
         const auto hasOutcome = [this] { return outcome_.has_value(); };
         // Without a receiver, next() returns at once.
@@ -184,7 +206,72 @@ void ProgramExecution::monitor() {
             QStringLiteral("it is unknown whether the program completed, because robot data were missing")};
     }
     isEnded_ = true;
+    endChange(unconfirmed(ErrorCode::Stopped));
     changed_.notify_all();
+}
+
+void ProgramExecution::followVariables() {
+    const script::PrimaryState state = primary_.isConnected() ? primary_.state() : script::PrimaryState();
+    const std::lock_guard lock(mutex_);
+    variables_.follow(state.variables, state.packages);
+    if (const auto outcome = variables_.takeOutcome()) {
+        endChange(outcome->isConfirmed ? Result<void>() : unconfirmed(ErrorCode::Timeout));
+    }
+}
+
+/// Ends the call of changeVariable(), if there is one. Requires the mutex.
+void ProgramExecution::endChange(const Result<void>& outcome) {
+    if (!isChanging_ || hasChanged_) {
+        return;
+    }
+    variables_.forgetChange();
+    gate_.withdrawChange();
+    sendGate();
+    hasChanged_ = outcome;
+    changed_.notify_all();
+}
+
+RunPhase ProgramExecution::runPhase() const {
+    return isEnded_                                   ? RunPhase::NoProgram
+           : log_.isPausedOnRobot()                   ? RunPhase::PausedOnRobot
+           : gate_.isPaused(log_) && log_.isWaiting() ? RunPhase::Waiting
+                                                      : RunPhase::Running;
+}
+
+std::vector<script::ProgramVariable> ProgramExecution::variables() const {
+    const std::lock_guard lock(mutex_);
+    return variables_.list();
+}
+
+Result<void> ProgramExecution::changeVariable(const QString& name, const QString& text,
+                                              const Deadline& deadline) {
+    std::unique_lock lock(mutex_);
+    if (isChanging_) {
+        return Error{
+            ErrorCode::InvalidArgument,
+            QStringLiteral("another variable is being changed. Wait until the robot has confirmed it"),
+            {}};
+    }
+    const Result<script::VariableChange> change = variables_.change(name, text, runPhase());
+    if (!change) {
+        return change.error();
+    }
+    isChanging_ = true;
+    hasChanged_.reset();
+    gate_.change(*change);
+    sendGate();
+    while (!hasChanged_) {
+        // Check the deadline without the mutex, because its token may call a function that waits for other threads.
+        lock.unlock();
+        const bool hasExpired = deadline.hasExpired();
+        const auto poll = hasExpired ? 0ms : deadline.nextPoll();
+        lock.lock();
+        if (!changed_.wait_for(lock, poll, [this] { return hasChanged_.has_value(); }) && hasExpired) {
+            endChange(unconfirmed(deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout));
+        }
+    }
+    isChanging_ = false;
+    return *hasChanged_;
 }
 
 ProgramExecution::Status ProgramExecution::status() const {
@@ -218,6 +305,9 @@ void ProgramExecution::changeGate(void (RunGate::*change)(const StepLog&)) {
     const std::lock_guard lock(mutex_);
     (gate_.*change)(log_);
     sendGate();
+    if (gate_.value().change.number == 0) {
+        endChange(unconfirmed(ErrorCode::Stopped));
+    }
 }
 
 void ProgramExecution::pause() {
@@ -241,6 +331,7 @@ void ProgramExecution::setEndsWithCycle(bool ends) {
 void ProgramExecution::stop() {
     const std::lock_guard lock(mutex_);
     isStopped_ = true;
+    endChange(unconfirmed(ErrorCode::Stopped));
     motion_.cancel(control::StopCause::ApiCall);
 }
 

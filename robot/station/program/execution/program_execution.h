@@ -17,7 +17,9 @@
 #include "robot/control/controller.h"
 #include "robot/control/motion.h"
 #include "robot/receive/receiver.h"
+#include "robot/script/primary_client.h"
 #include "robot/station/program/execution/run_gate.h"
+#include "robot/station/program/execution/run_variables.h"
 #include "robot/station/program/execution/step_log.h"
 #include "robot/station/program/preview/preview.h"
 #include "robot/station/program/program_script.h"
@@ -45,8 +47,8 @@ CheckedProgram checkForRobot(const project::Project& project, const QUuid& progr
                              const receive::Sample& robot);
 
 /// A running program. The robot ends it within 250 ms of the end of this process or of the loss of the connection.
-/// Owns the threads "runner", which waits for the end of the program, and "monitor", which reads the samples. Both have
-/// normal priority and share the members under the mutex.
+/// Owns the threads "runner", which waits for the end of the program, and "monitor", which reads the samples and the
+/// variables. Both have normal priority and share the members under the mutex.
 /// Threads  any for all functions
 class ProgramExecution {
 public:
@@ -93,6 +95,17 @@ public:
     void setEndsWithCycle(bool ends);
     void stop();  ///< Ends the program. The arm brakes. Blocks: never
 
+    /// The global variables of the program, except those that Tiller adds, as the robot sends them ten times per second.
+    /// After the end of the program, they have their last values.
+    std::vector<script::ProgramVariable> variables() const;
+    /// Changes a variable while the program waits before a step, and waits until the robot has confirmed the new value.
+    /// The rest of the program was not simulated with this value.
+    /// text     the new value as typed, see typedValue()
+    /// Errors   InvalidArgument with a sentence if the change is not possible now. If the value may have changed: Timeout
+    ///          without a confirmation within two seconds or before the deadline, Cancelled, Stopped if the program
+    ///          continued or ended
+    Result<void> changeVariable(const QString& name, const QString& text, const Deadline& deadline);
+
     /// Waits for the end of the program and until the control program runs again.
     /// Errors   Timeout, Cancelled (the program continues); ScriptError if a step failed; Stopped if the arm was not at
     ///          the checked position; those of control::Programs::runScript()
@@ -104,6 +117,9 @@ private:
     void monitor();
     void changeGate(void (RunGate::*change)(const StepLog&));
     void sendGate();
+    RunPhase runPhase() const;
+    void followVariables();
+    void endChange(const Result<void>& outcome);
 
     control::Controller& controller_;
     receive::Subscription samples_;
@@ -114,10 +130,14 @@ private:
     mutable std::condition_variable changed_;
     StepLog log_;
     RunGate gate_;
+    RunVariables variables_;
+    bool isChanging_ = false;                 ///< a caller waits in changeVariable()
+    std::optional<Result<void>> hasChanged_;  ///< result of the change for this caller
     control::Motion motion_;
     bool isStopped_ = false;
     std::optional<Result<void>> outcome_;  ///< set by the runner
     bool isEnded_ = false;                 ///< both threads have finished their work
+    script::PrimaryClient primary_;        ///< receives the variables
     std::thread monitor_;
     std::thread runner_;
 };

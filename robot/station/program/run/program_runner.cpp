@@ -14,7 +14,7 @@
 #include "robot/station/program/execution/start_conditions.h"
 #include "robot/station/program/program_edit.h"
 #include "robot/station/program/program_text.h"
-#include "robot/station/program/run/steps_not_reached.h"
+#include "robot/station/program/recover/steps_not_reached.h"
 #include "robot/station/program/step_kind.h"
 #include "robot/station/text/error_summary.h"
 #include "robot/station/text/texts.h"
@@ -158,14 +158,6 @@ double slowedDuration(const Preview& preview, const SpeedLimits& limits, double 
     return sum / std::max(speedFraction, 0.01);
 }
 
-namespace {
-
-QString unconfirmedText(const QString& variable) {
-    return ProgramText::tr("Wait until the robot has confirmed the new value of “%1”.").arg(variable);
-}
-
-}  // namespace
-
 ProgramRunner::ProgramRunner(RobotSession& session, QObject* parent) : QObject(parent), session_(session) {
     connect(&session_, &RobotSession::samplesReceived, this, &ProgramRunner::take);
     connect(&session_, &RobotSession::stateChanged, this, &ProgramRunner::follow);
@@ -257,8 +249,8 @@ std::int64_t ProgramRunner::pauseHeld() {
 }
 
 Result<RobotSession::MotionId> ProgramRunner::continueHeld() {
-    if (const QString pending = variables_.pending(); !pending.isEmpty()) {
-        return Error{ErrorCode::Cancelled, unconfirmedText(pending), {}};
+    if (const QString unconfirmed = variables_.unconfirmedText(); !unconfirmed.isEmpty()) {
+        return Error{ErrorCode::Cancelled, unconfirmed, {}};
     }
     waitsForPress_ = false;
     RunGate gate = gate_;
@@ -348,30 +340,19 @@ void ProgramRunner::setEndsWithCycle(bool ends) {
     setGate(gate);
 }
 
+RunPhase ProgramRunner::runPhase() const {
+    return !isActive()         ? RunPhase::NoProgram
+           : isPausedOnRobot() ? RunPhase::PausedOnRobot
+           : isWaiting()       ? RunPhase::Waiting
+                               : RunPhase::Running;
+}
+
 QString ProgramRunner::changeObstacle(const script::ProgramVariable& variable) const {
-    const QString fixed = variables_.fixedReason(variable);
-    return !fixed.isEmpty() ? fixed
-           : !isActive()    ? ProgramText::tr("No program is running.")
-           : isPausedOnRobot()
-               ? ProgramText::tr("The program is paused on the robot. Resume it on the teach pendant.")
-           : !isWaiting() ? ProgramText::tr("Pause the program first.")
-           : session_.state().primaryStates == 0
-               ? ProgramText::tr(
-                     "The robot does not report its variables. Wait until the connection is restored.")
-           : !variables_.pending().isEmpty() ? unconfirmedText(variables_.pending())
-                                             : QString();
+    return variables_.changeObstacle(variable, runPhase());
 }
 
 Result<void> ProgramRunner::changeVariable(const QString& name, const QString& text) {
-    const std::vector<script::ProgramVariable>& list = variables_.list();
-    const auto variable =
-        std::find_if(list.begin(), list.end(), [&](const auto& each) { return each.name == name; });
-    if (variable != list.end()) {
-        if (const QString obstacle = changeObstacle(*variable); !obstacle.isEmpty()) {
-            return Error{ErrorCode::InvalidArgument, obstacle, {}};
-        }
-    }
-    const Result<script::VariableChange> change = variables_.change(name, text);
+    const Result<script::VariableChange> change = variables_.change(name, text, runPhase());
     if (!change) {
         return change.error();
     }

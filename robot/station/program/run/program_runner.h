@@ -13,9 +13,9 @@
 #include "robot/station/link/hold_motion.h"
 #include "robot/station/link/robot_session.h"
 #include "robot/station/program/execution/run_gate.h"
+#include "robot/station/program/execution/run_variables.h"
 #include "robot/station/program/execution/step_log.h"
 #include "robot/station/program/program_script.h"
-#include "robot/station/program/run/run_variables.h"
 #include "robot/station/program/run/start_step.h"
 
 namespace tiller::program {
@@ -167,6 +167,7 @@ Q_SIGNALS:
     void variableChanged(const QString& text, bool isConfirmed);
 
 private:
+    RunPhase runPhase() const;
     void followVariables();
     void take(const SampleBatch& batch);
     void follow();

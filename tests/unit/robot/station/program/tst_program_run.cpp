@@ -7,8 +7,8 @@
 
 #include "program_samples.h"
 #include "robot/script/script_client.h"
+#include "robot/station/program/recover/steps_not_reached.h"
 #include "robot/station/program/run/program_runner.h"
-#include "robot/station/program/run/steps_not_reached.h"
 #include "tests/support/virtual_cell.h"
 #include "tests/support/waiting.h"
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "robot/station/program/run/run_variables.h"
+#include "robot/station/program/execution/run_variables.h"
 
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QRegularExpression>
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <utility>
 
-#include "robot/core/typed_number.h"
 #include "robot/station/program/program_text.h"
+#include "robot/station/program/variable_value.h"
 
 namespace tiller::program {
 
@@ -17,36 +18,6 @@ using script::ProgramVariable;
 namespace {
 
 constexpr std::uint64_t kConfirmStates = 20;  // a robot sends ten states per second
-
-/// The typed value; an error sentence if it does not fit the type.
-Result<double> typedValue(GateVariable::Type type, const QString& text) {
-    const std::optional<double> number = typedNumber(text);
-    const auto wrong = [](const QString& why) { return Error{ErrorCode::InvalidArgument, why, {}}; };
-    switch (type) {
-        case GateVariable::Type::Number:
-            if (number && std::isfinite(*number)) {
-                return *number;
-            }
-            return wrong(ProgramText::tr("“%1” is not a number. Enter a number.").arg(text));
-        case GateVariable::Type::Whole: {
-            using Limits = std::numeric_limits<std::int32_t>;
-            if (number && *number == std::floor(*number) && *number >= Limits::min() &&
-                *number <= Limits::max()) {
-                return *number;
-            }
-            return wrong(
-                ProgramText::tr("“%1” is not a whole number. Enter a number without decimals.").arg(text));
-        }
-        case GateVariable::Type::Flag:
-            for (const auto& [word, value] : {std::pair("True", 1.0), std::pair("False", 0.0)}) {
-                if (text.trimmed().compare(QLatin1String(word), Qt::CaseInsensitive) == 0) {
-                    return value;
-                }
-            }
-            return wrong(ProgramText::tr("“%1” is not True or False. Enter one of these values.").arg(text));
-    }
-    return 0.0;
-}
 
 /// Numbers are published in single precision.
 bool isValue(const ProgramVariable& published, GateVariable::Type type, double value) {
@@ -88,6 +59,31 @@ QString typeName(ProgramVariable::Type type) {
             return ProgramText::tr("Matrix");
     }
     return {};
+}
+
+QJsonValue jsonValue(const ProgramVariable& variable) {
+    static const QRegularExpression kNumbers(QStringLiteral("^p?(\\[[-+0-9.e, ]*\\])\\z"));
+    switch (variable.type) {
+        case ProgramVariable::Type::None:
+            break;
+        case ProgramVariable::Type::Flag:
+            return variable.number != 0;
+        case ProgramVariable::Type::Whole:
+            return variable.number;
+        case ProgramVariable::Type::Number:
+            return variable.text.toDouble();  // without the digits that single precision adds
+        case ProgramVariable::Type::Text:
+            return variable.text.mid(1, variable.text.size() - 2);
+        case ProgramVariable::Type::Pose:
+        case ProgramVariable::Type::List:
+        case ProgramVariable::Type::Matrix: {
+            const QRegularExpressionMatch numbers = kNumbers.match(variable.text);
+            return numbers.hasMatch()
+                       ? QJsonValue(QJsonDocument::fromJson(numbers.captured(1).toUtf8()).array())
+                       : QJsonValue(variable.text);
+        }
+    }
+    return QJsonValue::Null;
 }
 
 void RunVariables::begin(const ProgramScript& script) {
@@ -157,14 +153,34 @@ QString RunVariables::fixedReason(const ProgramVariable& variable) const {
                : QString();
 }
 
-Result<script::VariableChange> RunVariables::change(const QString& name, const QString& text) {
+QString RunVariables::unconfirmedText() const {
+    return pending_ ? ProgramText::tr("Wait until the robot has confirmed the new value of “%1”.")
+                          .arg(pending_->name)
+                    : QString();
+}
+
+QString RunVariables::changeObstacle(const ProgramVariable& variable, RunPhase program) const {
+    const QString fixed = fixedReason(variable);
+    return !fixed.isEmpty()                 ? fixed
+           : program == RunPhase::NoProgram ? ProgramText::tr("No program is running.")
+           : program == RunPhase::PausedOnRobot
+               ? ProgramText::tr("The program is paused on the robot. Resume it on the teach pendant.")
+           : program == RunPhase::Running ? ProgramText::tr("Pause the program first.")
+           : states_ == 0
+               ? ProgramText::tr(
+                     "The robot does not report its variables. Wait until the connection is restored.")
+               : unconfirmedText();
+}
+
+Result<script::VariableChange> RunVariables::change(const QString& name, const QString& text,
+                                                    RunPhase program) {
     const ProgramVariable* variable = find(name);
+    const QString obstacle = variable == nullptr
+                                 ? ProgramText::tr("The program has no variable “%1”.").arg(name)
+                                 : changeObstacle(*variable, program);
     const auto type = changeableType(name);
-    if (variable == nullptr || !type) {
-        return Error{ErrorCode::InvalidArgument,
-                     variable == nullptr ? ProgramText::tr("The program has no variable “%1”.").arg(name)
-                                         : fixedReason(*variable),
-                     {}};
+    if (!obstacle.isEmpty() || !type) {
+        return Error{ErrorCode::InvalidArgument, obstacle, {}};
     }
     const Result<double> value = typedValue(*type, text);
     if (!value) {

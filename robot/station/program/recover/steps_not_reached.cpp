@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "robot/station/program/run/steps_not_reached.h"
+#include "robot/station/program/recover/steps_not_reached.h"
 
 #include <QSet>
 #include <algorithm>
@@ -83,6 +83,32 @@ std::vector<int> stepsNotChecked(const project::Project& project, const ProgramS
                                  const RecoveryMap& map) {
     return stepsNotReached(project, script,
                            [&](std::size_t i) { return i < map.steps.size() && map.steps[i].from > 0; });
+}
+
+std::vector<UncheckedStep> uncheckedSteps(const project::Project& project, const ProgramScript& script,
+                                          const RecoveryMap& map) {
+    QSet<QUuid> watched;
+    for (const project::Program& program : project.programs) {
+        collectWatched(program.steps, false, watched);
+    }
+    std::vector<UncheckedStep> unchecked;
+    for (int number = 1; number <= static_cast<int>(script.steps.size()); ++number) {
+        const auto index = static_cast<std::size_t>(number - 1);
+        if (index < map.steps.size() && map.steps[index].from > 0) {
+            continue;
+        }
+        const NumberedStep& at = script.steps[index];
+        const project::ProgramStep* step = numberedStep(project, at);
+        const bool hasLines = std::ranges::find(script.stepOfLine, number) != script.stepOfLine.end();
+        const bool isComment = step != nullptr && step->kind == QLatin1String("comment");
+        unchecked.push_back(
+            {number, isComment                   ? QStringLiteral("comments have no effect")
+                     : watched.contains(at.step) ? QStringLiteral("runs in parallel with other steps")
+                     : !hasLines
+                         ? QStringLiteral("the step is disabled")
+                         : QStringLiteral("the simulated program did not reach this step, or ended in it")});
+    }
+    return unchecked;
 }
 
 QString stepNumbersText(const std::vector<int>& numbers) {

@@ -4,6 +4,7 @@
 // The variables of a running program: the values that the robot publishes, and a change of a value until the robot
 // has confirmed it.
 
+#include <QJsonValue>
 #include <QString>
 #include <optional>
 #include <vector>
@@ -17,6 +18,13 @@ namespace tiller::program {
 
 /// Name of a type in the words of the "Set variable" step.
 QString typeName(script::ProgramVariable::Type type);
+
+/// The value as in Preview::variables: true or false, a number, a string, or a list of numbers for a pose or a list. A
+/// list with other items is a string in URScript. Null: no value.
+QJsonValue jsonValue(const script::ProgramVariable& variable);
+
+/// What the program does at the time of a change.
+enum class RunPhase { NoProgram, Running, PausedOnRobot, Waiting };
 
 class RunVariables {
 public:
@@ -39,12 +47,17 @@ public:
     /// Why the value cannot be changed even while the program waits, as a sentence; empty if it can.
     QString fixedReason(const script::ProgramVariable& variable) const;
 
-    /// Prepares a change, which the program must then apply.
+    /// Why the value cannot be changed now, as a sentence; empty if it can.
+    QString changeObstacle(const script::ProgramVariable& variable, RunPhase program) const;
+
+    /// Prepares a change, which the waiting program must then apply.
     /// text    the new value as typed
     /// Errors  InvalidArgument with a sentence
-    Result<script::VariableChange> change(const QString& name, const QString& text);
+    Result<script::VariableChange> change(const QString& name, const QString& text, RunPhase program);
     /// Name of the variable whose change the robot has not confirmed yet; empty if there is none.
     QString pending() const { return pending_ ? pending_->name : QString(); }
+    /// A sentence for actions that must wait for the confirmation; empty if there is none.
+    QString unconfirmedText() const;
     struct Outcome {
         QString text;  ///< a sentence for the log
         bool isConfirmed = false;

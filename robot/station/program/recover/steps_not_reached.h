@@ -27,6 +27,15 @@ std::vector<int> stepsNotRun(const project::Project& project, const ProgramScrip
 std::vector<int> stepsNotChecked(const project::Project& project, const ProgramScript& script,
                                  const RecoveryMap& map);
 
+struct UncheckedStep {
+    int number = 0;
+    QString reason;  ///< not translated
+};
+/// All steps without a mark, with the reasons.
+/// script  script of the check
+std::vector<UncheckedStep> uncheckedSteps(const project::Project& project, const ProgramScript& script,
+                                          const RecoveryMap& map);
+
 /// A list of step numbers, e.g. "step 2" or "steps 5 to 9, 12".
 QString stepNumbersText(const std::vector<int>& numbers);
 
