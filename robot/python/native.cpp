@@ -2,6 +2,7 @@
 // Python module tiller._native: direct bindings of the C++ library. tiller/*.py adds the public API with
 // names, arrays and docstrings.
 
+#include <QRegularExpression>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -99,6 +100,24 @@ recording::TableFormat tableFormat(const std::optional<std::string>& timeColumn,
     return format;
 }
 
+/// The error with the arguments of read_recording() instead of the options of tiller-cli, e.g. time_column="none".
+Result<void> withArgumentNames(Result<void> result) {
+    static const QRegularExpression kOption(QStringLiteral("--([a-z]+)-([a-z]+)(?: (none)| NAME| HZ)?"));
+    if (result) {
+        return result;
+    }
+    Error error = result.error();
+    QString& text = error.controllerMessage;
+    qsizetype from = 0;
+    for (auto match = kOption.match(text); match.hasMatch(); match = kOption.match(text, from)) {
+        const QString argument = match.captured(1) + QLatin1Char('_') + match.captured(2) +
+                                 (match.captured(3).isEmpty() ? QString() : QStringLiteral("=\"none\""));
+        text.replace(match.capturedStart(), match.capturedLength(), argument);
+        from = match.capturedStart() + argument.size();
+    }
+    return error;
+}
+
 /// Reads a complete recording as {column: numbers}. "seconds" is added if the time column is not `timestamp`.
 py::dict readRecording(const std::string& path, const std::optional<std::string>& timeColumn,
                        const std::optional<std::string>& timeUnit, double rate,
@@ -130,7 +149,7 @@ py::dict readRecording(const std::string& path, const std::optional<std::string>
         seconds = std::move(times).value();
         return {};
     };
-    taken(read());
+    taken(withArgumentNames(read()));
     py::dict columns;
     const auto time = file->timeColumn();
     if ((!time || file->columns()[*time].name != "timestamp") && !file->indexOf("seconds")) {

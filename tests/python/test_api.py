@@ -159,8 +159,12 @@ class TestTables(unittest.TestCase):
         self.assertEqual(frame["column 2"].tolist(), [2, 4])
 
     def test_an_undecided_table_is_refused(self):
-        with self.assertRaisesRegex(errors.InvalidArgument, "time-column"):
+        with self.assertRaisesRegex(errors.InvalidArgument, 'Specify time_column, or time_column="none" and table_rate'):
             self.read("tick;F\n0;1,5\n20;2,5\n", time_unit="ms")
+        with self.assertRaisesRegex(errors.InvalidArgument, "Specify time_unit s, ms, us or ns"):
+            self.read("time,F\n0,1\n20,2\n", table_separator=",")
+        with self.assertRaisesRegex(errors.InvalidArgument, "Specify table_separator or table_decimal"):
+            self.read("0,5\n1,5\n2,5\n", time_column="none", table_rate=1)
         with self.assertRaisesRegex(errors.InvalidArgument, "time_unit"):
             self.read("t,F\n0,1\n20,2\n", time_unit="min")
         # Without arguments, pandas reads the file and does not look for a time.
