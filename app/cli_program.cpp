@@ -13,7 +13,8 @@ Error noSuch(const QString& what) {
 
 }  // namespace
 
-Result<LoadedProgram> loadProgram(const QString& path, const QString& name, int fromStep) {
+Result<LoadedProgram> loadProgram(const QString& path, const QString& name, int fromStep,
+                                  const std::vector<NumberedAssignment>& assignments) {
     Result<project::Project> project = project::loadProject(path);
     if (!project) {
         return project.error();
@@ -35,13 +36,28 @@ Result<LoadedProgram> loadProgram(const QString& path, const QString& name, int 
                                              .arg(path, name, names.join(QStringLiteral(", "))));
     }
     loaded.program = chosen->id;
-    if (fromStep > 0) {
-        const program::ProgramScript whole = program::writeScript(loaded.project, loaded.program);
-        if (fromStep > static_cast<int>(whole.steps.size())) {
-            return noSuch(QStringLiteral("the program has %1 steps; use a smaller step number with --from")
-                              .arg(whole.steps.size()));
+    const program::ProgramScript whole = program::writeScript(loaded.project, loaded.program);
+    const auto idOf = [&](int number, const char* option) -> Result<QUuid> {
+        if (number < 1 || number > static_cast<int>(whole.steps.size())) {
+            return noSuch(QStringLiteral("the program has %1 steps; use a smaller step number with %2")
+                              .arg(whole.steps.size())
+                              .arg(QLatin1String(option)));
         }
-        loaded.options.from = whole.steps[static_cast<std::size_t>(fromStep - 1)].step;
+        return whole.steps[static_cast<std::size_t>(number - 1)].step;
+    };
+    if (fromStep > 0) {
+        const Result<QUuid> first = idOf(fromStep, "--from");
+        if (!first) {
+            return first.error();
+        }
+        loaded.options.from = *first;
+    }
+    for (const NumberedAssignment& assignment : assignments) {
+        const Result<QUuid> step = idOf(assignment.step, "--set");
+        if (!step) {
+            return step.error();
+        }
+        loaded.options.assignments.push_back({*step, assignment.variable, assignment.value});
     }
     loaded.script = program::writeScript(loaded.project, loaded.program, loaded.options);
     return loaded;

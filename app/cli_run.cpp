@@ -15,6 +15,7 @@
 #include "robot/station/program/execution/program_execution.h"
 #include "robot/station/program/preview/preview.h"
 #include "robot/station/program/recover/recovery_map.h"
+#include "robot/station/program/recover/steps_not_reached.h"
 
 namespace tiller::app {
 
@@ -41,12 +42,30 @@ std::optional<program::InputChange> inputFrom(const QString& text) {
     return isTime ? std::optional(change) : std::nullopt;
 }
 
+/// Parses an assignment, e.g. "count=3@7".
+std::optional<NumberedAssignment> assignmentFrom(const QString& text) {
+    static const QRegularExpression form(QStringLiteral("^([A-Za-z_][A-Za-z0-9_]*)=(.+)@([0-9]{1,7})\\z"));
+    const QRegularExpressionMatch match = form.match(text);
+    return match.hasMatch() ? std::optional(NumberedAssignment{match.captured(1), match.captured(2),
+                                                               match.captured(3).toInt()})
+                            : std::nullopt;
+}
+
 QJsonArray listOf(const std::array<double, 6>& values) {
     QJsonArray list;
     for (const double value : values) {
         list.append(value);
     }
     return list;
+}
+
+/// The value of a variable, e.g. "True" or "[1,2.5]".
+QString textOf(const QJsonValue& value) {
+    if (value.isBool()) {
+        return value.toBool() ? QStringLiteral("True") : QStringLiteral("False");
+    }
+    const QString list = QString::fromUtf8(QJsonDocument(QJsonArray{value}).toJson(QJsonDocument::Compact));
+    return list.mid(1, list.size() - 2);
 }
 
 QJsonArray findingsJson(const LoadedProgram& loaded, const std::vector<program::Finding>& findings) {
@@ -61,21 +80,30 @@ QJsonArray findingsJson(const LoadedProgram& loaded, const std::vector<program::
     return list;
 }
 
-QJsonObject toJson(const LoadedProgram& loaded, const Preview& preview) {
+QJsonArray timingsJson(const LoadedProgram& loaded, const std::vector<program::StepTiming>& timings) {
     QJsonArray steps;
-    for (std::size_t i = 0; i < preview.timings.size(); ++i) {
-        const program::StepTiming& timing = preview.timings[i];
+    for (std::size_t i = 0; i < timings.size(); ++i) {
+        const program::StepTiming& timing = timings[i];
         steps.append(QJsonObject{{"number", static_cast<int>(i) + 1},
                                  {"name", stepName(loaded, static_cast<int>(i) + 1)},
                                  {"count", timing.count},
                                  {"first", timing.first},
                                  {"total", timing.total}});
     }
+    return steps;
+}
+
+QJsonObject toJson(const LoadedProgram& loaded, const Preview& preview) {
+    QJsonObject variables;
+    for (const auto& [name, value] : preview.variables) {
+        variables.insert(QString::fromStdString(name), value.isUndefined() ? QJsonValue::Null : value);
+    }
     return {{"simulated", true},
             {"completed", preview.completed},
             {"duration", preview.duration},
             {"findings", findingsJson(loaded, preview.findings)},
-            {"steps", steps},
+            {"steps", timingsJson(loaded, preview.timings)},
+            {"variables", variables},
             {"outputs", static_cast<double>(preview.outputs)},
             {"endJoints", listOf(preview.endJoints.array())},
             {"endPose", listOf(preview.endPose.array())}};
@@ -94,6 +122,11 @@ void print(const LoadedProgram& loaded, const Preview& preview) {
                          .arg(stepName(loaded, number), -24)
                          .arg(timing.count, 5)
                          .arg(timing.total, 10, 'f', 3);
+        }
+    }
+    for (const auto& [name, value] : preview.variables) {
+        if (!value.isUndefined()) {
+            out() << QStringLiteral("%1 = %2\n").arg(QString::fromStdString(name), textOf(value));
         }
     }
     for (const program::Finding& finding : preview.findings) {
@@ -154,14 +187,27 @@ QJsonObject recoveryJson(const LoadedProgram& loaded, const program::RecoveryMap
         points.append(
             QJsonObject{{"time", point.time}, {"step", point.step}, {"stops", marksJson(point.marks)}});
     }
-    return {{"simulated", true}, {"completed", map.isComplete}, {"steps", steps}, {"points", points}};
+    QJsonArray unchecked;
+    for (const program::UncheckedStep& step : program::uncheckedSteps(loaded.project, loaded.script, map)) {
+        unchecked.append(QJsonObject{
+            {"number", step.number}, {"name", stepName(loaded, step.number)}, {"reason", step.reason}});
+    }
+    const program::RecoveryCount count = program::countRecoverable(map);
+    return {{"simulated", true},       {"completed", map.isComplete},
+            {"checked", count.steps},  {"recoverable", count.recoverable},
+            {"total", steps.size()},   {"steps", steps},
+            {"notChecked", unchecked}, {"points", points}};
 }
 
 void print(const LoadedProgram& loaded, const program::RecoveryMap& map) {
     const program::RecoveryCount count = program::countRecoverable(map);
-    out() << QStringLiteral("simulated: the program can continue after a stop in %1 of %2 steps\n")
+    out() << QStringLiteral(
+                 "simulated: the program can continue after a stop in %1 of the %2 steps that were checked; "
+                 "the "
+                 "program has %3 steps\n")
                  .arg(count.recoverable)
-                 .arg(count.steps);
+                 .arg(count.steps)
+                 .arg(map.steps.size());
     for (std::size_t i = 0; i < map.steps.size(); ++i) {
         const program::StepRecovery& recovery = map.steps[i];
         if (recovery.from == 0) {
@@ -179,6 +225,12 @@ void print(const LoadedProgram& loaded, const program::RecoveryMap& map) {
                          .arg(QLatin1String(wordOf(mark.recovery)), -10)
                          .arg(mark.reason);
         }
+    }
+    for (const program::UncheckedStep& step : program::uncheckedSteps(loaded.project, loaded.script, map)) {
+        out() << QStringLiteral("%1  %2  not checked: %3\n")
+                     .arg(step.number, 4)
+                     .arg(stepName(loaded, step.number), -24)
+                     .arg(step.reason);
     }
 }
 
@@ -200,10 +252,63 @@ int refuse(const LoadedProgram& loaded, bool json) {
     return kFailed;
 }
 
-int runOnRobot(LoadedProgram loaded, const QString& address, int portOffset, program::PreviewOptions given) {
+using program::ProgramExecution;
+
+struct RobotRun {
+    QString address;
+    int portOffset = 0;
+    bool printsVariables = false;
+    bool printsJson = false;
+};
+
+/// Prints the step and the variables that have changed.
+class Progress {
+public:
+    explicit Progress(bool printsVariables) : printsVariables_(printsVariables) {}
+
+    void print(const LoadedProgram& loaded, const ProgramExecution& execution) {
+        const int step = execution.status().step;
+        if (step != step_ && step > 0) {
+            out() << QStringLiteral("step %1 (%2)\n").arg(step).arg(stepName(loaded, step));
+        }
+        step_ = step;
+        if (printsVariables_) {
+            for (const script::ProgramVariable& variable : execution.variables()) {
+                const QJsonValue value = program::jsonValue(variable);
+                if (values_.value(variable.name) != value) {
+                    values_.insert(variable.name, value);
+                    out() << QStringLiteral("%1 = %2\n").arg(variable.name, textOf(value));
+                }
+            }
+        }
+        out().flush();
+    }
+
+private:
+    const bool printsVariables_;
+    int step_ = 0;
+    QJsonObject values_;
+};
+
+QJsonObject toJson(const LoadedProgram& loaded, const ProgramExecution& execution, const QString& error) {
+    const ProgramExecution::Status status = execution.status();
+    QJsonObject variables;
+    for (const script::ProgramVariable& variable : execution.variables()) {
+        variables.insert(variable.name, program::jsonValue(variable));
+    }
+    return {{"simulated", false},
+            {"completed", status.state == ProgramExecution::State::Completed},
+            {"error", error},
+            {"lastStep", status.lastStep},
+            {"duration", status.seconds},
+            {"steps", timingsJson(loaded, status.timings)},
+            {"variables", variables}};
+}
+
+int runOnRobot(LoadedProgram loaded, const RobotRun& run, program::PreviewOptions given) {
     receive::ReceiverOptions receiverOptions;
-    receiverOptions.host = address;
-    receiverOptions.port = static_cast<std::uint16_t>(rtde::kPort + portOffset);
+    receiverOptions.host = run.address;
+    receiverOptions.port = static_cast<std::uint16_t>(rtde::kPort + run.portOffset);
     receiverOptions.fields = program::executionFields();
     receive::Receiver receiver(receiverOptions);
     if (const auto started = receiver.start(); !started) {
@@ -215,8 +320,8 @@ int runOnRobot(LoadedProgram loaded, const QString& address, int portOffset, pro
     }
     loaded.options.version = receiver.version();
     control::ControllerOptions controllerOptions;
-    controllerOptions.host = address;
-    controllerOptions.portOffset = portOffset;
+    controllerOptions.host = run.address;
+    controllerOptions.portOffset = run.portOffset;
     // The robot itself stops after 100 ms without a heartbeat. A shorter pause of this PC, which the robot
     // does not detect, must not end the run.
     controllerOptions.dataTimeout = 2s;
@@ -251,35 +356,35 @@ int runOnRobot(LoadedProgram loaded, const QString& address, int portOffset, pro
         return kFailed;
     }
     loaded.script = checked.script;
-    program::ProgramExecution execution(controller, receiver.subscribe(), checked, {}, stops);
+    ProgramExecution execution(controller, receiver.subscribe(), checked, {}, stops);
     const Deadline limit = Deadline::after(std::chrono::duration<double>(given.timeLimit));
     bool isLate = false;
-    int shown = 0;
-    program::ProgramExecution::Status now;
+    Progress progress(run.printsVariables);
     while (execution.isActive()) {
         if (waitForTermination(10ms) || (!isLate && limit.hasExpired())) {
             isLate = limit.hasExpired();
             execution.stop();
         }
-        now = execution.status();
-        if (now.step != shown && now.step > 0) {
-            out() << QStringLiteral("step %1 (%2)\n").arg(now.step).arg(stepName(loaded, now.step));
-            out().flush();
+        if (!run.printsJson) {
+            progress.print(loaded, execution);
         }
-        shown = now.step;
     }
-    now = execution.status();
-    if (now.state == program::ProgramExecution::State::Completed) {
-        return kSuccess;
+    const ProgramExecution::Status end = execution.status();
+    QString error;
+    if (end.state == ProgramExecution::State::Failed) {
+        error = problemText(loaded, end.failedStep, QStringLiteral("the step failed"));
+    } else if (end.state != ProgramExecution::State::Completed) {
+        error = problemText(loaded, end.lastStep,
+                            isLate ? QStringLiteral("the time limit of --time-limit expired")
+                                   : execution.wait(Deadline::never()).error().toString());
     }
-    if (now.state == program::ProgramExecution::State::Failed) {
-        return complain(problemText(loaded, now.failedStep, QStringLiteral("the step failed")), kFailed);
+    if (run.printsJson) {
+        out() << QJsonDocument(toJson(loaded, execution, error)).toJson();
+        out().flush();
+    } else {
+        progress.print(loaded, execution);
     }
-    const Error error = execution.wait(Deadline::never()).error();
-    return complain(problemText(loaded, now.lastStep,
-                                isLate ? QStringLiteral("the time limit set with --time-limit expired")
-                                       : error.toString()),
-                    kFailed);
+    return error.isEmpty() ? kSuccess : complain(error, kFailed);
 }
 
 int runProgram(const CommandArguments& arguments) {
@@ -289,9 +394,10 @@ int runProgram(const CommandArguments& arguments) {
     if (arguments.isSet("simulate") == arguments.isSet("robot")) {
         return wrongArguments(QStringLiteral("run: either --simulate or --robot ADDRESS is required"));
     }
-    if (arguments.isSet("recoverability") && (arguments.isSet("robot") || arguments.isSet("from"))) {
-        return wrongArguments(
-            QStringLiteral("--recoverability requires --simulate and cannot be combined with --from"));
+    if (arguments.isSet("recoverability") &&
+        (arguments.isSet("robot") || arguments.isSet("from") || arguments.isSet("set"))) {
+        return wrongArguments(QStringLiteral(
+            "--recoverability requires --simulate and cannot be combined with --from or --set"));
     }
     if (arguments.isSet("robot") && !isHostName(arguments.value("robot"))) {
         return wrongArguments(
@@ -307,8 +413,17 @@ int runProgram(const CommandArguments& arguments) {
         options.inputs.push_back(*change);
     }
     options.timeLimit = arguments.number("time-limit");
+    std::vector<NumberedAssignment> assignments;
+    for (const QString& text : arguments.values("set")) {
+        const auto assignment = assignmentFrom(text);
+        if (!assignment) {
+            return wrongArguments(
+                QStringLiteral("--set must have the form count=3@7 or done=True@7, not '%1'").arg(text));
+        }
+        assignments.push_back(*assignment);
+    }
     auto loaded = loadProgram(arguments.operands().constFirst(), arguments.value("program"),
-                              static_cast<int>(arguments.number("from")));
+                              static_cast<int>(arguments.number("from")), assignments);
     if (!loaded) {
         return complain(loaded.error().toString(), kFailed);
     }
@@ -317,8 +432,11 @@ int runProgram(const CommandArguments& arguments) {
     }
     holdTerminationSignals();
     if (arguments.isSet("robot")) {
-        return runOnRobot(std::move(*loaded), arguments.value("robot"),
-                          static_cast<int>(arguments.number("port-offset")), options);
+        const RobotRun run{.address = arguments.value("robot"),
+                           .portOffset = static_cast<int>(arguments.number("port-offset")),
+                           .printsVariables = arguments.isSet("variables"),
+                           .printsJson = arguments.isSet("json")};
+        return runOnRobot(std::move(*loaded), run, options);
     }
     options.isCancelled = [] { return waitForTermination(std::chrono::milliseconds(0)); };
     if (arguments.isSet("recoverability")) {
@@ -333,6 +451,11 @@ int runProgram(const CommandArguments& arguments) {
         }
         out().flush();
         return map.isComplete ? kSuccess : kFailed;
+    }
+    if (arguments.isSet("json") || arguments.isSet("variables")) {
+        for (const QString& name : loaded->script.declared) {
+            options.variables.push_back(name.toStdString());
+        }
     }
     const Preview preview =
         program::previewProgram(loaded->project, loaded->script, loaded->options, options);
@@ -363,11 +486,18 @@ const Command& runProgramCommand() {
              {"input", "CHANNEL=on|off[@SECONDS]",
               "sets a digital input of the simulated run: DI0-DI7, CI0-CI7, TI0, TI1. Can be "
               "repeated"},
+             {"set", "NAME=VALUE@STEP",
+              "sets a variable each time the step with this number begins, before the step: a number, True "
+              "or "
+              "False. Can be repeated"},
+             {"variables", "",
+              "prints the variables: on a robot whenever they change, otherwise at the end of the run"},
              {"time-limit", "SECONDS", "stops the run after this time (default %1)", "3600", {0.001, 1e6}},
              {"port-offset", "N", "added to every port number of the robot (default %1)", "0", kPortOffsets},
              {"recoverability", "",
-              "prints, for each step, whether the program can continue after a stop in the step. Requires "
-              "--simulate and cannot be combined with --from"},
+              "prints, for each step, whether the program can continue after a stop in the step, and which "
+              "steps "
+              "were not checked. Requires --simulate and cannot be combined with --from or --set"},
              {"json", "", "prints one JSON object instead of text"}},
         .notes =
             "A run on a robot moves the arm at the programmed speeds without asking for confirmation. Keep "

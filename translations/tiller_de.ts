@@ -3469,6 +3469,10 @@
         <source>the statement is nested too deeply</source>
         <translation>sie ist zu tief verschachtelt</translation>
     </message>
+    <message>
+        <source>The program cannot pause before this step. Select a different step.</source>
+        <translation>Das Programm kann vor diesem Schritt nicht pausieren. Wählen Sie einen anderen Schritt.</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>

@@ -3469,6 +3469,10 @@
         <source>the statement is nested too deeply</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The program cannot pause before this step. Select a different step.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>

@@ -3469,6 +3469,10 @@
         <source>the statement is nested too deeply</source>
         <translation>está anidada a demasiada profundidad</translation>
     </message>
+    <message>
+        <source>The program cannot pause before this step. Select a different step.</source>
+        <translation>El programa no puede hacer una pausa antes de este paso. Seleccione otro paso.</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>

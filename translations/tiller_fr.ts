@@ -3469,6 +3469,10 @@
         <source>the statement is nested too deeply</source>
         <translation>elle est imbriquée trop profondément</translation>
     </message>
+    <message>
+        <source>The program cannot pause before this step. Select a different step.</source>
+        <translation>Le programme ne peut pas faire de pause avant cette étape. Sélectionnez une autre étape.</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>

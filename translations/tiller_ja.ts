@@ -3469,6 +3469,10 @@
         <source>the statement is nested too deeply</source>
         <translation>入れ子が深すぎます</translation>
     </message>
+    <message>
+        <source>The program cannot pause before this step. Select a different step.</source>
+        <translation>このステップの前では一時停止できません。別のステップを選択してください。</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>

@@ -3469,6 +3469,10 @@
         <source>the statement is nested too deeply</source>
         <translation>嵌套过深</translation>
     </message>
+    <message>
+        <source>The program cannot pause before this step. Select a different step.</source>
+        <translation>程序不能在此步骤前暂停。请选择其他步骤。</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>

@@ -6,6 +6,7 @@
 // controller.
 
 #include <QSet>
+#include <QStringList>
 #include <QUuid>
 #include <limits>
 #include <vector>
@@ -45,6 +46,7 @@ struct ProgramScript {
     std::optional<Pose> tcp;  ///< TCP required by the waypoints if the script does not set one
     /// Variables whose values can be changed while the program waits at a step gate. Empty if changesMayMove.
     std::vector<script::GateVariable> variables;
+    QStringList declared;  ///< names of all variables that the steps set
     /// The program contains URScript text in a thread or in a parallel watch, which could move the arm after a change
     /// of a variable while the program waits.
     bool changesMayMove = false;
@@ -68,6 +70,13 @@ struct SpeedLimits {
     double joint = std::numeric_limits<double>::infinity();  ///< limit of joint moves [rad/s]
 };
 
+/// Sets a variable each time a step begins.
+struct StepAssignment {
+    QUuid step;  ///< a step before which the program can pause, see ProgramScript::canPauseBefore()
+    QString variable;
+    QString value;  ///< as typed, see typedValue()
+};
+
 struct ScriptOptions {
     SoftwareVersion version{5, 22, 0, 0};
     std::optional<RobotModelId> model;  ///< empty: the model of the project; without a model, a UR5e
@@ -76,6 +85,8 @@ struct ScriptOptions {
     /// watch.
     QUuid from;
     SpeedLimits limits = {};
+    /// Assignments for ProgramScript::variables. A problem is reported if one is not possible.
+    std::vector<StepAssignment> assignments = {};
 };
 
 /// Generates the script of a program of the project. If the program cannot run or does not exist, returns an

@@ -69,6 +69,16 @@ private Q_SLOTS:
             "short",
             {step("moveJ", {{"waypoint", waypointId(project_, "pick")}}), step("setOutput", {{"output", 2}}),
              step("moveL", {{"waypoint", waypointId(project_, "place")}})}));
+        const auto assign = [](const char* variable, const char* type, const char* value) {
+            return step("assign", {{"variable", variable}, {"type", type}, {"value", value}});
+        };
+        project_.programs.append(makeProgram(
+            "counting",
+            {assign("count", "whole", "1"), assign("fast", "flag", "False"), assign("label", "text", "\"a\""),
+             step("wait", {{"time", 0.3}}),
+             step("if", {{"condition", "count == 7 and fast"}}, {step("setOutput", {{"output", 3}})}),
+             step("else", {}, {step("moveJ", {{"waypoint", waypointId(project_, "place")}})}),
+             assign("count", "whole", "count + 1"), step("wait", {{"time", 0.3}}), step("comment")}));
         QVERIFY(project::saveProject(path(), project_).ok());
         simulator_ = std::make_unique<simulator::Simulator>(
             simulator::SimulatorOptions{.listenAddress = address_,
@@ -109,8 +119,115 @@ private Q_SLOTS:
         QVERIFY(last["stops"]["powerLoss"]["reason"].toString().contains("DO 2"));
         QVERIFY(result["points"].toArray().size() > 5);
         const Answer text = run({"run", path(), "--simulate", "--program", "short", "--recoverability"});
-        QVERIFY2(text.out.startsWith("simulated: the program can continue after a stop in 3 of 3 steps"),
+        QVERIFY2(text.out.startsWith(
+                     "simulated: the program can continue after a stop in 3 of the 3 steps that were "
+                     "checked; the program has 3 steps"),
                  qPrintable(text.out));
+    }
+
+    // Steps of another branch, disabled steps, comments and parallel watches have no marks.
+    void stepsWithoutACheckAreCountedAndNamed() {
+        project::ProgramStep disabled = step("wait");
+        disabled.disabled = true;
+        project::Project project = project_;
+        project.programs.append(makeProgram(
+            "branches", {step("comment", {{"text", "a remark"}}), disabled,
+                         step("watch", {{"condition", "DI5"}}, {step("setOutput", {{"output", 1}})}),
+                         step("if", {{"condition", "DI2"}}, {step("wait", {{"time", 0.1}})}),
+                         step("else", {}, {step("folder", {}, {step("wait", {{"time", 0.1}})})}),
+                         step("wait", {{"time", 0.1}})}));
+        const QString file = folder_.filePath("branches.tiller");
+        QVERIFY(project::saveProject(file, project).ok());
+        const QStringList arguments{"run", file, "--simulate", "--program", "branches", "--recoverability"};
+        const Answer text = run(arguments);
+        QVERIFY2(text.code == 0, qPrintable(text.out + text.err));
+        QVERIFY2(text.out.contains("of the 6 steps that were checked; the program has 10 steps"),
+                 qPrintable(text.out));
+        QVERIFY2(text.out.contains("   6  Wait                      not checked: the simulated program did "
+                                   "not reach this step, or ended in it"),
+                 qPrintable(text.out));
+        const QJsonObject result =
+            QJsonDocument::fromJson(run(arguments + QStringList{"--json"}).out.toUtf8()).object();
+        QCOMPARE(result["total"].toInt(), 10);
+        QCOMPARE(result["checked"].toInt(), 6);
+        QStringList reasons;
+        const QJsonArray unchecked = result["notChecked"].toArray();
+        for (const QJsonValue& each : unchecked) {
+            reasons << QStringLiteral("%1 %2").arg(each["number"].toInt()).arg(each["reason"].toString());
+        }
+        QCOMPARE(reasons, (QStringList{"1 comments have no effect", "2 the step is disabled",
+                                       "4 runs in parallel with other steps",
+                                       "6 the simulated program did not reach this step, or ended in it"}));
+    }
+
+    void variablesAreSetAndPrinted_data() {
+        QTest::addColumn<QStringList>("target");
+        QTest::newRow("simulated") << QStringList{"--simulate"};
+        QTest::newRow("on a robot") << QStringList{"--robot", address_};
+    }
+    void variablesAreSetAndPrinted() {
+        QFETCH(QStringList, target);
+        const QStringList arguments = QStringList{"run",       path(),  "--program",   "counting",   "--set",
+                                                  "count=7@4", "--set", "fast=true@4", "--variables"} +
+                                      target;
+        const JointPositions before = simulator_->truth().q;
+        const Answer text = run(arguments);
+        QVERIFY2(text.code == 0, qPrintable(text.out + text.err));
+        QStringList expected{"count = 8", "fast = True", "label = \"a\""};
+        if (target.size() > 1) {
+            expected += {"count = 7", "step 4 (Wait)"};
+            QVERIFY((simulator_->truth().digitalOutputs & 8U) != 0);
+        }
+        for (const QString& line : expected) {
+            QVERIFY2(text.out.contains(line + '\n'), qPrintable(text.out));
+        }
+        const Answer json = run(arguments + QStringList{"--json"});
+        QVERIFY2(json.code == 0, qPrintable(json.out + json.err));
+        const QJsonObject result = QJsonDocument::fromJson(json.out.toUtf8()).object();
+        QCOMPARE(result["simulated"].toBool(), target.size() == 1);
+        QVERIFY(result["completed"].toBool());
+        QCOMPARE(result["steps"].toArray().size(), 11);
+        QCOMPARE(result["steps"][7]["count"].toInt(), 0);  // the move of the other branch
+        QCOMPARE(result["variables"].toObject(), (QJsonObject{{"count", 8}, {"fast", true}, {"label", "a"}}));
+        QVERIFY((simulator_->truth().q.values - before.values).cwiseAbs().maxCoeff() < 1e-3);
+    }
+
+    // The simulated run before the start uses the same values.
+    void aValueThatCausesACollisionIsRefused() {
+        project::Project project = project_;
+        project::Waypoint folded = project.waypoints.at(0);
+        folded.id = QUuid::createUuid();
+        folded.name = "folded";
+        folded.joints.values[2] = -2.9;
+        folded.pose = kinematics::forwardTcp(robotModel(RobotModelId::UR5e).dh, folded.joints);
+        folded.ruling = project::TargetKind::Joints;
+        project.waypoints.append(folded);
+        project.programs.append(makeProgram(
+            "risky",
+            {step("assign", {{"variable", "n"}, {"type", "number"}, {"value", "0.5"}}),
+             step("if", {{"condition", "n > 1"}}, {step("moveJ", {{"waypoint", idText(folded.id)}})})}));
+        const QString file = folder_.filePath("risky.tiller");
+        QVERIFY(project::saveProject(file, project).ok());
+        const QStringList arguments{"run", file, "--program", "risky", "--robot", address_};
+        const JointPositions before = simulator_->truth().q;
+        QCOMPARE(run(arguments).code, 0);
+        const Answer refused = run(arguments + QStringList{"--set", "n=2@2"});
+        QCOMPARE(refused.code, 1);
+        QVERIFY2(refused.err.contains("too close to itself"), qPrintable(refused.err));
+        QVERIFY((simulator_->truth().q.values - before.values).cwiseAbs().maxCoeff() < 1e-3);
+    }
+
+    void aStoppedRunIsReportedAsJson() {
+        QProcess process;
+        process.start(QStringLiteral(TILLER_CLI),
+                      {"run", path(), "--robot", address_, "--program", "to and fro", "--json"});
+        QTRY_VERIFY_WITH_TIMEOUT(simulator_->truth().tcpSpeed.linear.norm() > 0.1, kProcessTimeoutMs);
+        process.terminate();
+        const Answer answer = finished(process);
+        QCOMPARE(answer.code, 1);
+        const QJsonObject result = QJsonDocument::fromJson(answer.out.toUtf8()).object();
+        QVERIFY2(result.contains("completed") && !result["completed"].toBool(), qPrintable(answer.out));
+        QVERIFY(result["error"].toString().contains("Stopped") && result["lastStep"].toInt() > 1);
     }
 
     void findingsGiveAFailureExitCode() {
@@ -168,6 +285,7 @@ private Q_SLOTS:
     void armStopsWithTheProcess_data() {
         QTest::addColumn<int>("signal");
         QTest::newRow("interrupted") << SIGINT;
+        QTest::newRow("terminated") << SIGTERM;
         QTest::newRow("killed") << SIGKILL;
     }
     void armStopsWithTheProcess() {
@@ -226,6 +344,23 @@ private Q_SLOTS:
         QTest::newRow("recoverability")
             << QStringList{"run", file, "--robot", "127.0.0.1", "--recoverability"} << 2
             << "--recoverability requires --simulate";
+        for (const char* set : {"count", "count=3", "count=@3", "3=3@3", "count=3@x"}) {
+            QTest::newRow(set) << QStringList{"run", file, "--simulate", "--set", set} << 2
+                               << "--set must have the form";
+        }
+        for (const auto& [set, text] :
+             {std::pair("none=3@4", "step 4 (Wait): The program has no variable “none”"),
+              std::pair("count=2.5@4", "not a whole number"), std::pair("label=b@4", "Only numbers"),
+              std::pair("fast=1@4", "not True or False"),
+              std::pair("count=3@11", "step 11 (Comment): The program cannot pause"),
+              std::pair("count=3@12", "smaller step number with --set")}) {
+            QTest::newRow(set) << QStringList{"run",      file,    "--simulate", "--program",
+                                              "counting", "--set", set}
+                               << 1 << text;
+        }
+        QTest::newRow("set and recoverability")
+            << QStringList{"run", file, "--simulate", "--recoverability", "--set", "count=3@4"} << 2
+            << "--from or --set";
         QTest::newRow("no name") << QStringList{"run", file, "--simulate"} << 1
                                  << "--program NAME is missing";
         QTest::newRow("name") << QStringList{"script", file, "--program", "x"} << 1 << "no program 'x'";

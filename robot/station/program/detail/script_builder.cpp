@@ -10,6 +10,7 @@
 #include "robot/station/program/expression.h"
 #include "robot/station/program/program_edit.h"
 #include "robot/station/program/program_text.h"
+#include "robot/station/program/variable_value.h"
 
 namespace tiller::program {
 
@@ -489,6 +490,7 @@ ProgramScript StepWriter::Private::write(const QUuid& id) {
         if (const auto changed = gateType(type); changed && !result.changesMayMove) {
             result.variables.push_back({name, *changed});
         }
+        result.declared.append(name);
         put(QStringLiteral("  global %1 = %2").arg(name, QLatin1String(initialValue(type))), 0);
     }
     for (const QString& helper : helpers) {
@@ -797,9 +799,75 @@ void StepWriter::error(const char* key, const QString& text) {
 
 // ---- the program ----------------------------------------------------------------------------------------
 
+namespace {
+
+/// The assignment as URScript; an error sentence if it is not possible.
+Result<QString> assignmentText(const ProgramScript& script, const StepAssignment& assignment) {
+    const auto wrong = [](const QString& why) { return Error{ErrorCode::InvalidArgument, why, {}}; };
+    const auto variable =
+        std::ranges::find(script.variables, assignment.variable, &script::GateVariable::name);
+    if (variable == script.variables.end()) {
+        return wrong(
+            script.changesMayMove
+                ? ProgramText::tr("A URScript step in this program could move the arm after a change.")
+            : script.declared.contains(assignment.variable)
+                ? ProgramText::tr("Only numbers and True or False values can be changed.")
+                : ProgramText::tr("The program has no variable “%1”.").arg(assignment.variable));
+    }
+    if (!script.canPauseBefore(assignment.step)) {
+        return wrong(ProgramText::tr("The program cannot pause before this step. Select a different step."));
+    }
+    const Result<double> value = typedValue(variable->type, assignment.value);
+    return value ? Result<QString>(QStringLiteral("global %1 = %2")
+                                       .arg(variable->name, scriptValue(variable->type, *value)))
+                 : value.error();
+}
+
+/// Inserts the text as a line after each line that marks the step.
+void insertAfterMark(ProgramScript& script, const QUuid& step, const QString& inserted) {
+    QStringList lines = script.text.split(QLatin1Char('\n'));
+    std::size_t added = 0;
+    for (ProgramScript::GateLine& gate : script.gateLines) {
+        gate.line += added;
+        if (gate.step > 0 && script.steps[static_cast<std::size_t>(gate.step - 1)].step == step) {
+            const QString& mark = lines.at(static_cast<qsizetype>(gate.line));
+            const auto isSpace = [](QChar letter) { return letter.isSpace(); };
+            const auto indent = std::find_if_not(mark.begin(), mark.end(), isSpace) - mark.begin();
+            const auto next = static_cast<std::ptrdiff_t>(gate.line) + 1;
+            lines.insert(next, mark.first(indent) + inserted);
+            script.stepOfLine.insert(script.stepOfLine.begin() + next, gate.step);
+            ++added;
+        }
+    }
+    script.text = lines.join(QLatin1Char('\n'));
+}
+
+}  // namespace
+
 ProgramScript writeScript(const project::Project& project, const QUuid& program,
                           const ScriptOptions& options) {
-    return StepWriter::Private(project, options).write(program);
+    ProgramScript script = StepWriter::Private(project, options).write(program);
+    if (!script.ok()) {
+        return script;
+    }
+    // In reverse order, because each line is inserted directly after the mark.
+    for (auto assignment = options.assignments.rbegin(); assignment != options.assignments.rend();
+         ++assignment) {
+        if (const Result<QString> text = assignmentText(script, *assignment)) {
+            insertAfterMark(script, assignment->step, *text);
+        } else {
+            ProgramProblem problem;
+            problem.program = program;
+            problem.step = assignment->step;
+            problem.number = script.numberOf(assignment->step);
+            problem.text = text.error().context;
+            script.problems.push_back(std::move(problem));
+        }
+    }
+    if (!script.problems.empty()) {
+        script.text.clear();
+    }
+    return script;
 }
 
 QString ProgramScript::gatedText(const QSet<QUuid>& breakpoints) const {

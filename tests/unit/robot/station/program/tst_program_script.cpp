@@ -442,6 +442,50 @@ private Q_SLOTS:
         QVERIFY(script.problems[0].text.contains("UR5e"));
     }
 
+    // A called program is written once for each speed, so its steps have several marks.
+    void assignmentsFollowEachMarkOfTheirStep() {
+        project::Project project = sampleProject();
+        const project::Program called = makeProgram("called", {step("setOutput"), step("wait")});
+        project.programs.append(called);
+        const auto call = [&] { return step("call", {{"program", idText(called.id)}}); };
+        const project::Program program =
+            makeProgram("main", {step("assign", {{"variable", "n"}, {"type", "number"}, {"value", "0.5"}}),
+                                 step("assign", {{"variable", "go"}, {"type", "flag"}, {"value", "False"}}),
+                                 call(), step("speed", {{"factor", 0.5}}, {call()}), step("wait")});
+        const ProgramScript plain = scriptOf(project, program);
+        QVERIFY2(plain.ok(), qPrintable(describe(plain)));
+        ScriptOptions options;
+        const QUuid at = called.steps.at(1).id;
+        options.assignments = {{at, "n", "3"}, {at, "go", "true"}, {program.steps.at(4).id, "n", "-2,5"}};
+        const ProgramScript script = scriptOf(project, program, options);
+        QVERIFY2(script.ok(), qPrintable(describe(script)));
+        QVERIFY2(compileError(script.text).isEmpty(),
+                 qPrintable(compileError(script.text) + '\n' + script.text));
+        const QStringList lines = script.text.split('\n');
+        QStringList rest;
+        QStringList inserted;
+        for (qsizetype i = 0; i < lines.size(); ++i) {
+            if (lines.at(i).trimmed() == "global n = 3.0" || lines.at(i).trimmed() == "global go = True" ||
+                lines.at(i).trimmed() == "global n = -2.5") {
+                inserted << QStringLiteral("%1 %2")
+                                .arg(script.stepAt(static_cast<int>(i) + 1))
+                                .arg(lines.at(i).trimmed());
+            } else {
+                rest << lines.at(i);
+            }
+        }
+        QCOMPARE(rest.join('\n'), plain.text);
+        const QString number = QString::number(script.numberOf(at));
+        QCOMPARE(inserted, (QStringList{number + " global n = 3.0", number + " global go = True",
+                                        number + " global n = 3.0", number + " global go = True",
+                                        "6 global n = -2.5"}));
+        QCOMPARE(script.stepOfLine.size() + 1, static_cast<std::size_t>(lines.size()));
+        for (const ProgramScript::GateLine& gate : script.gateLines) {
+            const QString& line = lines.at(static_cast<qsizetype>(gate.line));
+            QVERIFY2(gate.step == 0 || line.contains("write_output_integer_register"), qPrintable(line));
+        }
+    }
+
     void functionNamesMayBeUsedAsNames() {
         const project::Project project = sampleProject();
         for (const char* name : {"if", "movej", "sync", "end", "7", "Käfig"}) {
