@@ -5,9 +5,10 @@
 
 #include <QRandomGenerator>
 #include <QTest>
-#include <functional>
+#include <algorithm>
 
 #include "program_samples.h"
+#include "random_programs.h"
 #include "robot/station/program/preview/preview.h"
 
 using namespace tiller;
@@ -16,98 +17,7 @@ using namespace tiller::program;
 namespace {
 
 constexpr int kPrograms = 500;
-
-/// Generates programs from a fixed seed. All of them terminate.
-class Maker {
-public:
-    Maker(quint32 seed, const project::Program& helper) : random_(seed), helper_(helper) {}
-
-    project::Program program() {
-        std::vector<project::ProgramStep> steps{
-            step("assign", {{"variable", "n"}, {"type", "whole"}, {"value", "0"}})};
-        const auto rest = list(0, false, false);
-        steps.insert(steps.end(), rest.begin(), rest.end());
-        return makeProgram("random", steps);
-    }
-
-    int below(int limit) { return static_cast<int>(random_.bounded(limit)); }
-
-private:
-    std::vector<project::ProgramStep> list(int depth, bool inLoop, bool inTry) {
-        std::vector<project::ProgramStep> steps;
-        const int count = 1 + below(4);
-        for (int i = 0; i < count; ++i) {
-            for (project::ProgramStep& made : group(depth, inLoop, inTry)) {
-                steps.push_back(std::move(made));
-            }
-        }
-        return steps;
-    }
-
-    QString condition() {
-        static const QStringList all{"DI0",        "not DI0",      "n > 2",
-                                     "n % 2 == 0", "DI1 or n < 4", "n == 1 and DI0"};
-        return all[below(static_cast<int>(all.size()))];
-    }
-
-    /// One step, or a group of related steps.
-    std::vector<project::ProgramStep> group(int depth, bool inLoop, bool inTry) {
-        const int kinds = depth < 3 ? 14 : 7;
-        switch (below(kinds)) {
-            case 0:
-                return {step("wait", {{"time", 0.002 + 0.002 * below(3)}})};
-            case 1:
-                return {step("setOutput", {{"output", below(18)}, {"value", below(2) == 1}})};
-            case 2:
-                return {step("assign", {{"variable", "n"}, {"type", "whole"}, {"value", "n + 1"}})};
-            case 3:
-                return {step("comment", {{"text", "a remark"}}),
-                        step("call", {{"program", idText(helper_.id)}, {"arguments", "n"}})};
-            case 4: {
-                project::ProgramStep off = step("moveJ");
-                off.disabled = true;
-                return {off};
-            }
-            case 5:
-                if (inLoop) {
-                    return {step("if", {{"condition", condition()}}, {step("leaveLoop")})};
-                }
-                return {step("log", {{"text", "here"}, {"value", "n"}})};
-            case 6:
-                if (inTry) {
-                    return {
-                        step("if", {{"condition", condition()}}, {step("fail", {{"text", "on purpose"}})})};
-                }
-                return {step("waitInput", {{"input", 1},
-                                           {"value", below(2) == 1},
-                                           {"timeLimit", 0.01},
-                                           {"otherwise", "continue"}})};
-            case 7:
-                return {step("loop", {{"times", 1 + below(3)}}, list(depth + 1, true, inTry))};
-            case 8:
-                return {step("if", {{"condition", condition()}}, list(depth + 1, inLoop, inTry))};
-            case 9:
-                return {step("if", {{"condition", condition()}}, list(depth + 1, inLoop, inTry)),
-                        step("elseIf", {{"condition", condition()}}, list(depth + 1, inLoop, inTry)),
-                        step("else", {}, list(depth + 1, inLoop, inTry))};
-            case 10:
-                return {step("switch", {{"value", "n"}},
-                             {step("case", {{"value", "1"}}, list(depth + 1, inLoop, inTry)),
-                              step("case", {{"value", "2"}}, list(depth + 1, inLoop, inTry)),
-                              step("default", {}, list(depth + 1, inLoop, inTry))})};
-            case 11:
-                return {step("try", {}, list(depth + 1, false, true)),
-                        step("onError", {}, list(depth + 1, inLoop, inTry))};
-            case 12:
-                return {step("folder", {{"name", "part"}}, list(depth + 1, inLoop, inTry))};
-            default:
-                return {step("speed", {{"factor", 0.5}}, list(depth + 1, inLoop, inTry))};
-        }
-    }
-
-    QRandomGenerator random_;
-    const project::Program& helper_;
-};
+constexpr int kDamagedFiles = 1000;
 
 /// Model of the expected behaviour of the steps, without a script.
 class Model {
@@ -220,24 +130,6 @@ private:
     std::vector<int> order_;
 };
 
-project::Program helperProgram() {
-    project::Program helper =
-        makeProgram("helper", {step("if", {{"condition", "again > 1"}}, {step("setOutput", {{"output", 3}})}),
-                               step("setOutput", {{"output", 4}})});
-    helper.parameters = {"again"};
-    return helper;
-}
-
-/// Appends the steps of a tree to `all`, including those inside sections.
-void collect(std::vector<project::ProgramStep>& steps, std::vector<project::ProgramStep*>& all) {
-    for (project::ProgramStep& step : steps) {
-        if (!step.disabled) {
-            all.push_back(&step);
-            collect(step.steps, all);
-        }
-    }
-}
-
 QByteArray texts(const std::vector<int>& numbers) {
     QByteArray text;
     for (const int number : numbers) {
@@ -258,7 +150,7 @@ private Q_SLOTS:
         project.programs.append(helper);
         std::size_t steps = 0;
         for (quint32 seed = 0; seed < kPrograms; ++seed) {
-            Maker maker(seed, helper);
+            RandomSteps maker(seed, helper);
             const project::Program made = maker.program();
             project::Project with = project;
             with.programs.append(made);
@@ -283,78 +175,32 @@ private Q_SLOTS:
     }
 
     void invalidProgramsAreRefusedAtTheStep() {
-        project::Project project = sampleProject();
-        const project::Program helper = helperProgram();
-        project.programs.append(helper);
-        const std::vector<std::function<void(project::ProgramStep&)>> faults{
-            [](project::ProgramStep& step) { step.kind = "kind of the future"; },
-            [](project::ProgramStep& step) {
-                step = makeStep(step, "wait", {{"time", -1}});
-            },
-            [](project::ProgramStep& step) {
-                step = makeStep(step, "setOutput", {{"output", 18}});
-            },
-            [](project::ProgramStep& step) {
-                step = makeStep(step, "moveL", {{"waypoint", idText(QUuid::createUuid())}});
-            },
-            [](project::ProgramStep& step) {
-                step = makeStep(step, "moveGroup", {{"group", "nowhere"}});
-            },
-            [](project::ProgramStep& step) {
-                step = makeStep(step, "waitCondition", {{"condition", "n ="}});
-            },
-            [](project::ProgramStep& step) {
-                step = makeStep(step, "assign", {{"variable", "n"}, {"type", "text"}, {"value", "\"\""}});
-            },
-            [](project::ProgramStep& step) {
-                step = makeStep(step, "call", {{"program", idText(QUuid::createUuid())}});
-            },
-            [](project::ProgramStep& step) {
-                step = makeStep(step, "case", {{"value", "1"}});
-            },
-            [](project::ProgramStep& step) {
-                step = makeStep(step, "watch", {{"condition", ""}});
-            }};
-        for (quint32 seed = 0; seed < kPrograms; ++seed) {
-            Maker maker(seed, helper);
-            project::Program made = maker.program();
-            std::vector<project::ProgramStep*> all;
-            collect(made.steps, all);
-            std::vector<project::ProgramStep*> plain;  // steps that are valid at any position
-            for (project::ProgramStep* step : all) {
-                if (step->steps.empty() && step->kind != "comment" && step != all.front()) {
-                    plain.push_back(step);
-                }
-            }
-            if (plain.empty()) {
-                continue;
-            }
-            project::ProgramStep& wrong =
-                *plain[static_cast<std::size_t>(maker.below(static_cast<int>(plain.size())))];
-            const QUuid id = wrong.id;
-            faults[seed % faults.size()](wrong);
-            project::Project with = project;
-            with.programs.append(made);
-            const ProgramScript script = writeScript(with, made.id);
-            QVERIFY(!script.ok());
-            QVERIFY2(std::any_of(script.problems.begin(), script.problems.end(),
-                                 [&](const ProgramProblem& problem) { return problem.step == id; }),
-                     qPrintable(QStringLiteral("seed %1: %2").arg(seed).arg(script.problems[0].text)));
+        InvalidPrograms programs;
+        for (int i = 0; i < kPrograms; ++i) {
+            const InvalidProgram invalid = programs.next();
+            const ProgramScript script = writeScript(invalid.project, invalid.program);
+            QVERIFY2(!script.ok(), qPrintable(QStringLiteral("seed %1").arg(invalid.seed)));
+            QVERIFY2(
+                std::ranges::any_of(
+                    script.problems,
+                    [&](const ProgramProblem& problem) { return problem.step == invalid.step; }),
+                qPrintable(QStringLiteral("seed %1: %2").arg(invalid.seed).arg(script.problems[0].text)));
         }
     }
 
-    void damagedFilesCrashNothing() {
+    void damagedFilesAreNeverSilentlyDifferent() {
         project::Project project = sampleProject();
         const project::Program helper = helperProgram();
         project.programs.append(helper);
-        project.programs.append(Maker(7, helper).program());
+        project.programs.append(RandomSteps(7, helper).program());
         project.programs.append(trayProgram(project));
         const QByteArray bytes = *project::serializeProject(project);
         QRandomGenerator random(1);
         int whole = 0;
-        for (int i = 0; i < 1000; ++i) {
+        int repaired = 0;
+        for (int i = 0; i < kDamagedFiles; ++i) {
             QByteArray damaged = bytes;
-            for (int n = 0; n <= i % 3; ++n) {
+            for (int n = 0; n <= i % 3 || damaged == bytes; ++n) {
                 const auto at = static_cast<qsizetype>(random.bounded(static_cast<quint32>(damaged.size())));
                 switch (random.bounded(4)) {
                     case 0:
@@ -374,26 +220,25 @@ private Q_SLOTS:
                 }
             }
             const auto read = project::recoverFromBytes(damaged);
+            const auto parsed = project::parseProject(damaged);
             if (!read) {
+                QVERIFY2(!parsed, qPrintable(QString::number(i)));
                 continue;
             }
             for (const project::Program& program : read->document.programs) {
                 static_cast<void>(writeScript(read->document, program.id));
             }
-            if (const auto parsed = project::parseProject(damaged)) {
+            // A file with a problem is not opened without a report, and other files keep their content when saved.
+            QCOMPARE(parsed.ok(), read->problems.isEmpty());
+            if (parsed) {
                 ++whole;
+                QVERIFY(*parsed == read->document);
                 QVERIFY(*project::parseProject(*project::serializeProject(*parsed)) == *parsed);
+            } else {
+                ++repaired;
             }
         }
-        QVERIFY(whole > 10);
-    }
-
-private:
-    static project::ProgramStep makeStep(const project::ProgramStep& before, const char* kind,
-                                         const QJsonObject& fields) {
-        project::ProgramStep made = step(kind, fields);
-        made.id = before.id;
-        return made;
+        QVERIFY(whole > 10 && repaired > 10);
     }
 };
 

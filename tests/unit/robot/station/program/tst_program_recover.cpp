@@ -10,6 +10,7 @@
 #include <map>
 
 #include "program_samples.h"
+#include "random_moves.h"
 #include "robot/simulator/controller/controller_model.h"
 #include "robot/simulator/host/script_host.h"
 #include "robot/simulator/programs/program_runner.h"
@@ -353,6 +354,17 @@ bool contains(const project::ProgramStep& step, const QString& kind) {
                                             [&](const auto& inner) { return contains(inner, kind); });
 }
 
+/// Adds the steps of this kind and the steps inside them.
+void collectOf(const project::ProgramStep& step, const QString& kind, bool isInside, QSet<QUuid>& ids) {
+    const bool isOf = isInside || step.kind == kind;
+    if (isOf) {
+        ids.insert(step.id);
+    }
+    for (const project::ProgramStep& inner : step.steps) {
+        collectOf(inner, kind, isOf, ids);
+    }
+}
+
 /// Top-level steps of a program that contains a step of this kind.
 Steps exampleOf(const QString& kind, const project::Project& project) {
     const auto at = [&](const char* name) { return waypointId(project, name); };
@@ -436,128 +448,6 @@ Steps exampleOf(const QString& kind, const project::Project& project) {
     return found == all.end() ? Steps() : found->second;
 }
 
-/// Generates programs from a fixed seed. Most of their steps do not depend on earlier steps.
-class Maker {
-public:
-    Maker(quint32 seed, const project::Project& project) : random_(seed), project_(project) {}
-
-    project::Program program() {
-        std::vector<project::ProgramStep> steps{move("moveJ")};
-        for (int i = 0; i < 4; ++i) {
-            add(steps, 0);
-        }
-        return makeProgram("random", steps);
-    }
-    int below(int limit) { return static_cast<int>(random_.bounded(limit)); }
-
-private:
-    project::ProgramStep move(const char* kind) {
-        static const QStringList names{"home", "pick", "place", "row 1"};
-        return step(kind, {{"waypoint", waypointId(project_, names[below(4)])},
-                           {"blend", below(3) == 0 ? 0.01 : 0.0}});
-    }
-    std::vector<project::ProgramStep> list(int depth) {
-        std::vector<project::ProgramStep> steps;
-        for (int i = 0; i <= below(3); ++i) {
-            add(steps, depth);
-        }
-        return steps;
-    }
-    QString condition() {
-        static const QStringList all{"DI0", "not DI0", "n < 2", "True"};
-        return all[below(4)];
-    }
-    void add(std::vector<project::ProgramStep>& steps, int depth) {
-        switch (below(depth < 2 ? 22 : 13)) {
-            case 0:
-            case 1:
-                steps.push_back(move("moveL"));
-                break;
-            case 2:
-                steps.push_back(move("moveJ"));
-                break;
-            case 3:
-                steps.push_back(step("moveRelative", {{"z", 0.01 + 0.005 * below(3)}}));
-                break;
-            case 4:
-                steps.push_back(step("wait", {{"time", 0.05 * (1 + below(4))}}));
-                break;
-            case 5:
-                steps.push_back(step("setOutput", {{"output", below(4)}, {"value", below(2) == 1}}));
-                break;
-            case 6:
-                steps.push_back(step("pulseOutput", {{"output", below(4)}, {"time", 0.15}}));
-                break;
-            case 7:
-                steps.push_back(
-                    step("gripper", {{"action", below(2) == 0 ? "close" : "open"}, {"time", 0.2}}));
-                break;
-            case 8:
-                steps.push_back(step(
-                    "setRegister", {{"register", below(2)},
-                                    {"value", below(2) == 0 ? "3" : "read_output_integer_register(1) + 1"}}));
-                break;
-            case 9:
-                steps.push_back(step("setAnalogOutput", {{"output", 0}, {"level", 0.25 * below(4)}}));
-                break;
-            case 10:
-                steps.push_back(
-                    step("assign", {{"variable", "n"},
-                                    {"type", "whole"},
-                                    {"value", below(3) == 0 ? "n + 1" : QString::number(below(3))}}));
-                break;
-            case 11:
-                steps.push_back(
-                    step("waitInput",
-                         {{"input", 1}, {"value", true}, {"timeLimit", 0.2}, {"otherwise", "continue"}}));
-                break;
-            case 12:
-                steps.push_back(step("message", {{"text", "ready"}, {"waits", below(2) == 0}}));
-                break;
-            case 13:
-                steps.push_back(step("loop", {{"times", 1 + below(3)}}, list(depth + 1)));
-                break;
-            case 14:
-                steps.push_back(
-                    step("if", {{"condition", below(2) == 0 ? "DI0" : "not DI0"}}, list(depth + 1)));
-                steps.push_back(step("else", {}, list(depth + 1)));
-                break;
-            case 15:
-                steps.push_back(step("folder", {{"name", "part"}}, list(depth + 1)));
-                break;
-            case 16:
-                steps.push_back(step("speed", {{"factor", 0.5}}, list(depth + 1)));
-                break;
-            case 17: {
-                std::vector<project::ProgramStep> tried = list(depth + 1);
-                if (below(2) == 0) {
-                    tried.push_back(step("fail", {{"text", "on purpose"}}));
-                }
-                steps.push_back(step("try", {}, tried));
-                steps.push_back(step("onError", {}, list(depth + 1)));
-                break;
-            }
-            case 18:
-                steps.push_back(step("forEachWaypoint", {{"group", "row"}, {"variable", "at"}},
-                                     {step("moveL", {{"pose", "at"}})}));
-                break;
-            case 19:
-                steps.push_back(step("moveGroup", {{"group", "row"}}));
-                break;
-            case 20:
-                steps.push_back(
-                    step("force", {{"force", 0}, {"axis", "z"}}, {step("wait", {{"time", 0.2}})}));
-                break;
-            default:
-                steps.push_back(step("payload", {{"payload", idText(project_.tooling.payloads.at(0).id)}}));
-                break;
-        }
-    }
-
-    QRandomGenerator random_;
-    const project::Project& project_;
-};
-
 }  // namespace
 
 class TestProgramRecover : public QObject {
@@ -572,8 +462,6 @@ private Q_SLOTS:
     }
     void executedStopsAgreeWithTheMarksOfEachStepKind() {
         QFETCH(QString, kind);
-        // Each row has two stops of different kinds.
-        const std::size_t row = static_cast<std::size_t>(qHash(kind, 1));
         project::Project project = sampleProject();
         project.programs.append(
             makeProgram("helper", {step("wait", {{"time", 0.1}}), step("pulseOutput", {{"time", 0.1}})}));
@@ -589,12 +477,27 @@ private Q_SLOTS:
         Case made(project, makeProgram("p", all), {{0, 0, true}});
         QVERIFY2(made.script.ok(), qPrintable(made.problem()));
         QVERIFY(made.map.isComplete);
-        QVERIFY(!made.map.points.empty());
-        const std::size_t every = 1 + made.map.points.size() / 2;
-        for (std::size_t i = 0; i < made.map.points.size(); i += every) {
-            const StopKind stop = kStopKinds.at((i / every + row) % kStopKinds.size());
-            const QString wrong = made.disagreement(made.map.points[i], stop);
-            QVERIFY2(wrong.isEmpty(), qPrintable(wrong));
+        // Each kind of stop at the beginning and in the middle of the steps of this kind.
+        QSet<QUuid> tested;
+        for (const auto& each : steps) {
+            collectOf(each, kind, false, tested);
+        }
+        std::vector<const StopPoint*> points;
+        for (const StopPoint& point : made.map.points) {
+            if (tested.contains(made.script.steps.at(static_cast<std::size_t>(point.step - 1)).step)) {
+                points.push_back(&point);
+            }
+        }
+        if (points.empty()) {  // a step without a duration
+            for (const StopPoint& point : made.map.points) {
+                points.push_back(&point);
+            }
+        }
+        for (const StopPoint* point : {points.front(), points.at(points.size() / 2)}) {
+            for (const StopKind stop : kStopKinds) {
+                const QString wrong = made.disagreement(*point, stop);
+                QVERIFY2(wrong.isEmpty(), qPrintable(wrong));
+            }
         }
     }
 
@@ -722,7 +625,7 @@ private Q_SLOTS:
         std::map<Recovery, int> seen;
         int programs = 0;
         for (quint32 seed = 0; seed < 16; ++seed) {
-            Maker maker(seed, project);
+            RandomMoves maker(seed, project);
             const project::Program program = maker.program();
             Case made(project, program,
                       {{0, 0, seed % 2 == 0}, {1 + 0.1 * maker.below(10), 1, true}, {3, 1, false}});

@@ -6,6 +6,8 @@
 #include <QTest>
 
 #include "program_samples.h"
+#include "random_moves.h"
+#include "random_programs.h"
 #include "robot/script/script_client.h"
 #include "robot/station/program/recover/steps_not_reached.h"
 #include "robot/station/program/run/program_runner.h"
@@ -987,6 +989,60 @@ private Q_SLOTS:
         QVERIFY((there.cell.truth().q.values - full.endJoints.values).cwiseAbs().maxCoeff() < 0.002);
     }
 
+    // End position within 0.1 mm and 1 % of the time.
+    void previewsOfRandomProgramsEqualTheRun_data() {
+        QTest::addColumn<int>("first");
+        for (int first = 0; first < 200; first += 25) {
+            QTest::addRow("programs %d to %d", first + 1, first + 25) << first;
+        }
+    }
+    void previewsOfRandomProgramsEqualTheRun() {
+        QFETCH(int, first);
+        RunBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        const project::Project project = bench.project;
+        auto seed = static_cast<quint32>(1000 + 1000 * first);
+        for (int done = 0; done < 25; ++seed) {
+            RandomMoves maker(seed, project);
+            project::Program made = maker.program();
+            // The preview also includes the braking of the arm after the program.
+            made.steps.push_back(step("wait", {{"time", 0.1}}));
+            bench.project = project;
+            bench.project.programs.append(made);
+            bench.program = made.id;
+            const RunPlan plan = bench.plan();
+            // Not ok: e.g. blends that are too large. In a force section, the noise of the sensor moves the arm.
+            if (!plan.script.ok() || plan.script.text.contains("force_mode(")) {
+                continue;
+            }
+            QVERIFY2(plan.obstacle.isEmpty(), qPrintable(plan.obstacle));
+            PreviewOptions fromHere;
+            fromHere.start = bench.session.state().q;
+            fromHere.timeLimit = 60;
+            fromHere.operatorTime = 1e6;  // no operator closes a message
+            const Preview preview = previewProgram(
+                bench.project, plan.script, optionsFor(bench.project, bench.session.state()), fromHere);
+            if (!preview.isGood()) {
+                continue;
+            }
+            QVERIFY(bench.begin(Holding::Free));
+            QVERIFY(bench.awaitEnd());
+            const QByteArray what = "seed " + QByteArray::number(seed);
+            QVERIFY2(bench.runner.end() == ProgramRunner::End::Completed, what);
+            const double distance = distanceMm(bench.cell.truth().tcpPose, preview.endPose);
+            QVERIFY2(distance < 0.1, what + ": " + QByteArray::number(distance) + " mm");
+            const double seconds = bench.runner.log().seconds();
+            // [s]; the preview includes the runtime state Stopping after the program, the run does not
+            constexpr double kStopping = 0.03;
+            constexpr double kPeriods = 0.006;  // [s]; resolution of both times
+            QVERIFY2(
+                seconds < 1.01 * preview.duration + kPeriods && seconds > 0.99 * preview.duration - kStopping,
+                what + ": " + QByteArray::number(seconds) + " s, preview " +
+                    QByteArray::number(preview.duration) + " s");
+            ++done;
+        }
+    }
+
     void aStepThatThePreviewDoesNotReachIsRefused() {
         project::Project project = sampleProject();
         const project::Program program = makeProgram("Test", {step("wait"), step("end"), step("wait")});
@@ -1145,6 +1201,28 @@ private Q_SLOTS:
         QVERIFY(!bench.runner.isActive());
         QVERIFY(bench.standstill() == 0);
         QVERIFY(bench.session.state().canMove());
+    }
+
+    void invalidProgramsMoveNothing() {
+        RunBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        const JointPositions before = bench.cell.truth().q;
+        InvalidPrograms programs;
+        for (int i = 0; i < 500; ++i) {
+            const InvalidProgram invalid = programs.next();
+            const RunPlan plan = planRun(invalid.project, invalid.program, bench.session.state());
+            QVERIFY2(plan.obstacle.startsWith("Step "), qPrintable(plan.obstacle));
+            QVERIFY(plan.script.text.isEmpty());
+            for (const Holding holding : {Holding::Held, Holding::Free}) {
+                const auto begun = bench.runner.start(plan, holding);
+                QVERIFY(!begun.ok() && begun.error().toString().contains(plan.obstacle));
+            }
+            QVERIFY(!bench.runner.isActive());
+            bench.cell.advanceMs(4);
+            QVERIFY(bench.cell.truth().q.values == before.values);
+        }
+        QVERIFY(bench.standstill() == 0);
+        QVERIFY(bench.session.state().canMove());  // the control program still runs
     }
 
     void runsWithoutAHeldButtonNeedAPreviewFromTheStart() {
