@@ -6,6 +6,7 @@
 //
 // Runs a part of the table, which is selected pseudo-randomly but reproducibly. With --all, runs everything.
 
+#include <QSet>
 #include <algorithm>
 #include <atomic>
 #include <thread>
@@ -151,6 +152,33 @@ const std::vector<ProgramCase>& programCases() {
          [](project::Project& p) {
              return std::vector{step("while", {{"condition", "not DI2"}}, moves(p))};
          }},
+        {"if with branches", kLinear,
+         [](project::Project& p) {
+             return std::vector{step("if", {{"condition", "DI2"}}, {step("wait")}),
+                                step("elseIf", {{"condition", "not DI2"}}, moves(p)),
+                                step("else", {}, {step("wait")})};
+         }},
+        {"else", kLinear,
+         [](project::Project& p) {
+             return std::vector{step("if", {{"condition", "DI2"}}, {step("wait")}),
+                                step("else", {}, moves(p))};
+         }},
+        {"leave loop", kLinear,
+         [](project::Project& p) {
+             return std::vector{step("loop", {{"times", 0}},
+                                     thenMoves(p, {step("moveRelative", {{"x", 0.05}}), step("leaveLoop")})),
+                                moveTo(p, "moveL", "pick"), moveTo(p, "moveL", "place")};
+         }},
+        {"end", kLinear,
+         [](project::Project& p) {
+             return thenMoves(p, {step("if", {{"condition", "DI2"}}, {step("end")})});
+         }},
+        {"default", kLinear,
+         [](project::Project& p) {
+             return std::vector{
+                 step("switch", {{"value", "3"}},
+                      {step("case", {{"value", "1"}}, {step("wait")}), step("default", {}, moves(p))})};
+         }},
         {"switch", kLinear,
          [](project::Project& p) {
              return std::vector{
@@ -214,27 +242,43 @@ const std::vector<ProgramCase>& programCases() {
          [](project::Project& p) {
              return std::vector{step("force", {{"axes", "base"}, {"force", 5}}, moves(p))};
          }},
-        {"tool, payload, frame and speed", kLinear,
+        {"tool", kLinear,
+         [](project::Project& p) {
+             return std::vector{
+                 step("tool", {{"tool", idText(p.tooling.tools.at(0).id)}},
+                      {step("moveRelative", {{"x", 0.1}}), step("moveRelative", {{"x", -0.1}})})};
+         }},
+        {"payload, frame and speed", kLinear,
          [](project::Project& p) {
              const QString payload = idText(p.tooling.payloads.at(0).id);
              const QString frame = idText(p.frames.at(0).id);
              return std::vector{
                  step("payload", {{"payload", payload}}),
-                 step("frame", {{"frame", frame}}, {step("speed", {{"percent", 80}}, moves(p))})};
+                 step("frame", {{"frame", frame}}, {step("speed", {{"factor", 0.8}}, moves(p))})};
          }},
     };
     return kCases;
 }
 
-/// The script of a program that switches kStartedOutput on and then repeats the steps, with a thread that watches an
-/// input.
-QString scriptOf(const ProgramCase& tested) {
-    project::Project project = sampleProject();
+void collectKinds(const std::vector<project::ProgramStep>& steps, QSet<QString>& kinds) {
+    for (const project::ProgramStep& each : steps) {
+        kinds.insert(each.kind);
+        collectKinds(each.steps, kinds);
+    }
+}
+
+/// A program that switches kStartedOutput on and then repeats the steps, with a thread that watches an input.
+project::Program programOf(const ProgramCase& tested, project::Project& project) {
     std::vector<project::ProgramStep> steps{moveTo(project, "moveJ", "home"),
                                             step("setOutput", {{"output", kStartedOutput}})};
     steps.push_back(step("watch", {{"condition", "DI5"}}, {step("setOutput", {{"output", 6}})}));
     steps.push_back(step("loop", {{"times", 0}}, tested.steps(project)));
-    const project::Program program = makeProgram(tested.name, steps);
+    return makeProgram(tested.name, steps);
+}
+
+QString scriptOf(const ProgramCase& tested) {
+    project::Project project = sampleProject();
+    const project::Program program = programOf(tested, project);
     project.programs.append(program);
     const ProgramScript script = writeScript(project, program.id);
     for (const ProgramProblem& problem : script.problems) {
@@ -308,7 +352,7 @@ const std::vector<ContractEvent>& events() {
     return kAll;
 }
 
-QString check(const ProgramCase& tested, const ContractEvent& event) {
+QString checkOnce(const ProgramCase& tested, const ContractEvent& event) {
     const QString script = scriptOf(tested);
     if (script.isEmpty()) {
         return QStringLiteral("%1: the program has problems").arg(QLatin1String(tested.name));
@@ -339,12 +383,39 @@ QString check(const ProgramCase& tested, const ContractEvent& event) {
                      .arg(QLatin1String(tested.name), QLatin1String(event.name), outcome.problem);
 }
 
+QString check(const ProgramCase& tested, const ContractEvent& event) {
+    // While a program starts, virtual time can overtake the threads of a busy computer. The event has not happened then.
+    constexpr int kStarts = 3;
+    QString problem;
+    for (int i = 0; i < kStarts; ++i) {
+        problem = checkOnce(tested, event);
+        if (!problem.contains(QLatin1String("not begun: LinkLost"))) {
+            break;
+        }
+    }
+    return problem;
+}
+
 }  // namespace
 
 class TestProgramContract : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    void everyStepKindIsTested() {
+        QSet<QString> missing;
+        for (const StepKind* kind : stepKinds()) {
+            missing.insert(QLatin1String(kind->id));
+        }
+        for (const ProgramCase& tested : programCases()) {
+            project::Project project = sampleProject();
+            QSet<QString> kinds;
+            collectKinds(programOf(tested, project).steps, kinds);
+            missing -= kinds;
+        }
+        QVERIFY2(missing.isEmpty(), qPrintable(QStringList(missing.values()).join(", ")));
+    }
+
     // Every kind of step. In a partial run, each kind is combined with a different event.
     void everyStepEndsInTime_data() {
         QTest::addColumn<int>("tested");
