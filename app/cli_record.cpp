@@ -87,7 +87,9 @@ std::optional<RecordOptions> optionsFrom(const CommandArguments& arguments) {
                                             .arg(path, recording::suffixWords(FormatSet::Recorded)));
         return std::nullopt;
     }
-    if (!arguments.isSet("force") && !arguments.isSet("trigger") && QFileInfo::exists(path)) {
+    const bool isNumbered =
+        arguments.isSet("trigger") || arguments.isSet("file-minutes") || arguments.isSet("file-size");
+    if (!arguments.isSet("force") && !isNumbered && QFileInfo::exists(path)) {
         wrongArguments(QStringLiteral("record: %1 already exists; --force replaces it").arg(path));
         return std::nullopt;
     }
@@ -117,7 +119,12 @@ std::optional<RecordOptions> optionsFrom(const CommandArguments& arguments) {
         options.recorder.trigger->before = arguments.number("before");
         options.recorder.trigger->after = arguments.number("after");
         options.recorder.trigger->files = static_cast<int>(arguments.number("files"));
+        options.extras.facts["trigger"] = arguments.value("trigger").simplified().toStdString();
     }
+    constexpr double kSecondsPerMinute = 60;
+    constexpr double kBytesPerMegabyte = 1e6;
+    options.recorder.fileSeconds = arguments.number("file-minutes") * kSecondsPerMinute;
+    options.recorder.fileBytes = static_cast<std::int64_t>(arguments.number("file-size") * kBytesPerMegabyte);
     options.extras.ros = !arguments.isSet("no-ros");
     for (const QString& entry : arguments.values("meta")) {
         if (const auto added = recording::addMetadata(options.extras.facts, entry); !added) {
@@ -201,7 +208,7 @@ int record(const CommandArguments& arguments) {
     recorder.stop();
     line.clear();
     const recording::RecorderProgress progress = recorder.progress();
-    if (options->recorder.trigger) {
+    if (options->recorder.trigger || progress.files > 1) {
         out() << QStringLiteral("%1 files, %2 rows").arg(progress.files).arg(progress.rows) << Qt::endl;
     } else {
         out() << QStringLiteral("%1: %2 rows, %3 s, %4 lost, %5 bytes")
@@ -255,8 +262,10 @@ const Command& recordCommand() {
              {"every", "N", "records only every N-th packet (default %1)", "1", {1, 1e6}},
              {"trigger", "CONDITION",
               "records only while the condition is true, in numbered files FILE_001, "
-              "FILE_002...: 'actual_TCP_force_2 > 20', 'robot_mode = 7', "
-              "'actual_digital_input_bits:3 = 1', 'runtime_state changes', 'program starts'"},
+              "FILE_002...: 'actual_TCP_force_2 > 20', 'norm(actual_TCP_force_0, actual_TCP_force_1) > 20', "
+              "'robot_mode = 7', 'actual_digital_input_bits:3 = 1', 'runtime_state changes', 'program "
+              "starts'. "
+              "Combine conditions with 'and' and 'or'. Each file contains the conditions that were true"},
              {"before",
               "SECONDS",
               "with a trigger: also records this many seconds before the trigger (0 to 60, default %1)",
@@ -268,6 +277,16 @@ const Command& recordCommand() {
               "0",
               {0, 3600}},
              {"files", "N", "with a trigger: stops after N files", "0", {0, 1e6}},
+             {"file-minutes",
+              "MINUTES",
+              "begins a new file after this time: FILE_001, FILE_002... No packet is lost between two files",
+              "0",
+              {0, 1e6}},
+             {"file-size",
+              "MB",
+              "begins a new file when the file has this size: FILE_001, FILE_002...",
+              "0",
+              {0, 1e9}},
              {"attach", "FILE",
               QStringLiteral("stores a file, such as the project, inside the %1 file")
                   .arg(recording::suffixWords(FormatSet::Complete))},

@@ -6,20 +6,13 @@
 
 namespace tiller::recording {
 
-namespace {
-
-constexpr qsizetype kMaxMetadataValue = 10'000;
-
-/// Names that the recorder or a file format uses.
-bool isRecorderName(std::string_view name) {
-    constexpr std::array<std::string_view, 10> kReserved = {
-        "columns",  "model",        "period", "robot", "serial_number",
-        "software", "start_utc_ns", "start",  "units", "written_by"};
+bool isReservedMetadataName(std::string_view name) {
+    constexpr std::array<std::string_view, 11> kReserved = {
+        "columns",      "model", "period",  "robot", "serial_number", "software",
+        "start_utc_ns", "start", "trigger", "units", "written_by"};
     return name.starts_with("incident") ||
            std::find(kReserved.begin(), kReserved.end(), name) != kReserved.end();
 }
-
-}  // namespace
 
 bool isMetadataName(std::string_view name) {
     constexpr std::size_t kMaxLength = 60;
@@ -45,7 +38,7 @@ Result<void> addMetadata(Metadata& metadata, const QString& entry) {
     if (sign == entry.size() || !isMetadataName(name) || value.isEmpty()) {
         return wrong(QStringLiteral("enter a name, an equals sign and a value, for example operator=Ann"));
     }
-    if (isRecorderName(name)) {
+    if (isReservedMetadataName(name)) {
         return wrong(QStringLiteral("the recorder uses the name \"%1\"; choose another name")
                          .arg(QString::fromStdString(name)));
     }

@@ -36,6 +36,7 @@ constexpr milliseconds kSyncEvery{500};
 constexpr milliseconds kLookAtDiskEvery{1000};
 // About 256 KB of text.
 constexpr std::size_t kWriteAtSamples = 256;
+constexpr int kInfoLevel = 20;  // as in rcl_interfaces/Log
 
 /// Free space on the disk of this file; empty if the folder does not exist.
 std::optional<std::int64_t> freeBytesFor(const QString& path) {
@@ -205,7 +206,33 @@ struct Recorder::Worker : publish::SampleSink {
         return result ? closed : result;
     }
 
-    void encode(const receive::Sample& row, std::uint64_t missing) {
+    bool isDivided() const { return options.fileSeconds > 0 || options.fileBytes > 0; }
+
+    /// The path of the next numbered file. Files of an earlier run are kept.
+    QString nextPath() const {
+        int number = files + 1;
+        while (QFileInfo::exists(numberedPath(options.path, number))) {
+            ++number;
+        }
+        return numberedPath(options.path, number);
+    }
+
+    bool isFull(const receive::Sample& next) const {
+        const bool isOld = options.fileSeconds > 0 &&
+                           static_cast<double>(next.hostTimeNs - firstNs) >= options.fileSeconds * 1e9;
+        const bool isLarge = options.fileBytes > 0 && bytes >= options.fileBytes;
+        return firstNs != 0 && (isOld || isLarge);
+    }
+
+    Result<void> encode(const receive::Sample& row, std::uint64_t missing) {
+        if (isFull(row)) {
+            if (const auto finished = finishFile(); !finished) {
+                return finished;
+            }
+            if (const auto opened = openFile(nextPath()); !opened) {
+                return opened;
+            }
+        }
         firstNs = firstNs == 0 ? row.hostTimeNs : firstNs;
         lastNs = row.hostTimeNs;
         encoder->add(row, missing, clock.utcOf(row.hostTimeNs));
@@ -213,6 +240,7 @@ struct Recorder::Worker : publish::SampleSink {
         if (!options.format->keepsNotes()) {
             rowTimes.add(clock.utcOf(row.hostTimeNs), receive::RobotState(row).timestamp(), missing == 0);
         }
+        return {};
     }
 
     Result<void> takeSample(const receive::Sample& sample, std::uint64_t missing) {
@@ -221,11 +249,7 @@ struct Recorder::Worker : publish::SampleSink {
         if (trigger) {
             return takeTriggered(sample);
         }
-        if (sample.sequence >= dueSequence) {
-            dueSequence = sample.sequence + every;
-            encode(sample, std::exchange(missingBefore, 0));
-        }
-        return {};
+        return encodeDue(sample);
     }
 
     /// The number of packets missed during a restart is unknown, so a restart is an event instead of a gap.
@@ -251,23 +275,26 @@ struct Recorder::Worker : publish::SampleSink {
             state = RecorderState::Waiting;
         }
         if (verdict == TriggerWatch::Verdict::Begin) {
-            int number = files + 1;
-            while (QFileInfo::exists(numberedPath(options.path, number))) {
-                ++number;  // keep files of an earlier run
-            }
-            if (const auto opened = openFile(numberedPath(options.path, number)); !opened) {
+            if (const auto opened = openFile(nextPath()); !opened) {
                 return opened;
             }
             state = RecorderState::Recording;
             dueSequence = 0;
-            for (const auto& [row, lostBefore] : kept) {
-                encodeDue(row, lostBefore);
+            for (const auto& [row, lostBefore] : std::exchange(kept, {})) {
+                missingBefore += lostBefore;
+                if (const auto encoded = encodeDue(row); !encoded) {
+                    return encoded;
+                }
             }
-            kept.clear();
         }
         if (file) {
-            encodeDue(sample, missing);
-            return {};
+            missingBefore += missing;
+            const auto encoded = encodeDue(sample);
+            if (encoded && verdict == TriggerWatch::Verdict::Begin) {
+                noteFailed(keepNote({sample.hostTimeNs + steadyToUtc, kInfoLevel, kTriggerSource,
+                                     QStringLiteral("Trigger: %1").arg(trigger->cause())}));
+            }
+            return encoded;
         }
         kept.emplace_back(sample, missing);
         const auto spanNs = static_cast<std::int64_t>(options.trigger->before * 1e9);
@@ -277,12 +304,12 @@ struct Recorder::Worker : publish::SampleSink {
         return {};
     }
 
-    void encodeDue(const receive::Sample& row, std::uint64_t missing) {
-        missingBefore += missing;
-        if (row.sequence >= dueSequence) {
-            dueSequence = row.sequence + every;
-            encode(row, std::exchange(missingBefore, 0));
+    Result<void> encodeDue(const receive::Sample& row) {
+        if (row.sequence < dueSequence) {
+            return {};
         }
+        dueSequence = row.sequence + every;
+        return encode(row, std::exchange(missingBefore, 0));
     }
 
     /// A failure to write notes does not end the recording, which is complete without them.
@@ -456,7 +483,8 @@ Result<void> Recorder::start(const RecorderOptions& options, receive::Subscripti
         if (!next->options.format->encoder(next->setup)) {
             return Error{ErrorCode::InvalidArgument, QStringLiteral("no field to record"), {}};
         }
-    } else if (auto opened = next->openFile(options.path); !opened) {
+    } else if (auto opened = next->openFile(next->isDivided() ? next->nextPath() : QString(options.path));
+               !opened) {
         return opened;
     }
     next->freeBytes = freeBytesFor(options.path).value_or(0);

@@ -58,6 +58,9 @@ struct RecorderOptions {
     /// If set, the recorder waits for the trigger and writes numbered files: see numberedPath(). Empty: the
     /// recorder writes one file and starts at once.
     std::optional<RecordingTrigger> trigger{};
+    /// If set, the recording is divided into numbered files: see numberedPath(). No packet is lost between two files.
+    double fileSeconds = 0;      ///< maximum duration of a file [s]; 0: no limit
+    std::int64_t fileBytes = 0;  ///< a file is complete when it has this size [bytes]; 0: no limit
     /// Minimum free space on the disk [bytes]. Below it, the recording ends with DiskFull. 0: the recording
     /// ends when the disk is full.
     std::int64_t keepFree = 0;

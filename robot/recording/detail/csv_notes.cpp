@@ -64,7 +64,8 @@ bool hasHeader(QFile& file) {
 
 bool isCsvNote(int level, const QString& source) {
     constexpr int kWarning = 30;
-    return level >= kWarning || source == QLatin1String(kNoteSource) || source == QLatin1String(kStepSource);
+    return level >= kWarning || source == QLatin1String(kNoteSource) ||
+           source == QLatin1String(kStepSource) || source == QLatin1String(kTriggerSource);
 }
 
 QString csvNotesPath(const QString& recording) {

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include <QFile>
 #include <QFileInfo>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
+#include <array>
 #include <atomic>
+#include <cmath>
 #include <condition_variable>
 #include <mutex>
 
@@ -92,6 +96,12 @@ class TestTriggers : public QObject {
 private Q_SLOTS:
     void conditionsRoundTrip_data();
     void conditionsRoundTrip();
+    void conditionsAreCombined();
+    void combinedConditionsTrigger();
+    void theCauseIsStored_data();
+    void theCauseIsStored();
+    void aLongRecordingIsDividedWithoutLosingRows_data();
+    void aLongRecordingIsDividedWithoutLosingRows();
     void invalidConditionListsValidOnes();
     void aConditionTriggersOnlyWhenItBecomesTrue();
     void bitsAndChangesTrigger();
@@ -110,7 +120,7 @@ void TestTriggers::conditionsRoundTrip_data() {
     QTest::addColumn<int>("bit");
     QTest::addColumn<int>("when");
     QTest::addColumn<double>("value");
-    using When = RecordingTrigger::When;
+    using When = TriggerCondition::When;
     QTest::newRow("above") << "actual_TCP_force_2 > 20"
                            << "actual_TCP_force_2" << -1 << int(When::Above) << 20.0;
     QTest::newRow("below, close") << "a<-1.5e3"
@@ -132,10 +142,156 @@ void TestTriggers::conditionsRoundTrip_data() {
 void TestTriggers::conditionsRoundTrip() {
     QFETCH(QString, text);
     const auto trigger = RecordingTrigger::parse(text).value();
-    QTEST(QString::fromStdString(trigger.column), "column");
-    QTEST(trigger.bit, "bit");
-    QTEST(int(trigger.when), "when");
-    QTEST(trigger.value, "value");
+    QCOMPARE(trigger.any.size(), std::size_t{1});
+    QCOMPARE(trigger.any[0].size(), std::size_t{1});
+    const TriggerCondition& condition = trigger.any[0][0];
+    QCOMPARE(condition.columns.size(), std::size_t{1});
+    QVERIFY(!condition.norm);
+    QTEST(QString::fromStdString(condition.columns[0]), "column");
+    QTEST(condition.bit, "bit");
+    QTEST(int(condition.when), "when");
+    QTEST(condition.value, "value");
+}
+
+void TestTriggers::conditionsAreCombined() {
+    const auto trigger =
+        RecordingTrigger::parse(
+            "norm(actual_TCP_force_0,actual_TCP_force_2) > 20 and robot_mode = 7 OR program starts")
+            .value();
+    QCOMPARE(trigger.any.size(), std::size_t{2});
+    QCOMPARE(trigger.any[0].size(), std::size_t{2});
+    QCOMPARE(trigger.any[1].size(), std::size_t{1});
+    QVERIFY(trigger.any[0][0].norm);
+    QCOMPARE(trigger.columns(), (std::vector<std::string>{"actual_TCP_force_0", "actual_TCP_force_2",
+                                                          "robot_mode", "runtime_state"}));
+    // Only the incorrect condition is named.
+    const auto wrong = RecordingTrigger::parse("robot_mode = 7 && x ~ 3");
+    QVERIFY(!wrong);
+    QVERIFY2(wrong.error().context.contains("\"x ~ 3\""), qPrintable(wrong.error().context));
+    for (const char* text :
+         {"a > 1 and", "or a > 1", "norm() > 1", "norm(a, b:1) > 1", "norm(a changes", "a > 1 b > 2"}) {
+        QVERIFY2(!RecordingTrigger::parse(text), text);
+    }
+}
+
+void TestTriggers::combinedConditionsTrigger() {
+    const receive::SampleLayout layout({"timestamp", "actual_TCP_force", "robot_mode"});
+    auto watch =
+        TriggerWatch::make(RecordingTrigger::parse(
+                               "norm(actual_TCP_force_0, actual_TCP_force_1) > 4.9 and robot_mode = 7 or "
+                               "actual_TCP_force_2 < -10")
+                               .value(),
+                           layout)
+            .value();
+    const auto shared = std::make_shared<const receive::SampleLayout>(
+        std::vector<std::string>{"timestamp", "actual_TCP_force", "robot_mode"});
+    int sent = 0;
+    const auto add = [&](double x, double y, double z, double mode) {
+        receive::Sample sample(shared);
+        sample.hostTimeNs = ++sent * 2'000'000;
+        sample.values[*layout.indexOfComponent("actual_TCP_force_0")] = x;
+        sample.values[*layout.indexOfComponent("actual_TCP_force_1")] = y;
+        sample.values[*layout.indexOfComponent("actual_TCP_force_2")] = z;
+        sample.values[*layout.indexOfComponent("robot_mode")] = mode;
+        return watch.add(sample);
+    };
+    using Verdict = TriggerWatch::Verdict;
+    QCOMPARE(add(0, 0, 0, 7), Verdict::Keep);
+    QCOMPARE(add(3, 4, 0, 5), Verdict::Keep);  // the norm is 5, but the mode is not 7
+    QCOMPARE(add(4, 0, 0, 7), Verdict::Keep);
+    QCOMPARE(add(3, -4, 0, 7), Verdict::Begin);
+    QCOMPARE(watch.cause(),
+             QString("norm(actual_TCP_force_0, actual_TCP_force_1) > 4.9 (5) and robot_mode = 7 (7)"));
+    QCOMPARE(add(0, 0, 0, 7), Verdict::End);
+    QCOMPARE(add(0, 0, -12.5, 3), Verdict::Begin);
+    QCOMPARE(watch.cause(), QString("actual_TCP_force_2 < -10 (-12.5)"));
+}
+
+void TestTriggers::theCauseIsStored_data() {
+    QTest::addColumn<QString>("suffix");
+    QTest::newRow("CSV") << "csv";
+    QTest::newRow("MCAP") << "mcap";
+}
+
+void TestTriggers::theCauseIsStored() {
+    QFETCH(QString, suffix);
+    Bench bench;
+    RecorderOptions options;
+    options.path = bench.folder.filePath("contact." + suffix);
+    options.format = formatForPath(options.path).value();
+    options.trigger = RecordingTrigger::parse("actual_TCP_force_2 > 20 or actual_TCP_force_2 < -20").value();
+    options.trigger->before = 60;
+    Recorder recorder;
+    QVERIFY(recorder.start(options, bench.receiver).ok());
+    bench.send(50, 0);
+    bench.send(50, 31.5);
+    TRY_COMPARE(recorder.progress().state, RecorderState::Recording);
+    recorder.stop();
+    const auto file = openRecording(bench.folder.filePath("contact_001." + suffix)).value();
+    QCOMPARE(file->rows(), std::uint64_t{100});
+    const auto cause =
+        std::find_if(file->events().begin(), file->events().end(),
+                     [](const RecordedEvent& event) { return event.source == kTriggerSource; });
+    QVERIFY(cause != file->events().end());
+    QCOMPARE(cause->text, QString("Trigger: actual_TCP_force_2 > 20 (31.5)"));
+    // The event is at the first sample with the force. MCAP files store its time of arrival, and the peer sends faster
+    // than a controller.
+    const auto row = file->rowAt(cause->seconds).value();
+    QVERIFY2(row >= 49 && (row <= 51 || suffix == "mcap"), qPrintable(QString::number(row)));
+}
+
+void TestTriggers::aLongRecordingIsDividedWithoutLosingRows_data() {
+    QTest::addColumn<QString>("suffix");
+    QTest::addColumn<double>("seconds");
+    QTest::addColumn<qint64>("bytes");
+    QTest::newRow("CSV by size") << "csv" << 0.0 << qint64{2000};
+    QTest::newRow("CSV by time") << "csv" << 0.05 << qint64{0};
+    QTest::newRow("MCAP by size") << "mcap" << 0.0 << qint64{2000};
+    QTest::newRow("MCAP by time") << "mcap" << 0.05 << qint64{0};
+}
+
+void TestTriggers::aLongRecordingIsDividedWithoutLosingRows() {
+    QFETCH(QString, suffix);
+    Bench bench;
+    RecorderOptions options;
+    options.path = bench.folder.filePath("long." + suffix);
+    options.format = formatForPath(options.path).value();
+    options.fields = {"actual_TCP_force"};
+    QFETCH(double, seconds);
+    QFETCH(qint64, bytes);
+    options.fileSeconds = seconds;
+    options.fileBytes = bytes;
+    // A file of an earlier run is kept.
+    QFile earlier(bench.folder.filePath("long_001." + suffix));
+    QVERIFY(earlier.open(QIODevice::WriteOnly) && earlier.write("earlier") == 7);
+    earlier.close();
+    Recorder recorder;
+    QVERIFY(recorder.start(options, bench.receiver).ok());
+    const auto until = std::chrono::steady_clock::now() + 30s;
+    while (recorder.progress().files < 3 && std::chrono::steady_clock::now() < until) {
+        bench.send(20, bench.sent);
+        QTest::qWait(20);
+    }
+    recorder.stop();
+    const int files = recorder.progress().files;
+    QVERIFY(files >= 3);
+    QCOMPARE(recorder.progress().state, RecorderState::Finished);
+    QCOMPARE(recorder.progress().rows, static_cast<std::uint64_t>(bench.sent));
+    QCOMPARE(QFileInfo(earlier).size(), 7);
+    int next = 0;
+    for (int number = 2; number < files + 2; ++number) {
+        const QString path = numberedPath(options.path, number);
+        const auto file = openRecording(path);
+        QVERIFY2(file.ok(), qPrintable(path));
+        QVERIFY((*file)->problems().isEmpty());
+        QVERIFY((*file)->gaps().empty());
+        const std::array<std::size_t, 1> column{(*file)->indexOf("timestamp").value()};
+        const auto read = (*file)->read(column, {0, (*file)->rows()}).value();
+        for (const double time : read.front()) {
+            QCOMPARE(std::lround(time / 0.002), ++next);
+        }
+    }
+    QCOMPARE(next, bench.sent);
 }
 
 void TestTriggers::invalidConditionListsValidOnes() {
