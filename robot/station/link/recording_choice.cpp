@@ -6,7 +6,9 @@
 #include <QSet>
 #include <QStandardPaths>
 #include <algorithm>
+#include <cmath>
 
+#include "robot/receive/field_info.h"
 #include "robot/recording/recorder.h"
 
 namespace tiller {
@@ -49,6 +51,18 @@ QString nameOf(const QString& pattern, const QString& robot, const QDateTime& no
         name.prepend(QLatin1Char('_'));
     }
     return name.left(kMaxNameLength);
+}
+
+/// Null if no field has a component with this name.
+const receive::FieldInfo* fieldOfColumn(const std::string& column) {
+    for (const receive::FieldInfo& field : receive::fieldInfos()) {
+        for (int component = 0; component < field.components; ++component) {
+            if (field.componentName(component) == column) {
+                return &field;
+            }
+        }
+    }
+    return nullptr;
 }
 
 /// All entries of the folder, including hidden files and broken links. Names are in lower case, because some
@@ -122,6 +136,28 @@ RecordingChoice RecordingChoice::sane() const {
     if (!patternProblem(pattern).isEmpty()) {
         out.pattern = defaultPattern();
     }
+    // A field without a value stays in the form.
+    QSet<QString> names;
+    out.metadata.removeIf([&names](const QString& entry) {
+        recording::Metadata parsed;
+        const QString name = entry.section(QLatin1Char('='), 0, 0).trimmed();
+        const bool isEmpty = entry.section(QLatin1Char('='), 1).trimmed().isEmpty();
+        const QString checked = isEmpty ? name + QStringLiteral("=-") : entry;
+        const bool isValid = entry.contains(QLatin1Char('=')) &&
+                             recording::isMetadataName(name.toStdString()) &&
+                             recording::addMetadata(parsed, checked).ok() && !names.contains(name) &&
+                             names.size() < kMaxMetadata;
+        names.insert(isValid ? name : QString());
+        return !isValid;
+    });
+    out.before = std::isfinite(before) ? std::clamp(before, 0.0, kMaxBefore) : RecordingChoice().before;
+    out.after = std::isfinite(after) ? std::clamp(after, 0.0, kMaxAfter) : RecordingChoice().after;
+    out.fileMinutes = std::clamp(fileMinutes, 0, kMaxFileMinutes);
+    out.fileSize = std::clamp(fileSize, 0, kMaxFileSize);
+    out.trigger = trigger.simplified();
+    if (!triggerProblem(out.trigger).isEmpty()) {
+        out.trigger.clear();
+    }
     const QStringList known = recordableFields();
     out.fields.removeIf([&known](const QString& field) { return !known.contains(field); });
     out.fields.removeDuplicates();
@@ -129,6 +165,53 @@ RecordingChoice RecordingChoice::sane() const {
         out.fields.clear();
     }
     return out;
+}
+
+recording::Metadata RecordingChoice::facts() const {
+    recording::Metadata facts;
+    for (const QString& entry : sane().metadata) {
+        static_cast<void>(recording::addMetadata(facts, entry));  // refuses fields without a value
+    }
+    return facts;
+}
+
+QStringList RecordingChoice::defaultMetadata() {
+    return {QStringLiteral("operator="), QStringLiteral("experiment="), QStringLiteral("sample=")};
+}
+
+QString triggerProblem(const QString& trigger) {
+    if (trigger.trimmed().isEmpty()) {
+        return {};
+    }
+    const auto parsed = recording::RecordingTrigger::parse(trigger);
+    if (!parsed) {
+        return RecordingChoiceText::tr(
+                   "Not a condition: “%1”. Examples: actual_TCP_force_2 > 20, robot_mode = 7, "
+                   "actual_digital_input_bits:3 = 1, runtime_state changes.")
+            .arg(parsed.error().context.section(QLatin1Char('"'), 1, 1));
+    }
+    for (const std::string& column : parsed->columns()) {
+        if (fieldOfColumn(column) == nullptr) {
+            return RecordingChoiceText::tr(
+                       "There is no signal “%1”. Vectors have one signal per number, such as "
+                       "actual_q_0.")
+                .arg(QString::fromStdString(column));
+        }
+    }
+    return {};
+}
+
+QStringList triggerFields(const QString& trigger) {
+    QStringList fields;
+    if (const auto parsed = recording::RecordingTrigger::parse(trigger)) {
+        for (const std::string& column : parsed->columns()) {
+            if (const receive::FieldInfo* field = fieldOfColumn(column)) {
+                fields << QString::fromUtf8(field->name.data(), static_cast<qsizetype>(field->name.size()));
+            }
+        }
+        fields.removeDuplicates();
+    }
+    return fields;
 }
 
 QString recordingPath(const RecordingChoice& choice, const QString& robot, const QDateTime& now) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Recording settings of the operator: folder, file name, recorded signals, and the number of packets per row.
+// Recording settings of the operator: folder, file name, recorded signals, the number of packets per row, metadata,
+// trigger and maximum size of a file.
 
 #include <QDateTime>
 #include <QString>
@@ -18,13 +19,30 @@ struct RecordingChoice {
     int every = 1;                           ///< every n-th packet becomes a row
     QString format = QStringLiteral("csv");  ///< suffix of a row of recording::fileFormats()
     int keepFree = 200;                      ///< minimum free disk space; recording stops below it [MB]
+    /// Fields of the metadata form as "name=value", in the order of the form. A field without a value is not recorded.
+    QStringList metadata = defaultMetadata();
+    bool asksMetadata = false;  ///< show the metadata form before each recording
+    QString trigger{};          ///< see RecordingTrigger::parse(); empty: recording starts at once
+    double before = 2;          ///< recorded time before the trigger [s]
+    double after = 2;           ///< recorded time after the trigger [s]
+    int fileMinutes = 0;        ///< maximum duration of a file [min]; 0: no limit
+    int fileSize = 0;           ///< size after which a new file begins [MB]; 0: no limit
 
     static constexpr int kMaxDecimation = 500;
     static constexpr int kMaxKeptFree = 100'000;  ///< [MB]
+    static constexpr qsizetype kMaxMetadata = 50;
+    static constexpr double kMaxBefore = 60;   ///< [s]
+    static constexpr double kMaxAfter = 3600;  ///< [s]
+    static constexpr int kMaxFileMinutes = 10'000;
+    static constexpr int kMaxFileSize = 1'000'000;  ///< [MB]
+    /// Operator, experiment and sample, without values.
+    static QStringList defaultMetadata();
     static QString defaultPattern() { return QStringLiteral("{date}_{time}"); }
 
     /// Returns the settings with invalid values replaced by the nearest valid values.
     RecordingChoice sane() const;
+    /// The fields with a value.
+    recording::Metadata facts() const;
 
     friend bool operator==(const RecordingChoice&, const RecordingChoice&) = default;
 };
@@ -45,6 +63,10 @@ QStringList recordableFields();
 QString recordingFolder();
 /// The error in a pattern, as a sentence; empty if the pattern is valid.
 QString patternProblem(const QString& pattern);
+/// The error in a trigger, as a sentence; empty if the trigger is valid or empty.
+QString triggerProblem(const QString& trigger);
+/// RTDE names of the fields that a trigger needs.
+QStringList triggerFields(const QString& trigger);
 /// The path of a new file. {date}, {time} and {robot} in the pattern are replaced; {number} is one more than
 /// the highest number of the existing files. Never returns the path of an existing file.
 QString recordingPath(const RecordingChoice& choice, const QString& robot, const QDateTime& now);

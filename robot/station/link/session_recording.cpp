@@ -101,6 +101,18 @@ void SessionRecording::start(const RecordingOrder& order) {
     for (const QString& field : order.fields) {
         options.fields.push_back(field.toStdString());
     }
+    options.fileSeconds = order.fileSeconds;
+    options.fileBytes = order.fileBytes;
+    if (!order.trigger.isEmpty()) {
+        auto trigger = recording::RecordingTrigger::parse(order.trigger);
+        if (!trigger) {
+            refuse(Severity::Error, triggerProblem(order.trigger));
+            return;
+        }
+        trigger->before = order.before;
+        trigger->after = order.after;
+        options.trigger = std::move(trigger).value();
+    }
     const recording::FileFormat& format = recordingFormat(order.format);
     const bool everyField = format.isComplete && options.fields.empty();
     if (options.fields.empty()) {
@@ -110,7 +122,7 @@ void SessionRecording::start(const RecordingOrder& order) {
             }
         }
     }
-    for (const QString& field : order.shown) {
+    for (const QString& field : order.shown + triggerFields(order.trigger)) {
         const std::string name = field.toStdString();
         if (std::find(options.fields.begin(), options.fields.end(), name) == options.fields.end()) {
             options.fields.push_back(name);
@@ -135,6 +147,10 @@ void SessionRecording::start(const RecordingOrder& order) {
         return fields;
     };
     recording::McapFormatOptions extras;
+    extras.facts = order.metadata;
+    if (!order.trigger.isEmpty()) {
+        extras.facts["trigger"] = order.trigger.toStdString();
+    }
     extras.facts["robot"] = d_.address.host.toStdString();
     extras.facts["software"] = toString(receiver.version());
     extras.facts["written_by"] = "tiller " + QCoreApplication::applicationVersion().toStdString();
@@ -144,8 +160,9 @@ void SessionRecording::start(const RecordingOrder& order) {
     // keeps the samples.
     d_.files.post(&session_, [this, options, extras, &format, robot = d_.address, recordableFrom,
                               isCb3 = receiver.version().isCb3(), stream = source->subscribe(), source,
-                              link = d_.link->receiver,
-                              linkStream = d_.link->receiver->subscribe()](const CancelToken& cancel) {
+                              link = d_.link->receiver, linkStream = d_.link->receiver->subscribe(),
+                              trigger = order.trigger,
+                              hasMetadata = !order.metadata.empty()](const CancelToken& cancel) {
         recording::RecorderOptions chosen = options;
         // Without a second connection, the fields of the link are recorded.
         const bool isOwn = source != link && source->waitForData(Deadline::after(kDataWait, cancel)).ok();
@@ -158,18 +175,19 @@ void SessionRecording::start(const RecordingOrder& order) {
             }
         }
         recording::McapFormatOptions facts = extras;
-        if (format.isComplete) {
+        if (format.isComplete || hasMetadata) {
             const auto identity = dashboard::askIdentity(robot.host, robot.portOffset, isCb3,
                                                          Deadline::after(kIdentityWait, cancel));
             facts.facts["model"] = identity.model.toStdString();
             facts.facts["serial_number"] = identity.serialNumber.toStdString();
         }
-        chosen.format = format.recorder(facts, false);
+        chosen.format = format.recorder(facts, hasMetadata);
         const Result<void> result = d_.recorder.start(chosen, isOwn ? stream : linkStream, layout);
         if (result) {
             d_.recorderReceiver = isOwn ? source : nullptr;
         }
-        return std::function<void()>([this, path = options.path, result, missing, fields = chosen.fields] {
+        return std::function<void()>([this, path = chosen.trigger ? QString(chosen.path) : d_.recorder.path(),
+                                      result, missing, fields = chosen.fields, trigger] {
             if (result) {
                 wasRecording_ = true;
                 reportedNotes_ = false;
@@ -177,7 +195,11 @@ void SessionRecording::start(const RecordingOrder& order) {
                 for (const std::string& field : fields) {
                     contained_ << QString::fromStdString(field);
                 }
-                session_.journal().add(Severity::Info, tr("Recording to %1").arg(path), Origin::Operator);
+                session_.journal().add(
+                    Severity::Info,
+                    trigger.isEmpty() ? tr("Recording to %1").arg(path)
+                                      : tr("Waiting for the trigger %1 to record to %2").arg(trigger, path),
+                    Origin::Operator);
                 if (!missing.isEmpty()) {
                     session_.journal().add(
                         Severity::Warning,
@@ -199,16 +221,14 @@ void SessionRecording::stop() {
         d_.recorder.stop();
         d_.recorderReceiver.reset();
         // Continue only while recording, or to report a failure that has not been reported yet.
-        if (state != recording::RecorderState::Recording &&
+        if (state != recording::RecorderState::Recording && state != recording::RecorderState::Waiting &&
             !(was && state == recording::RecorderState::Failed)) {
             return std::function<void()>();
         }
         return std::function<void()>([this] {
             const recording::RecorderProgress progress = d_.recorder.progress();
             if (progress.state == recording::RecorderState::Finished) {
-                session_.journal().add(Severity::Info,
-                                       tr("Recorded %n rows to %1", nullptr, static_cast<int>(progress.rows))
-                                           .arg(d_.recorder.path()));
+                session_.journal().add(Severity::Info, recordedText(progress));
                 if (progress.lost > 0) {
                     session_.journal().add(Severity::Warning,
                                            tr("The recording has gaps: %n packets are missing.", nullptr,
@@ -220,6 +240,16 @@ void SessionRecording::stop() {
             session_.refresh();
         });
     });
+}
+
+QString SessionRecording::recordedText(const recording::RecorderProgress& progress) const {
+    if (progress.files == 0) {
+        return tr("The trigger has not occurred. No file was written.");
+    }
+    const QString rows = tr("Recorded %n rows to %1", nullptr, static_cast<int>(progress.rows));
+    return progress.files == 1
+               ? rows.arg(d_.recorder.path())
+               : tr("Recorded %n files; the last one is %1", nullptr, progress.files).arg(d_.recorder.path());
 }
 
 void SessionRecording::reportDisplayed(const QStringList& fields) {
@@ -250,7 +280,8 @@ void SessionRecording::reportFailure() {
     if (wasRecording_ && !d_.state.recording.error.isEmpty()) {
         wasRecording_ = false;
         d_.files.postCleanup([&backend = d_] {
-            if (backend.recorder.progress().state != recording::RecorderState::Recording) {
+            const recording::RecorderState state = backend.recorder.progress().state;
+            if (state != recording::RecorderState::Recording && state != recording::RecorderState::Waiting) {
                 backend.recorderReceiver.reset();
             }
         });

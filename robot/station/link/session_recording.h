@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "robot/receive/receiver.h"
-#include "robot/recording/recording_format.h"
+#include "robot/recording/recorder.h"
 #include "robot/station/link/recording_choice.h"
 
 namespace tiller {
@@ -31,6 +31,13 @@ struct RecordingOrder {
     int every = 1;         ///< every n-th packet becomes a row
     QString format = QStringLiteral("csv");  ///< see RecordingChoice::format
     std::int64_t keepFree = 200'000'000;     ///< minimum free disk space; recording stops below it [bytes]
+    recording::Metadata metadata{};          ///< of the user; in CSV files above the header
+    /// As RecordingChoice::trigger. The fields of the trigger are recorded additionally.
+    QString trigger{};
+    double before = 0;           ///< recorded time before the trigger [s]
+    double after = 0;            ///< recorded time after the trigger [s]
+    double fileSeconds = 0;      ///< see RecorderOptions
+    std::int64_t fileBytes = 0;  ///< see RecorderOptions
 };
 
 class SessionRecording {
@@ -57,6 +64,7 @@ public:
 private:
     /// Adds an entry to the current recording, if there is one.
     void keep(const recording::RecordedNote& note);
+    QString recordedText(const recording::RecorderProgress& progress) const;
     /// Reports why a recording cannot start. The state shows the reason until the next attempt.
     void refuse(Severity severity, const QString& why);
     /// The receiver of the link, or another receiver if the link does not receive all fields.

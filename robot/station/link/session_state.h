@@ -54,7 +54,9 @@ struct LinkQuality {
 };
 
 struct RecordingState {
-    bool active = false;
+    bool active = false;   ///< recording, or waiting for the trigger
+    bool waiting = false;  ///< waiting for the trigger
+    int files = 0;         ///< number of files started
     QString path;
     std::uint64_t rows = 0;
     double seconds = 0;

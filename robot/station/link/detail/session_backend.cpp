@@ -392,7 +392,9 @@ void SessionBackend::noteStall() {
 
 void SessionBackend::readRecording() {
     const recording::RecorderProgress progress = recorder.progress();
-    state.recording.active = progress.state == recording::RecorderState::Recording;
+    state.recording.waiting = progress.state == recording::RecorderState::Waiting;
+    state.recording.active = state.recording.waiting || progress.state == recording::RecorderState::Recording;
+    state.recording.files = progress.files;
     state.recording.rows = progress.rows;
     state.recording.seconds = progress.seconds;
     state.recording.bytes = progress.bytes;

@@ -51,6 +51,33 @@ private Q_SLOTS:
         QCOMPARE((RecordingChoice{.keepFree = -1}.sane().keepFree), 0);
     }
 
+    void metadataKeepsItsTemplate() {
+        const RecordingChoice choice{.metadata = {"operator=Ann", "sample=", "sample=7", "model=UR5e",
+                                                  "no sign", "=x", "a:b=c", "note= two words "}};
+        QCOMPARE(choice.sane().metadata, (QStringList{"operator=Ann", "sample=", "note= two words "}));
+        QCOMPARE(choice.facts(), (recording::Metadata{{"operator", "Ann"}, {"note", "two words"}}));
+        QVERIFY(RecordingChoice().facts().empty());
+        QCOMPARE(RecordingChoice().sane().metadata.size(), 3);
+        QCOMPARE((RecordingChoice{.metadata = {}}.sane().metadata), QStringList());
+    }
+
+    void triggersAreChecked() {
+        QCOMPARE(triggerProblem({}), QString());
+        QCOMPARE(triggerProblem("norm(actual_TCP_force_0, actual_TCP_force_1) > 4 and program starts"),
+                 QString());
+        QVERIFY(triggerProblem("robot_mode = 7 and force > x").contains("“force > x”"));
+        QVERIFY(triggerProblem("actual_TCP_force > 3").contains("actual_TCP_force”"));
+        QCOMPARE(triggerFields("actual_q_0 > 1 or actual_q_5 < 3 and robot_mode = 7"),
+                 (QStringList{"actual_q", "robot_mode"}));
+        RecordingChoice choice{.trigger = " robot_mode  = 7", .before = -1, .after = 1e9, .fileMinutes = -1};
+        QCOMPARE(choice.sane().trigger, QString("robot_mode = 7"));
+        QCOMPARE(choice.sane().before, 0.0);
+        QCOMPARE(choice.sane().after, RecordingChoice::kMaxAfter);
+        QCOMPARE(choice.sane().fileMinutes, 0);
+        choice.trigger = "nothing";
+        QCOMPARE(choice.sane().trigger, QString());
+    }
+
     void everyRecordableFormatHasADescription() {
         for (const recording::FileFormat* format : recording::formatsIn(recording::FormatSet::Recorded)) {
             const RecordingFormatWords words = recordingFormatWords(*format);
