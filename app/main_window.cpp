@@ -405,6 +405,7 @@ void MainWindow::connectReplay() {
     connect(scene_, &SceneDock::liveWanted, plots_, &PlotDock::endReplay);
     connect(io_, &IoTab::liveWanted, plots_, &PlotDock::endReplay);
     connect(log_, &LogTab::liveWanted, plots_, &PlotDock::endReplay);
+    connect(log_, &LogTab::timeWanted, plots_, &PlotDock::goToClock);
 }
 
 void MainWindow::connectProject() {

@@ -192,6 +192,21 @@ const std::vector<PreferenceRow>& preferenceRows() {
         recordingRow(
             "keepFree", "disk space to keep free",
             [](auto& recording) -> auto& { return recording.keepFree; }),
+        recordingRow(
+            "metadata", "metadata", [](auto& recording) -> auto& { return recording.metadata; }),
+        recordingRow(
+            "asksMetadata", "metadata before each recording",
+            [](auto& recording) -> auto& { return recording.asksMetadata; }),
+        recordingRow(
+            "trigger", "trigger", [](auto& recording) -> auto& { return recording.trigger; }),
+        recordingRow(
+            "before", "time before", [](auto& recording) -> auto& { return recording.before; }),
+        recordingRow(
+            "after", "after the trigger", [](auto& recording) -> auto& { return recording.after; }),
+        recordingRow(
+            "fileMinutes", "duration", [](auto& recording) -> auto& { return recording.fileMinutes; }),
+        recordingRow(
+            "fileSize", "size of a file", [](auto& recording) -> auto& { return recording.fileSize; }),
     };
     return kRows;
 }

@@ -18,6 +18,7 @@
 #include "widgets/common/choice_box.h"
 #include "widgets/common/decimal_spin_box.h"
 #include "widgets/common/empty_state.h"
+#include "widgets/plots/metadata_dialog.h"
 
 namespace tiller::app {
 
@@ -45,6 +46,18 @@ RecordingSettings::RecordingSettings(const RecordingChoice& choice, QWidget* par
     , rate_(namedSecondary(QStringLiteral("settings.recording.rate")))
     , format_(new ChoiceBox)
     , keepFree_(new DecimalSpinBox)
+    , fileMinutes_(box("fileMinutes", tr("Maximum duration of a file, in minutes"),
+                       RecordingChoice::kMaxFileMinutes, choice_.fileMinutes))
+    , fileSize_(box("fileSize", tr("Maximum size of a file, in megabytes"), RecordingChoice::kMaxFileSize,
+                    choice_.fileSize))
+    , metadata_(new QPushButton)
+    , asksMetadata_(new ChoiceBox)
+    , trigger_(new QLineEdit)
+    , triggerNote_(namedSecondary(QStringLiteral("settings.recording.triggerNote")))
+    , before_(box("before", tr("Recorded time before the trigger, in seconds"), RecordingChoice::kMaxBefore,
+                  choice_.before))
+    , after_(box("after", tr("Recorded time after the trigger, in seconds"), RecordingChoice::kMaxAfter,
+                 choice_.after))
     , search_(new QLineEdit)
     , signals_(new QListWidget)
     , nothing_(nullptr) {
@@ -70,6 +83,17 @@ RecordingSettings::RecordingSettings(const RecordingChoice& choice, QWidget* par
         next.keepFree = static_cast<int>(value);
         tell(next);
     });
+    for (const DecimalSpinBox* each : {fileMinutes_, fileSize_, before_, after_}) {
+        connect(each, &QDoubleSpinBox::valueChanged, this, &RecordingSettings::followLimits);
+    }
+    connect(metadata_, &QPushButton::clicked, this, &RecordingSettings::editMetadata);
+    connect(asksMetadata_, &QComboBox::currentIndexChanged, this, [this](int index) {
+        RecordingChoice next = choice_;
+        next.asksMetadata = index == 1;
+        tell(next);
+    });
+    connect(trigger_, &QLineEdit::textEdited, this, &RecordingSettings::showTrigger);
+    connect(trigger_, &QLineEdit::editingFinished, this, &RecordingSettings::takeTrigger);
     connect(search_, &QLineEdit::textChanged, this, &RecordingSettings::search);
     connect(signals_, &QListWidget::itemChanged, this, &RecordingSettings::takeSignals);
 }
@@ -114,6 +138,35 @@ void RecordingSettings::build() {
         tr("Recording stops, and the file is saved, before the free disk space falls below this value."));
     keepFree_->setValue(choice_.keepFree);
 
+    for (DecimalSpinBox* each : {fileMinutes_, fileSize_}) {
+        each->setDecimals(0);
+        each->setSpecialValueText(tr("No limit"));
+        each->setToolTip(tr("A longer recording continues in a new file without losing packets."));
+    }
+    fileMinutes_->setSuffix(tr(" min"));
+    fileSize_->setSuffix(tr(" MB"));
+    metadata_->setObjectName(QStringLiteral("settings.recording.metadata"));
+    metadata_->setAccessibleName(tr("Metadata of recordings"));
+    metadata_->setAutoDefault(false);
+    asksMetadata_->setObjectName(QStringLiteral("settings.recording.asksMetadata"));
+    asksMetadata_->setAccessibleName(tr("When to enter metadata"));
+    asksMetadata_->addItems({tr("Use for each recording"), tr("Ask before each recording")});
+    asksMetadata_->setCurrentIndex(choice_.asksMetadata ? 1 : 0);
+    showMetadata();
+    trigger_->setObjectName(QStringLiteral("settings.recording.trigger"));
+    trigger_->setAccessibleName(tr("Trigger"));
+    trigger_->setPlaceholderText(tr("None: recording starts at once"));
+    trigger_->setClearButtonEnabled(true);
+    trigger_->setText(choice_.trigger);
+    trigger_->setToolTip(
+        tr("Combine conditions with “and” and “or”, for example:\n"
+           "norm(actual_TCP_force_0, actual_TCP_force_1) > 20 and robot_mode = 7\n"
+           "actual_digital_input_bits:3 = 1\nruntime_state changes\nprogram starts"));
+    for (DecimalSpinBox* each : {before_, after_}) {
+        each->setDecimals(1);
+        each->setSuffix(tr(" s"));
+    }
+
     search_->setObjectName(QStringLiteral("settings.recording.search"));
     search_->setAccessibleName(tr("Search signals"));
     search_->setPlaceholderText(tr("Search"));
@@ -146,12 +199,87 @@ void RecordingSettings::build() {
     form->addRow(QString(), example_);
     form->addRow(tr("Packets/row"), every_);
     form->addRow(QString(), rate_);
+    const auto pair = [](QWidget* first, const QString& between, QWidget* second) {
+        auto* row = new QHBoxLayout;
+        row->addWidget(first, 1);
+        if (!between.isEmpty()) {
+            row->addWidget(new QLabel(between));
+        }
+        row->addWidget(second, 1);
+        return row;
+    };
     form->addRow(tr("Keep free"), keepFree_);
+    form->addRow(tr("New file after"), pair(fileMinutes_, {}, fileSize_));
+    form->addRow(tr("Metadata"), pair(metadata_, {}, asksMetadata_));
+    form->addRow(tr("Trigger"), trigger_);
+    form->addRow(QString(), triggerNote_);
+    form->addRow(tr("Before trigger"), pair(before_, tr("after"), after_));
+    showTrigger();
     form->addRow(tr("Signals"), above);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 16, 0, 0);
     layout->addLayout(form);
     layout->addWidget(signals_, 1);
+}
+
+DecimalSpinBox* RecordingSettings::box(const char* name, const QString& accessibleName, double most,
+                                       double value) {
+    auto* box = new DecimalSpinBox;
+    box->setObjectName(QStringLiteral("settings.recording.") + QLatin1String(name));
+    box->setAccessibleName(accessibleName);
+    box->setRange(0, most);
+    box->setValue(value);
+    return box;
+}
+
+void RecordingSettings::followLimits() {
+    RecordingChoice next = choice_;
+    next.fileMinutes = static_cast<int>(fileMinutes_->value());
+    next.fileSize = static_cast<int>(fileSize_->value());
+    next.before = before_->value();
+    next.after = after_->value();
+    tell(next);
+}
+
+void RecordingSettings::editMetadata() {
+    auto* dialog =
+        new MetadataDialog(choice_.metadata, choice_.asksMetadata, MetadataDialog::Purpose::Edit, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog] {
+        RecordingChoice next = choice_;
+        next.metadata = dialog->fields();
+        next.asksMetadata = dialog->asksBeforeRecording();
+        tell(next);
+        const QSignalBlocker quiet(asksMetadata_);
+        asksMetadata_->setCurrentIndex(choice_.asksMetadata ? 1 : 0);
+        showMetadata();
+    });
+    dialog->open();
+}
+
+void RecordingSettings::showMetadata() {
+    const auto fields = static_cast<int>(choice_.facts().size());
+    metadata_->setText(fields == 0 ? tr("Metadata…") : tr("Metadata (%n field(s))…", nullptr, fields));
+}
+
+void RecordingSettings::takeTrigger() {
+    if (triggerProblem(trigger_->text()).isEmpty()) {  // otherwise, the previous value remains
+        RecordingChoice next = choice_;
+        next.trigger = trigger_->text();
+        tell(next);
+    }
+}
+
+void RecordingSettings::showTrigger() {
+    const QString problem = triggerProblem(trigger_->text());
+    const QString role = problem.isEmpty() ? QStringLiteral("secondary") : QStringLiteral("warning");
+    if (triggerNote_->property("role") != role) {
+        triggerNote_->setProperty("role", role);
+        triggerNote_->setStyleSheet(triggerNote_->styleSheet());
+    }
+    const QString none =
+        tr("With a trigger, Tiller records only while the condition is true, in numbered files.");
+    triggerNote_->setText(problem.isEmpty() ? none : QStringLiteral("▲ ") + problem);
 }
 
 void RecordingSettings::tell(const RecordingChoice& choice) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The page "Recording" of the settings: folder, file name, signals, and packets per row. Changes take effect
-// with the next recording.
+// The page "Recording" of the settings: folder, file name, signals, packets per row, metadata, trigger and limits of
+// files. Changes take effect with the next recording.
 
 #include <QWidget>
 
@@ -11,6 +11,7 @@
 class QLabel;
 class QLineEdit;
 class QListWidget;
+class QPushButton;
 
 namespace tiller {
 
@@ -36,6 +37,12 @@ private:
     void askForFolder();
     void takeFolder();
     void takePattern();
+    void takeTrigger();
+    void showTrigger();
+    void editMetadata();
+    void showMetadata();
+    void followLimits();
+    DecimalSpinBox* box(const char* name, const QString& accessibleName, double most, double value);
     void takeSignals();
     void chooseAll();
     void search(const QString& words);
@@ -50,6 +57,14 @@ private:
     QLabel* rate_;
     ChoiceBox* format_;
     DecimalSpinBox* keepFree_;
+    DecimalSpinBox* fileMinutes_;
+    DecimalSpinBox* fileSize_;
+    QPushButton* metadata_;
+    ChoiceBox* asksMetadata_;
+    QLineEdit* trigger_;
+    QLabel* triggerNote_;
+    DecimalSpinBox* before_;
+    DecimalSpinBox* after_;
     QLineEdit* search_;
     QListWidget* signals_;
     EmptyState* nothing_;

@@ -3542,6 +3542,14 @@
         <source>This name is too long.</source>
         <translation>Dieser Name ist zu lang.</translation>
     </message>
+    <message>
+        <source>Not a condition: “%1”. Examples: actual_TCP_force_2 &gt; 20, robot_mode = 7, actual_digital_input_bits:3 = 1, runtime_state changes.</source>
+        <translation>Keine Bedingung: „%1“. Beispiele: actual_TCP_force_2 &gt; 20, robot_mode = 7, actual_digital_input_bits:3 = 1, runtime_state changes.</translation>
+    </message>
+    <message>
+        <source>There is no signal “%1”. Vectors have one signal per number, such as actual_q_0.</source>
+        <translation>Das Signal „%1“ gibt es nicht. Vektoren haben ein Signal pro Zahl, zum Beispiel actual_q_0.</translation>
+    </message>
 </context>
 <context>
     <name>RecoveryGuide</name>
@@ -4069,6 +4077,21 @@
     <message>
         <source>The robot cannot send this many signals at once. These signals are not recorded: %1</source>
         <translation>Der Roboter kann nicht so viele Signale gleichzeitig senden. Nicht aufgezeichnete Signale: %1</translation>
+    </message>
+    <message>
+        <source>Waiting for the trigger %1 to record to %2</source>
+        <translation>Warten auf den Trigger %1, dann Aufzeichnung in %2</translation>
+    </message>
+    <message>
+        <source>The trigger has not occurred. No file was written.</source>
+        <translation>Der Trigger ist nicht eingetreten. Es wurde keine Datei geschrieben.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Recorded %n files; the last one is %1</source>
+        <translation>
+            <numerusform>%n Datei aufgezeichnet; die letzte ist %1</numerusform>
+            <numerusform>%n Dateien aufgezeichnet; die letzte ist %1</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8649,6 +8672,41 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
     <message>
         <source>The image %1 could not be created. Choose a different image format.</source>
         <translation>Das Bild %1 konnte nicht erstellt werden. Wählen Sie ein anderes Bildformat.</translation>
+    </message>
+    <message>
+        <source>Recordings…</source>
+        <translation>Aufzeichnungen…</translation>
+    </message>
+    <message>
+        <source>The plots do not contain data from %1.</source>
+        <translation>Die Diagramme enthalten keine Daten von %1.</translation>
+    </message>
+    <message>
+        <source>● Waiting</source>
+        <translation>● Wartet</translation>
+    </message>
+    <message>
+        <source>Waiting for the trigger. Files so far: %1</source>
+        <translation>Warten auf den Trigger. Bisherige Dateien: %1</translation>
+    </message>
+    <message>
+        <source>Metadata…</source>
+        <translation>Metadaten…</translation>
+    </message>
+    <message numerus="yes">
+        <source>Metadata (%n field(s))…</source>
+        <translation>
+            <numerusform>Metadaten (%n Feld)…</numerusform>
+            <numerusform>Metadaten (%n Felder)…</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Trigger…</source>
+        <translation>Trigger…</translation>
+    </message>
+    <message>
+        <source>Trigger %1…</source>
+        <translation>Trigger %1…</translation>
     </message>
 </context>
 <context>
@@ -13271,6 +13329,105 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <source>Keep free</source>
         <translation>Frei halten</translation>
     </message>
+    <message>
+        <source>Maximum duration of a file, in minutes</source>
+        <translation>Maximale Dauer einer Datei in Minuten</translation>
+    </message>
+    <message>
+        <source>Maximum size of a file, in megabytes</source>
+        <translation>Maximale Größe einer Datei in Megabyte</translation>
+    </message>
+    <message>
+        <source>Recorded time before the trigger, in seconds</source>
+        <translation>Aufgezeichnete Zeit vor dem Trigger in Sekunden</translation>
+    </message>
+    <message>
+        <source>Recorded time after the trigger, in seconds</source>
+        <translation>Aufgezeichnete Zeit nach dem Trigger in Sekunden</translation>
+    </message>
+    <message>
+        <source>No limit</source>
+        <translation>Kein Limit</translation>
+    </message>
+    <message>
+        <source>A longer recording continues in a new file without losing packets.</source>
+        <translation>Eine längere Aufzeichnung wird ohne Verlust von Paketen in einer neuen Datei fortgesetzt.</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> min</translation>
+    </message>
+    <message>
+        <source>Metadata of recordings</source>
+        <translation>Metadaten der Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>When to enter metadata</source>
+        <translation>Wann Metadaten eingegeben werden</translation>
+    </message>
+    <message>
+        <source>Use for each recording</source>
+        <translation>Für jede Aufzeichnung verwenden</translation>
+    </message>
+    <message>
+        <source>Ask before each recording</source>
+        <translation>Vor jeder Aufzeichnung fragen</translation>
+    </message>
+    <message>
+        <source>Trigger</source>
+        <translation>Trigger</translation>
+    </message>
+    <message>
+        <source>None: recording starts at once</source>
+        <translation>Keiner: Aufzeichnung beginnt sofort</translation>
+    </message>
+    <message>
+        <source>Combine conditions with “and” and “or”, for example:
+norm(actual_TCP_force_0, actual_TCP_force_1) &gt; 20 and robot_mode = 7
+actual_digital_input_bits:3 = 1
+runtime_state changes
+program starts</source>
+        <translation>Verknüpfen Sie Bedingungen mit „and“ und „or“, zum Beispiel:
+norm(actual_TCP_force_0, actual_TCP_force_1) &gt; 20 and robot_mode = 7
+actual_digital_input_bits:3 = 1
+runtime_state changes
+program starts</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>New file after</source>
+        <translation>Neue Datei nach</translation>
+    </message>
+    <message>
+        <source>Metadata</source>
+        <translation>Metadaten</translation>
+    </message>
+    <message>
+        <source>Before trigger</source>
+        <translation>Vor dem Trigger</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>danach</translation>
+    </message>
+    <message>
+        <source>Metadata…</source>
+        <translation>Metadaten…</translation>
+    </message>
+    <message numerus="yes">
+        <source>Metadata (%n field(s))…</source>
+        <translation>
+            <numerusform>Metadaten (%n Feld)…</numerusform>
+            <numerusform>Metadaten (%n Felder)…</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>With a trigger, Tiller records only while the condition is true, in numbered files.</source>
+        <translation>Mit einem Trigger zeichnet Tiller nur auf, solange die Bedingung erfüllt ist, in nummerierten Dateien.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::ReportDialog</name>
@@ -13617,6 +13774,142 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     <message>
         <source>Practice: add “%1”</source>
         <translation>Übung: „%1“ hinzufügen</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::MetadataDialog</name>
+    <message>
+        <source>Ask before each recording</source>
+        <translation>Vor jeder Aufzeichnung fragen</translation>
+    </message>
+    <message>
+        <source>Metadata of recordings</source>
+        <translation>Metadaten der Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>Tiller stores the fields with a value in each recording. The names and values are kept for the next recording.</source>
+        <translation>Tiller speichert die Felder mit einem Wert in jeder Aufzeichnung. Namen und Werte bleiben für die nächste Aufzeichnung erhalten.</translation>
+    </message>
+    <message>
+        <source>Metadata</source>
+        <translation>Metadaten</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Add field</source>
+        <translation>Feld hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove field</source>
+        <translation>Feld entfernen</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Aufzeichnen</translation>
+    </message>
+    <message>
+        <source>The value “%1” has no name. Enter a name.</source>
+        <translation>Der Wert „%1“ hat keinen Namen. Geben Sie einen Namen ein.</translation>
+    </message>
+    <message>
+        <source>The name “%1” is not valid. Use letters, digits, spaces and _ - . (at most 60).</source>
+        <translation>Der Name „%1“ ist ungültig. Verwenden Sie Buchstaben, Ziffern, Leerzeichen und _ - . (höchstens 60).</translation>
+    </message>
+    <message>
+        <source>Tiller stores “%1” itself. Choose another name.</source>
+        <translation>Tiller speichert „%1“ selbst. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>The name “%1” occurs twice. Choose another name.</source>
+        <translation>Der Name „%1“ kommt doppelt vor. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>The value of “%1” must be one line of at most %2 characters.</source>
+        <translation>Der Wert von „%1“ muss eine Zeile mit höchstens %2 Zeichen sein.</translation>
+    </message>
+    <message>
+        <source>Remove fields: at most %1 fields are possible.</source>
+        <translation>Entfernen Sie Felder: höchstens %1 Felder sind möglich.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RecordingsDialog</name>
+    <message>
+        <source>Recordings</source>
+        <translation>Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Auswählen…</translation>
+    </message>
+    <message>
+        <source>Choose the folder</source>
+        <translation>Ordner auswählen</translation>
+    </message>
+    <message>
+        <source>Search recordings</source>
+        <translation>Aufzeichnungen suchen</translation>
+    </message>
+    <message>
+        <source>Search name, date, metadata and notes</source>
+        <translation>Name, Datum, Metadaten und Notizen durchsuchen</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>Metadata</source>
+        <translation>Metadaten</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notizen</translation>
+    </message>
+    <message>
+        <source>This folder contains no recordings.</source>
+        <translation>Dieser Ordner enthält keine Aufzeichnungen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n recording(s)</source>
+        <translation>
+            <numerusform>%1 von %n Aufzeichnung</numerusform>
+            <numerusform>%1 von %n Aufzeichnungen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>reading %n file(s)…</source>
+        <translation>
+            <numerusform>%n Datei wird gelesen…</numerusform>
+            <numerusform>%n Dateien werden gelesen…</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Folder with recordings</source>
+        <translation>Ordner mit Aufzeichnungen</translation>
     </message>
 </context>
 </TS>

@@ -3542,6 +3542,14 @@
         <source>This name is too long.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Not a condition: “%1”. Examples: actual_TCP_force_2 &gt; 20, robot_mode = 7, actual_digital_input_bits:3 = 1, runtime_state changes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no signal “%1”. Vectors have one signal per number, such as actual_q_0.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>RecoveryGuide</name>
@@ -4069,6 +4077,21 @@
     <message>
         <source>The robot cannot send this many signals at once. These signals are not recorded: %1</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waiting for the trigger %1 to record to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The trigger has not occurred. No file was written.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Recorded %n files; the last one is %1</source>
+        <translation>
+            <numerusform>Recorded %n file; the last one is %1</numerusform>
+            <numerusform>Recorded %n files; the last one is %1</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8640,6 +8663,41 @@ Press “Measure…” to measure the payload with the arm.</source>
     </message>
     <message>
         <source>The image %1 could not be created. Choose a different image format.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recordings…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The plots do not contain data from %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>● Waiting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waiting for the trigger. Files so far: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Metadata…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Metadata (%n field(s))…</source>
+        <translation>
+            <numerusform>Metadata (%n field)…</numerusform>
+            <numerusform>Metadata (%n fields)…</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Trigger…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trigger %1…</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -13255,6 +13313,101 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <source>Keep free</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Maximum duration of a file, in minutes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Maximum size of a file, in megabytes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recorded time before the trigger, in seconds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recorded time after the trigger, in seconds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A longer recording continues in a new file without losing packets.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Metadata of recordings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When to enter metadata</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use for each recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ask before each recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trigger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None: recording starts at once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Combine conditions with “and” and “or”, for example:
+norm(actual_TCP_force_0, actual_TCP_force_1) &gt; 20 and robot_mode = 7
+actual_digital_input_bits:3 = 1
+runtime_state changes
+program starts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New file after</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Metadata</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Before trigger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Metadata…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Metadata (%n field(s))…</source>
+        <translation>
+            <numerusform>Metadata (%n field)…</numerusform>
+            <numerusform>Metadata (%n fields)…</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>With a trigger, Tiller records only while the condition is true, in numbered files.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::ReportDialog</name>
@@ -13600,6 +13753,142 @@ Jog the arm to a position and press “Teach here” (T).</source>
     </message>
     <message>
         <source>Practice: add “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::MetadataDialog</name>
+    <message>
+        <source>Ask before each recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Metadata of recordings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tiller stores the fields with a value in each recording. The names and values are kept for the next recording.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Metadata</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add field</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove field</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The value “%1” has no name. Enter a name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The name “%1” is not valid. Use letters, digits, spaces and _ - . (at most 60).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tiller stores “%1” itself. Choose another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The name “%1” occurs twice. Choose another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The value of “%1” must be one line of at most %2 characters.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove fields: at most %1 fields are possible.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RecordingsDialog</name>
+    <message>
+        <source>Recordings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search recordings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search name, date, metadata and notes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Metadata</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This folder contains no recordings.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n recording(s)</source>
+        <translation>
+            <numerusform>%1 of %n recording</numerusform>
+            <numerusform>%1 of %n recordings</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>reading %n file(s)…</source>
+        <translation>
+            <numerusform>reading %n file…</numerusform>
+            <numerusform>reading %n files…</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Folder with recordings</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

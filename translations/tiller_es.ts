@@ -3542,6 +3542,14 @@
         <source>This name is too long.</source>
         <translation>Este nombre es demasiado largo.</translation>
     </message>
+    <message>
+        <source>Not a condition: “%1”. Examples: actual_TCP_force_2 &gt; 20, robot_mode = 7, actual_digital_input_bits:3 = 1, runtime_state changes.</source>
+        <translation>No es una condición: «%1». Ejemplos: actual_TCP_force_2 &gt; 20, robot_mode = 7, actual_digital_input_bits:3 = 1, runtime_state changes.</translation>
+    </message>
+    <message>
+        <source>There is no signal “%1”. Vectors have one signal per number, such as actual_q_0.</source>
+        <translation>No existe la señal «%1». Los vectores tienen una señal por número, por ejemplo actual_q_0.</translation>
+    </message>
 </context>
 <context>
     <name>RecoveryGuide</name>
@@ -4069,6 +4077,21 @@
     <message>
         <source>The robot cannot send this many signals at once. These signals are not recorded: %1</source>
         <translation>El robot no puede enviar tantas señales a la vez. Señales que no se graban: %1</translation>
+    </message>
+    <message>
+        <source>Waiting for the trigger %1 to record to %2</source>
+        <translation>Esperando el disparador %1 para grabar en %2</translation>
+    </message>
+    <message>
+        <source>The trigger has not occurred. No file was written.</source>
+        <translation>El disparador no se ha producido. No se ha escrito ningún archivo.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Recorded %n files; the last one is %1</source>
+        <translation>
+            <numerusform>%n archivo grabado; el último es %1</numerusform>
+            <numerusform>%n archivos grabados; el último es %1</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8649,6 +8672,41 @@ Pulse Medir… para medir la carga con el brazo.</translation>
     <message>
         <source>The image %1 could not be created. Choose a different image format.</source>
         <translation>No se pudo crear la imagen %1. Elija otro formato de imagen.</translation>
+    </message>
+    <message>
+        <source>Recordings…</source>
+        <translation>Grabaciones…</translation>
+    </message>
+    <message>
+        <source>The plots do not contain data from %1.</source>
+        <translation>Las gráficas no contienen datos de %1.</translation>
+    </message>
+    <message>
+        <source>● Waiting</source>
+        <translation>● Espera</translation>
+    </message>
+    <message>
+        <source>Waiting for the trigger. Files so far: %1</source>
+        <translation>Esperando el disparador. Archivos hasta ahora: %1</translation>
+    </message>
+    <message>
+        <source>Metadata…</source>
+        <translation>Metadatos…</translation>
+    </message>
+    <message numerus="yes">
+        <source>Metadata (%n field(s))…</source>
+        <translation>
+            <numerusform>Metadatos (%n campo)…</numerusform>
+            <numerusform>Metadatos (%n campos)…</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Trigger…</source>
+        <translation>Disparador…</translation>
+    </message>
+    <message>
+        <source>Trigger %1…</source>
+        <translation>Disparador %1…</translation>
     </message>
 </context>
 <context>
@@ -13271,6 +13329,105 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <source>Keep free</source>
         <translation>Dejar libre</translation>
     </message>
+    <message>
+        <source>Maximum duration of a file, in minutes</source>
+        <translation>Duración máxima de un archivo, en minutos</translation>
+    </message>
+    <message>
+        <source>Maximum size of a file, in megabytes</source>
+        <translation>Tamaño máximo de un archivo, en megabytes</translation>
+    </message>
+    <message>
+        <source>Recorded time before the trigger, in seconds</source>
+        <translation>Tiempo grabado antes del disparador, en segundos</translation>
+    </message>
+    <message>
+        <source>Recorded time after the trigger, in seconds</source>
+        <translation>Tiempo grabado después del disparador, en segundos</translation>
+    </message>
+    <message>
+        <source>No limit</source>
+        <translation>Sin límite</translation>
+    </message>
+    <message>
+        <source>A longer recording continues in a new file without losing packets.</source>
+        <translation>Una grabación más larga continúa en un archivo nuevo sin perder paquetes.</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> min</translation>
+    </message>
+    <message>
+        <source>Metadata of recordings</source>
+        <translation>Metadatos de las grabaciones</translation>
+    </message>
+    <message>
+        <source>When to enter metadata</source>
+        <translation>Cuándo introducir los metadatos</translation>
+    </message>
+    <message>
+        <source>Use for each recording</source>
+        <translation>Usar en cada grabación</translation>
+    </message>
+    <message>
+        <source>Ask before each recording</source>
+        <translation>Preguntar antes de cada grabación</translation>
+    </message>
+    <message>
+        <source>Trigger</source>
+        <translation>Disparador</translation>
+    </message>
+    <message>
+        <source>None: recording starts at once</source>
+        <translation>Ninguno: la grabación empieza enseguida</translation>
+    </message>
+    <message>
+        <source>Combine conditions with “and” and “or”, for example:
+norm(actual_TCP_force_0, actual_TCP_force_1) &gt; 20 and robot_mode = 7
+actual_digital_input_bits:3 = 1
+runtime_state changes
+program starts</source>
+        <translation>Combine condiciones con «and» y «or», por ejemplo:
+norm(actual_TCP_force_0, actual_TCP_force_1) &gt; 20 and robot_mode = 7
+actual_digital_input_bits:3 = 1
+runtime_state changes
+program starts</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>New file after</source>
+        <translation>Archivo nuevo tras</translation>
+    </message>
+    <message>
+        <source>Metadata</source>
+        <translation>Metadatos</translation>
+    </message>
+    <message>
+        <source>Before trigger</source>
+        <translation>Antes del disparador</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>después</translation>
+    </message>
+    <message>
+        <source>Metadata…</source>
+        <translation>Metadatos…</translation>
+    </message>
+    <message numerus="yes">
+        <source>Metadata (%n field(s))…</source>
+        <translation>
+            <numerusform>Metadatos (%n campo)…</numerusform>
+            <numerusform>Metadatos (%n campos)…</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>With a trigger, Tiller records only while the condition is true, in numbered files.</source>
+        <translation>Con un disparador, Tiller solo graba mientras se cumple la condición, en archivos numerados.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::ReportDialog</name>
@@ -13617,6 +13774,142 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     <message>
         <source>Practice: add “%1”</source>
         <translation>Ejercicio: añadir «%1»</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::MetadataDialog</name>
+    <message>
+        <source>Ask before each recording</source>
+        <translation>Preguntar antes de cada grabación</translation>
+    </message>
+    <message>
+        <source>Metadata of recordings</source>
+        <translation>Metadatos de las grabaciones</translation>
+    </message>
+    <message>
+        <source>Tiller stores the fields with a value in each recording. The names and values are kept for the next recording.</source>
+        <translation>Tiller guarda en cada grabación los campos que tienen un valor. Los nombres y los valores se conservan para la próxima grabación.</translation>
+    </message>
+    <message>
+        <source>Metadata</source>
+        <translation>Metadatos</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valor</translation>
+    </message>
+    <message>
+        <source>Add field</source>
+        <translation>Añadir campo</translation>
+    </message>
+    <message>
+        <source>Remove field</source>
+        <translation>Quitar campo</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Grabar</translation>
+    </message>
+    <message>
+        <source>The value “%1” has no name. Enter a name.</source>
+        <translation>El valor «%1» no tiene nombre. Introduzca un nombre.</translation>
+    </message>
+    <message>
+        <source>The name “%1” is not valid. Use letters, digits, spaces and _ - . (at most 60).</source>
+        <translation>El nombre «%1» no es válido. Utilice letras, cifras, espacios y _ - . (60 como máximo).</translation>
+    </message>
+    <message>
+        <source>Tiller stores “%1” itself. Choose another name.</source>
+        <translation>Tiller guarda «%1» automáticamente. Elija otro nombre.</translation>
+    </message>
+    <message>
+        <source>The name “%1” occurs twice. Choose another name.</source>
+        <translation>El nombre «%1» aparece dos veces. Elija otro nombre.</translation>
+    </message>
+    <message>
+        <source>The value of “%1” must be one line of at most %2 characters.</source>
+        <translation>El valor de «%1» debe ser una línea de %2 caracteres como máximo.</translation>
+    </message>
+    <message>
+        <source>Remove fields: at most %1 fields are possible.</source>
+        <translation>Quite campos: se permiten %1 como máximo.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RecordingsDialog</name>
+    <message>
+        <source>Recordings</source>
+        <translation>Grabaciones</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Elegir…</translation>
+    </message>
+    <message>
+        <source>Choose the folder</source>
+        <translation>Elegir la carpeta</translation>
+    </message>
+    <message>
+        <source>Search recordings</source>
+        <translation>Buscar grabaciones</translation>
+    </message>
+    <message>
+        <source>Search name, date, metadata and notes</source>
+        <translation>Buscar en nombre, fecha, metadatos y notas</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Fuerza</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Fecha</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Duración</translation>
+    </message>
+    <message>
+        <source>Metadata</source>
+        <translation>Metadatos</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notas</translation>
+    </message>
+    <message>
+        <source>This folder contains no recordings.</source>
+        <translation>Esta carpeta no contiene grabaciones.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n recording(s)</source>
+        <translation>
+            <numerusform>%1 de %n grabación</numerusform>
+            <numerusform>%1 de %n grabaciones</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>reading %n file(s)…</source>
+        <translation>
+            <numerusform>leyendo %n archivo…</numerusform>
+            <numerusform>leyendo %n archivos…</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Folder with recordings</source>
+        <translation>Carpeta con grabaciones</translation>
     </message>
 </context>
 </TS>

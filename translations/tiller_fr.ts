@@ -3542,6 +3542,14 @@
         <source>This name is too long.</source>
         <translation>Ce nom est trop long.</translation>
     </message>
+    <message>
+        <source>Not a condition: “%1”. Examples: actual_TCP_force_2 &gt; 20, robot_mode = 7, actual_digital_input_bits:3 = 1, runtime_state changes.</source>
+        <translation>Ce n’est pas une condition : « %1 ». Exemples : actual_TCP_force_2 &gt; 20, robot_mode = 7, actual_digital_input_bits:3 = 1, runtime_state changes.</translation>
+    </message>
+    <message>
+        <source>There is no signal “%1”. Vectors have one signal per number, such as actual_q_0.</source>
+        <translation>Le signal « %1 » n’existe pas. Les vecteurs ont un signal par nombre, par exemple actual_q_0.</translation>
+    </message>
 </context>
 <context>
     <name>RecoveryGuide</name>
@@ -4069,6 +4077,21 @@
     <message>
         <source>The robot cannot send this many signals at once. These signals are not recorded: %1</source>
         <translation>Le robot ne peut pas envoyer autant de signaux à la fois. Signaux non enregistrés : %1</translation>
+    </message>
+    <message>
+        <source>Waiting for the trigger %1 to record to %2</source>
+        <translation>Attente du déclencheur %1 pour enregistrer dans %2</translation>
+    </message>
+    <message>
+        <source>The trigger has not occurred. No file was written.</source>
+        <translation>Le déclencheur ne s’est pas produit. Aucun fichier n’a été écrit.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Recorded %n files; the last one is %1</source>
+        <translation>
+            <numerusform>%n fichier enregistré ; le dernier est %1</numerusform>
+            <numerusform>%n fichiers enregistrés ; le dernier est %1</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8649,6 +8672,41 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
     <message>
         <source>The image %1 could not be created. Choose a different image format.</source>
         <translation>L’image %1 n’a pas pu être créée. Choisissez un autre format d’image.</translation>
+    </message>
+    <message>
+        <source>Recordings…</source>
+        <translation>Enregistrements…</translation>
+    </message>
+    <message>
+        <source>The plots do not contain data from %1.</source>
+        <translation>Les graphiques ne contiennent pas de données de %1.</translation>
+    </message>
+    <message>
+        <source>● Waiting</source>
+        <translation>● Attente</translation>
+    </message>
+    <message>
+        <source>Waiting for the trigger. Files so far: %1</source>
+        <translation>Attente du déclencheur. Fichiers jusqu’ici : %1</translation>
+    </message>
+    <message>
+        <source>Metadata…</source>
+        <translation>Métadonnées…</translation>
+    </message>
+    <message numerus="yes">
+        <source>Metadata (%n field(s))…</source>
+        <translation>
+            <numerusform>Métadonnées (%n champ)…</numerusform>
+            <numerusform>Métadonnées (%n champs)…</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Trigger…</source>
+        <translation>Déclencheur…</translation>
+    </message>
+    <message>
+        <source>Trigger %1…</source>
+        <translation>Déclencheur %1…</translation>
     </message>
 </context>
 <context>
@@ -13271,6 +13329,105 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <source>Keep free</source>
         <translation>Garder libre</translation>
     </message>
+    <message>
+        <source>Maximum duration of a file, in minutes</source>
+        <translation>Durée maximale d’un fichier, en minutes</translation>
+    </message>
+    <message>
+        <source>Maximum size of a file, in megabytes</source>
+        <translation>Taille maximale d’un fichier, en mégaoctets</translation>
+    </message>
+    <message>
+        <source>Recorded time before the trigger, in seconds</source>
+        <translation>Durée enregistrée avant le déclencheur, en secondes</translation>
+    </message>
+    <message>
+        <source>Recorded time after the trigger, in seconds</source>
+        <translation>Durée enregistrée après le déclencheur, en secondes</translation>
+    </message>
+    <message>
+        <source>No limit</source>
+        <translation>Sans limite</translation>
+    </message>
+    <message>
+        <source>A longer recording continues in a new file without losing packets.</source>
+        <translation>Un enregistrement plus long continue dans un nouveau fichier sans perte de paquets.</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> min</translation>
+    </message>
+    <message>
+        <source>Metadata of recordings</source>
+        <translation>Métadonnées des enregistrements</translation>
+    </message>
+    <message>
+        <source>When to enter metadata</source>
+        <translation>Quand saisir les métadonnées</translation>
+    </message>
+    <message>
+        <source>Use for each recording</source>
+        <translation>Utiliser pour chaque enregistrement</translation>
+    </message>
+    <message>
+        <source>Ask before each recording</source>
+        <translation>Demander avant chaque enregistrement</translation>
+    </message>
+    <message>
+        <source>Trigger</source>
+        <translation>Déclencheur</translation>
+    </message>
+    <message>
+        <source>None: recording starts at once</source>
+        <translation>Aucun : l’enregistrement commence aussitôt</translation>
+    </message>
+    <message>
+        <source>Combine conditions with “and” and “or”, for example:
+norm(actual_TCP_force_0, actual_TCP_force_1) &gt; 20 and robot_mode = 7
+actual_digital_input_bits:3 = 1
+runtime_state changes
+program starts</source>
+        <translation>Combinez les conditions avec « and » et « or », par exemple :
+norm(actual_TCP_force_0, actual_TCP_force_1) &gt; 20 and robot_mode = 7
+actual_digital_input_bits:3 = 1
+runtime_state changes
+program starts</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>New file after</source>
+        <translation>Nouveau fichier après</translation>
+    </message>
+    <message>
+        <source>Metadata</source>
+        <translation>Métadonnées</translation>
+    </message>
+    <message>
+        <source>Before trigger</source>
+        <translation>Avant le déclencheur</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>après</translation>
+    </message>
+    <message>
+        <source>Metadata…</source>
+        <translation>Métadonnées…</translation>
+    </message>
+    <message numerus="yes">
+        <source>Metadata (%n field(s))…</source>
+        <translation>
+            <numerusform>Métadonnées (%n champ)…</numerusform>
+            <numerusform>Métadonnées (%n champs)…</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>With a trigger, Tiller records only while the condition is true, in numbered files.</source>
+        <translation>Avec un déclencheur, Tiller n’enregistre que tant que la condition est vraie, dans des fichiers numérotés.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::ReportDialog</name>
@@ -13617,6 +13774,142 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     <message>
         <source>Practice: add “%1”</source>
         <translation>Exercice : ajouter « %1 »</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::MetadataDialog</name>
+    <message>
+        <source>Ask before each recording</source>
+        <translation>Demander avant chaque enregistrement</translation>
+    </message>
+    <message>
+        <source>Metadata of recordings</source>
+        <translation>Métadonnées des enregistrements</translation>
+    </message>
+    <message>
+        <source>Tiller stores the fields with a value in each recording. The names and values are kept for the next recording.</source>
+        <translation>Tiller stocke dans chaque enregistrement les champs qui ont une valeur. Les noms et les valeurs sont conservés pour l’enregistrement suivant.</translation>
+    </message>
+    <message>
+        <source>Metadata</source>
+        <translation>Métadonnées</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valeur</translation>
+    </message>
+    <message>
+        <source>Add field</source>
+        <translation>Ajouter un champ</translation>
+    </message>
+    <message>
+        <source>Remove field</source>
+        <translation>Supprimer le champ</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>The value “%1” has no name. Enter a name.</source>
+        <translation>La valeur « %1 » n’a pas de nom. Saisissez un nom.</translation>
+    </message>
+    <message>
+        <source>The name “%1” is not valid. Use letters, digits, spaces and _ - . (at most 60).</source>
+        <translation>Le nom « %1 » n’est pas valide. Utilisez des lettres, des chiffres, des espaces et _ - . (60 au plus).</translation>
+    </message>
+    <message>
+        <source>Tiller stores “%1” itself. Choose another name.</source>
+        <translation>Tiller stocke lui-même « %1 ». Choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>The name “%1” occurs twice. Choose another name.</source>
+        <translation>Le nom « %1 » apparaît deux fois. Choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>The value of “%1” must be one line of at most %2 characters.</source>
+        <translation>La valeur de « %1 » doit être une ligne de %2 caractères au plus.</translation>
+    </message>
+    <message>
+        <source>Remove fields: at most %1 fields are possible.</source>
+        <translation>Supprimez des champs : %1 au plus sont possibles.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RecordingsDialog</name>
+    <message>
+        <source>Recordings</source>
+        <translation>Enregistrements</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Choisir…</translation>
+    </message>
+    <message>
+        <source>Choose the folder</source>
+        <translation>Choisir le dossier</translation>
+    </message>
+    <message>
+        <source>Search recordings</source>
+        <translation>Rechercher des enregistrements</translation>
+    </message>
+    <message>
+        <source>Search name, date, metadata and notes</source>
+        <translation>Rechercher nom, date, métadonnées et notes</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Force</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Date</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Durée</translation>
+    </message>
+    <message>
+        <source>Metadata</source>
+        <translation>Métadonnées</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notes</translation>
+    </message>
+    <message>
+        <source>This folder contains no recordings.</source>
+        <translation>Ce dossier ne contient aucun enregistrement.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n recording(s)</source>
+        <translation>
+            <numerusform>%1 sur %n enregistrement</numerusform>
+            <numerusform>%1 sur %n enregistrements</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>reading %n file(s)…</source>
+        <translation>
+            <numerusform>lecture de %n fichier…</numerusform>
+            <numerusform>lecture de %n fichiers…</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Folder with recordings</source>
+        <translation>Dossier des enregistrements</translation>
     </message>
 </context>
 </TS>

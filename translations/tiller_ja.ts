@@ -3542,6 +3542,14 @@
         <source>This name is too long.</source>
         <translation>この名前は長すぎます。</translation>
     </message>
+    <message>
+        <source>Not a condition: “%1”. Examples: actual_TCP_force_2 &gt; 20, robot_mode = 7, actual_digital_input_bits:3 = 1, runtime_state changes.</source>
+        <translation>「%1」は条件ではありません。例: actual_TCP_force_2 &gt; 20、robot_mode = 7、actual_digital_input_bits:3 = 1、runtime_state changes</translation>
+    </message>
+    <message>
+        <source>There is no signal “%1”. Vectors have one signal per number, such as actual_q_0.</source>
+        <translation>信号「%1」はありません。ベクトルには数値ごとに信号があります（例: actual_q_0）。</translation>
+    </message>
 </context>
 <context>
     <name>RecoveryGuide</name>
@@ -4067,6 +4075,20 @@
     <message>
         <source>The robot cannot send this many signals at once. These signals are not recorded: %1</source>
         <translation>ロボットはこれほど多くの信号を同時に送信できません。記録されない信号：%1</translation>
+    </message>
+    <message>
+        <source>Waiting for the trigger %1 to record to %2</source>
+        <translation>トリガー %1 を待機中。記録先: %2</translation>
+    </message>
+    <message>
+        <source>The trigger has not occurred. No file was written.</source>
+        <translation>トリガーは発生しませんでした。ファイルは作成されていません。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Recorded %n files; the last one is %1</source>
+        <translation>
+            <numerusform>%n 個のファイルに記録しました。最後のファイル: %1</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8629,6 +8651,40 @@ Press “Measure…” to measure the payload with the arm.</source>
     <message>
         <source>The image %1 could not be created. Choose a different image format.</source>
         <translation>画像 %1 を作成できませんでした。別の画像形式を選択してください。</translation>
+    </message>
+    <message>
+        <source>Recordings…</source>
+        <translation>記録の一覧…</translation>
+    </message>
+    <message>
+        <source>The plots do not contain data from %1.</source>
+        <translation>グラフに %1 のデータはありません。</translation>
+    </message>
+    <message>
+        <source>● Waiting</source>
+        <translation>● 待機中</translation>
+    </message>
+    <message>
+        <source>Waiting for the trigger. Files so far: %1</source>
+        <translation>トリガーを待機中。これまでのファイル: %1</translation>
+    </message>
+    <message>
+        <source>Metadata…</source>
+        <translation>メタデータ…</translation>
+    </message>
+    <message numerus="yes">
+        <source>Metadata (%n field(s))…</source>
+        <translation>
+            <numerusform>メタデータ (%n 項目)…</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Trigger…</source>
+        <translation>トリガー…</translation>
+    </message>
+    <message>
+        <source>Trigger %1…</source>
+        <translation>トリガー %1…</translation>
     </message>
 </context>
 <context>
@@ -13227,6 +13283,104 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <source>Keep free</source>
         <translation>空けておく</translation>
     </message>
+    <message>
+        <source>Maximum duration of a file, in minutes</source>
+        <translation>1 ファイルの最大時間（分）</translation>
+    </message>
+    <message>
+        <source>Maximum size of a file, in megabytes</source>
+        <translation>1 ファイルの最大サイズ（メガバイト）</translation>
+    </message>
+    <message>
+        <source>Recorded time before the trigger, in seconds</source>
+        <translation>トリガー前の記録時間（秒）</translation>
+    </message>
+    <message>
+        <source>Recorded time after the trigger, in seconds</source>
+        <translation>トリガー後の記録時間（秒）</translation>
+    </message>
+    <message>
+        <source>No limit</source>
+        <translation>制限なし</translation>
+    </message>
+    <message>
+        <source>A longer recording continues in a new file without losing packets.</source>
+        <translation>長い記録は、パケットを失わずに新しいファイルに続きます。</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> 分</translation>
+    </message>
+    <message>
+        <source>Metadata of recordings</source>
+        <translation>記録のメタデータ</translation>
+    </message>
+    <message>
+        <source>When to enter metadata</source>
+        <translation>メタデータの入力時期</translation>
+    </message>
+    <message>
+        <source>Use for each recording</source>
+        <translation>すべての記録に使用</translation>
+    </message>
+    <message>
+        <source>Ask before each recording</source>
+        <translation>記録のたびに確認</translation>
+    </message>
+    <message>
+        <source>Trigger</source>
+        <translation>トリガー</translation>
+    </message>
+    <message>
+        <source>None: recording starts at once</source>
+        <translation>なし: すぐに記録を開始</translation>
+    </message>
+    <message>
+        <source>Combine conditions with “and” and “or”, for example:
+norm(actual_TCP_force_0, actual_TCP_force_1) &gt; 20 and robot_mode = 7
+actual_digital_input_bits:3 = 1
+runtime_state changes
+program starts</source>
+        <translation>条件は「and」と「or」で組み合わせます。例:
+norm(actual_TCP_force_0, actual_TCP_force_1) &gt; 20 and robot_mode = 7
+actual_digital_input_bits:3 = 1
+runtime_state changes
+program starts</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>New file after</source>
+        <translation>新しいファイル</translation>
+    </message>
+    <message>
+        <source>Metadata</source>
+        <translation>メタデータ</translation>
+    </message>
+    <message>
+        <source>Before trigger</source>
+        <translation>トリガー前</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>トリガー後</translation>
+    </message>
+    <message>
+        <source>Metadata…</source>
+        <translation>メタデータ…</translation>
+    </message>
+    <message numerus="yes">
+        <source>Metadata (%n field(s))…</source>
+        <translation>
+            <numerusform>メタデータ (%n 項目)…</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>With a trigger, Tiller records only while the condition is true, in numbered files.</source>
+        <translation>トリガーを設定すると、条件が成り立つ間だけ番号付きのファイルに記録します。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::ReportDialog</name>
@@ -13573,6 +13727,140 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>Practice: add “%1”</source>
         <translation>練習：「%1」を追加</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::MetadataDialog</name>
+    <message>
+        <source>Ask before each recording</source>
+        <translation>記録のたびに確認</translation>
+    </message>
+    <message>
+        <source>Metadata of recordings</source>
+        <translation>記録のメタデータ</translation>
+    </message>
+    <message>
+        <source>Tiller stores the fields with a value in each recording. The names and values are kept for the next recording.</source>
+        <translation>値のある項目は各記録に保存されます。名前と値は次の記録のために保持されます。</translation>
+    </message>
+    <message>
+        <source>Metadata</source>
+        <translation>メタデータ</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>値</translation>
+    </message>
+    <message>
+        <source>Add field</source>
+        <translation>項目を追加</translation>
+    </message>
+    <message>
+        <source>Remove field</source>
+        <translation>項目を削除</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>記録</translation>
+    </message>
+    <message>
+        <source>The value “%1” has no name. Enter a name.</source>
+        <translation>値「%1」に名前がありません。名前を入力してください。</translation>
+    </message>
+    <message>
+        <source>The name “%1” is not valid. Use letters, digits, spaces and _ - . (at most 60).</source>
+        <translation>名前「%1」は使用できません。文字、数字、空白、_ - . を使用してください（60 文字以内）。</translation>
+    </message>
+    <message>
+        <source>Tiller stores “%1” itself. Choose another name.</source>
+        <translation>「%1」は Tiller が保存します。別の名前を選んでください。</translation>
+    </message>
+    <message>
+        <source>The name “%1” occurs twice. Choose another name.</source>
+        <translation>名前「%1」が重複しています。別の名前を選んでください。</translation>
+    </message>
+    <message>
+        <source>The value of “%1” must be one line of at most %2 characters.</source>
+        <translation>「%1」の値は %2 文字以内の 1 行にしてください。</translation>
+    </message>
+    <message>
+        <source>Remove fields: at most %1 fields are possible.</source>
+        <translation>項目を削除してください。最大 %1 個です。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RecordingsDialog</name>
+    <message>
+        <source>Recordings</source>
+        <translation>記録</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>選択…</translation>
+    </message>
+    <message>
+        <source>Choose the folder</source>
+        <translation>フォルダーを選択</translation>
+    </message>
+    <message>
+        <source>Search recordings</source>
+        <translation>記録を検索</translation>
+    </message>
+    <message>
+        <source>Search name, date, metadata and notes</source>
+        <translation>名前、日付、メタデータ、メモを検索</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>日付</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>ロボット</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>時間</translation>
+    </message>
+    <message>
+        <source>Metadata</source>
+        <translation>メタデータ</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>メモ</translation>
+    </message>
+    <message>
+        <source>This folder contains no recordings.</source>
+        <translation>このフォルダーに記録はありません。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n recording(s)</source>
+        <translation>
+            <numerusform>%n 件中 %1 件</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>reading %n file(s)…</source>
+        <translation>
+            <numerusform>%n 個のファイルを読み込み中…</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Folder with recordings</source>
+        <translation>記録のフォルダー</translation>
     </message>
 </context>
 </TS>

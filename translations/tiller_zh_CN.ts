@@ -3542,6 +3542,14 @@
         <source>This name is too long.</source>
         <translation>此名称太长。</translation>
     </message>
+    <message>
+        <source>Not a condition: “%1”. Examples: actual_TCP_force_2 &gt; 20, robot_mode = 7, actual_digital_input_bits:3 = 1, runtime_state changes.</source>
+        <translation>“%1”不是条件。示例：actual_TCP_force_2 &gt; 20、robot_mode = 7、actual_digital_input_bits:3 = 1、runtime_state changes。</translation>
+    </message>
+    <message>
+        <source>There is no signal “%1”. Vectors have one signal per number, such as actual_q_0.</source>
+        <translation>没有信号“%1”。向量的每个数值对应一个信号，例如 actual_q_0。</translation>
+    </message>
 </context>
 <context>
     <name>RecoveryGuide</name>
@@ -4067,6 +4075,20 @@
     <message>
         <source>The robot cannot send this many signals at once. These signals are not recorded: %1</source>
         <translation>机器人无法同时发送这么多信号。未录制的信号：%1</translation>
+    </message>
+    <message>
+        <source>Waiting for the trigger %1 to record to %2</source>
+        <translation>正在等待触发条件 %1，然后记录到 %2</translation>
+    </message>
+    <message>
+        <source>The trigger has not occurred. No file was written.</source>
+        <translation>触发条件未出现，没有写入文件。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Recorded %n files; the last one is %1</source>
+        <translation>
+            <numerusform>已记录 %n 个文件；最后一个是 %1</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8629,6 +8651,40 @@ Press “Measure…” to measure the payload with the arm.</source>
     <message>
         <source>The image %1 could not be created. Choose a different image format.</source>
         <translation>无法创建图片 %1。请选择其他图片格式。</translation>
+    </message>
+    <message>
+        <source>Recordings…</source>
+        <translation>记录列表…</translation>
+    </message>
+    <message>
+        <source>The plots do not contain data from %1.</source>
+        <translation>图表中没有 %1 的数据。</translation>
+    </message>
+    <message>
+        <source>● Waiting</source>
+        <translation>● 等待</translation>
+    </message>
+    <message>
+        <source>Waiting for the trigger. Files so far: %1</source>
+        <translation>正在等待触发条件。已有文件：%1</translation>
+    </message>
+    <message>
+        <source>Metadata…</source>
+        <translation>元数据…</translation>
+    </message>
+    <message numerus="yes">
+        <source>Metadata (%n field(s))…</source>
+        <translation>
+            <numerusform>元数据（%n 个字段）…</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Trigger…</source>
+        <translation>触发条件…</translation>
+    </message>
+    <message>
+        <source>Trigger %1…</source>
+        <translation>触发条件 %1…</translation>
     </message>
 </context>
 <context>
@@ -13227,6 +13283,104 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <source>Keep free</source>
         <translation>保留空闲</translation>
     </message>
+    <message>
+        <source>Maximum duration of a file, in minutes</source>
+        <translation>单个文件的最长时间（分钟）</translation>
+    </message>
+    <message>
+        <source>Maximum size of a file, in megabytes</source>
+        <translation>单个文件的最大大小（兆字节）</translation>
+    </message>
+    <message>
+        <source>Recorded time before the trigger, in seconds</source>
+        <translation>触发前的记录时间（秒）</translation>
+    </message>
+    <message>
+        <source>Recorded time after the trigger, in seconds</source>
+        <translation>触发后的记录时间（秒）</translation>
+    </message>
+    <message>
+        <source>No limit</source>
+        <translation>无限制</translation>
+    </message>
+    <message>
+        <source>A longer recording continues in a new file without losing packets.</source>
+        <translation>较长的记录会在新文件中继续，不会丢失数据包。</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> 分钟</translation>
+    </message>
+    <message>
+        <source>Metadata of recordings</source>
+        <translation>记录的元数据</translation>
+    </message>
+    <message>
+        <source>When to enter metadata</source>
+        <translation>何时输入元数据</translation>
+    </message>
+    <message>
+        <source>Use for each recording</source>
+        <translation>用于每个记录</translation>
+    </message>
+    <message>
+        <source>Ask before each recording</source>
+        <translation>每次记录前询问</translation>
+    </message>
+    <message>
+        <source>Trigger</source>
+        <translation>触发条件</translation>
+    </message>
+    <message>
+        <source>None: recording starts at once</source>
+        <translation>无：立即开始记录</translation>
+    </message>
+    <message>
+        <source>Combine conditions with “and” and “or”, for example:
+norm(actual_TCP_force_0, actual_TCP_force_1) &gt; 20 and robot_mode = 7
+actual_digital_input_bits:3 = 1
+runtime_state changes
+program starts</source>
+        <translation>用“and”和“or”组合条件，例如：
+norm(actual_TCP_force_0, actual_TCP_force_1) &gt; 20 and robot_mode = 7
+actual_digital_input_bits:3 = 1
+runtime_state changes
+program starts</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>New file after</source>
+        <translation>新文件</translation>
+    </message>
+    <message>
+        <source>Metadata</source>
+        <translation>元数据</translation>
+    </message>
+    <message>
+        <source>Before trigger</source>
+        <translation>触发前</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>触发后</translation>
+    </message>
+    <message>
+        <source>Metadata…</source>
+        <translation>元数据…</translation>
+    </message>
+    <message numerus="yes">
+        <source>Metadata (%n field(s))…</source>
+        <translation>
+            <numerusform>元数据（%n 个字段）…</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>With a trigger, Tiller records only while the condition is true, in numbered files.</source>
+        <translation>设置触发条件后，Tiller 仅在条件成立时记录到编号文件中。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::ReportDialog</name>
@@ -13573,6 +13727,140 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>Practice: add “%1”</source>
         <translation>练习：添加“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::MetadataDialog</name>
+    <message>
+        <source>Ask before each recording</source>
+        <translation>每次记录前询问</translation>
+    </message>
+    <message>
+        <source>Metadata of recordings</source>
+        <translation>记录的元数据</translation>
+    </message>
+    <message>
+        <source>Tiller stores the fields with a value in each recording. The names and values are kept for the next recording.</source>
+        <translation>Tiller 会把有值的字段保存到每个记录中。名称和值会保留到下一次记录。</translation>
+    </message>
+    <message>
+        <source>Metadata</source>
+        <translation>元数据</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>值</translation>
+    </message>
+    <message>
+        <source>Add field</source>
+        <translation>添加字段</translation>
+    </message>
+    <message>
+        <source>Remove field</source>
+        <translation>删除字段</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>The value “%1” has no name. Enter a name.</source>
+        <translation>值“%1”没有名称。请输入名称。</translation>
+    </message>
+    <message>
+        <source>The name “%1” is not valid. Use letters, digits, spaces and _ - . (at most 60).</source>
+        <translation>名称“%1”无效。请使用字母、数字、空格和 _ - .（最多 60 个字符）。</translation>
+    </message>
+    <message>
+        <source>Tiller stores “%1” itself. Choose another name.</source>
+        <translation>“%1”由 Tiller 自动保存。请选择其他名称。</translation>
+    </message>
+    <message>
+        <source>The name “%1” occurs twice. Choose another name.</source>
+        <translation>名称“%1”出现了两次。请选择其他名称。</translation>
+    </message>
+    <message>
+        <source>The value of “%1” must be one line of at most %2 characters.</source>
+        <translation>“%1”的值必须是一行，最多 %2 个字符。</translation>
+    </message>
+    <message>
+        <source>Remove fields: at most %1 fields are possible.</source>
+        <translation>请删除字段：最多 %1 个。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RecordingsDialog</name>
+    <message>
+        <source>Recordings</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>选择…</translation>
+    </message>
+    <message>
+        <source>Choose the folder</source>
+        <translation>选择文件夹</translation>
+    </message>
+    <message>
+        <source>Search recordings</source>
+        <translation>搜索记录</translation>
+    </message>
+    <message>
+        <source>Search name, date, metadata and notes</source>
+        <translation>搜索名称、日期、元数据和备注</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>日期</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>机器人</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>时长</translation>
+    </message>
+    <message>
+        <source>Metadata</source>
+        <translation>元数据</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>This folder contains no recordings.</source>
+        <translation>此文件夹中没有记录。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n recording(s)</source>
+        <translation>
+            <numerusform>%1 / %n 个记录</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>reading %n file(s)…</source>
+        <translation>
+            <numerusform>正在读取 %n 个文件…</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Folder with recordings</source>
+        <translation>记录文件夹</translation>
     </message>
 </context>
 </TS>

@@ -148,6 +148,8 @@ QVariant LogModel::data(const QModelIndex& index, int role) const {
             return entry.recording;
         case MomentRole:
             return entry.moment ? QVariant(*entry.moment) : QVariant();
+        case WallTimeRole:
+            return entry.first;
         case SeverityRole:
             return static_cast<int>(entry.severity);
         case TextRole:

@@ -21,7 +21,7 @@ class LogModel : public QAbstractTableModel {
 
 public:
     enum Column { Time, SeverityColumn, Open, Text, ColumnCount };
-    enum Role { SeverityRole = Qt::UserRole, TextRole, RecordingRole, MomentRole };
+    enum Role { SeverityRole = Qt::UserRole, TextRole, RecordingRole, MomentRole, WallTimeRole };
     static constexpr int kCapacity = 5000;
 
     explicit LogModel(QObject* parent = nullptr) : QAbstractTableModel(parent) {}

@@ -138,7 +138,7 @@ LogTab::LogTab(Journal& journal, QWidget* parent)
     table_->addAction(copyAction);
     connect(copyAction, &QAction::triggered, this, &LogTab::copy);
     connect(open_, &QToolButton::clicked, this, &LogTab::openRecording);
-    connect(table_, &QTableView::activated, this, &LogTab::openRecording);
+    connect(table_, &QTableView::activated, this, &LogTab::activate);
     connect(table_, &QTableView::clicked, this, &LogTab::clicked);
     connect(band_, &ReplayBand::liveWanted, this, &LogTab::liveWanted);
     connect(copyKey, &QToolButton::clicked, this, &LogTab::copy);
@@ -176,6 +176,15 @@ void LogTab::openRecording() {
     }
 }
 
+void LogTab::activate() {
+    const QModelIndex current = table_->currentIndex();
+    if (!current.data(LogModel::RecordingRole).toString().isEmpty()) {
+        openRecording();
+    } else if (current.isValid()) {
+        Q_EMIT timeWanted(current.data(LogModel::WallTimeRole).toDateTime(), replay_);
+    }
+}
+
 void LogTab::clicked(const QModelIndex& index) {
     if (index.column() == LogModel::Open) {
         openRecording();
@@ -205,6 +214,9 @@ void LogTab::fillReplay(const ReplayMoment& moment) {
 void LogTab::select(int row) {
     const QModelIndex index =
         row < 0 ? QModelIndex() : filter_->mapFromSource(shownModel().index(row, LogModel::Text));
+    if (index.isValid() && index.row() == table_->currentIndex().row()) {
+        return;  // do not move a row that was double-clicked
+    }
     if (index.isValid()) {
         table_->setCurrentIndex(index);
         table_->scrollTo(index, QAbstractItemView::PositionAtCenter);

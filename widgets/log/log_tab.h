@@ -60,6 +60,9 @@ Q_SIGNALS:
     /// The user opened the recording of a row.
     /// moment  position in the recording [s]; if empty, the time of the incident
     void recordingWanted(const QString& path, std::optional<double> moment);
+    /// The user wants to see the plots and the view at the time of a row.
+    /// replayed  the row is part of the log of a recording
+    void timeWanted(const QDateTime& time, bool replayed);
     /// The user wants to return to live data.
     void liveWanted();
 
@@ -71,6 +74,8 @@ private:
     void fitColumn(int column, const QStringList& words);
     void showDetails();
     void clicked(const QModelIndex& index);
+    /// Opens the recording of the current row. If it has none, emits timeWanted().
+    void activate();
     const LogModel& shownModel() const { return replay_ ? *replayModel_ : *model_; }
     void fillReplay(const ReplayMoment& moment);
     void select(int row);

@@ -45,6 +45,7 @@
 #include "widgets/common/reserve_height.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/comparison_band.h"
+#include "widgets/plots/metadata_dialog.h"
 #include "widgets/plots/plot_analysis.h"
 #include "widgets/plots/plot_comparison.h"
 #include "widgets/plots/plot_pages.h"
@@ -53,6 +54,7 @@
 #include "widgets/plots/plot_replay.h"
 #include "widgets/plots/plot_values.h"
 #include "widgets/plots/plot_view.h"
+#include "widgets/plots/recordings_dialog.h"
 #include "widgets/signals/signal_tree.h"
 
 namespace tiller {
@@ -430,6 +432,7 @@ void PlotDock::buildPagesMenu() {
     add(menu, "plots.layout.standard", tr("Show standard plots"), [this] { showStandard(); });
     menu->addSeparator();
     add(menu, "plots.layout.openRecording", tr("Open recording…"), [this] { askForRecording(); });
+    add(menu, "plots.layout.recordings", tr("Recordings…"), [this] { listRecordings(); });
     add(menu, "plots.layout.closeRecordings", tr("Close recordings"), [this] {
         closeRecordings();
     })->setEnabled(store_.hasRecordings());
@@ -646,6 +649,22 @@ void PlotDock::goTo(const QString& recording, std::optional<double> moment) {
     }
 }
 
+void PlotDock::goToClock(const QDateTime& time, bool replayed) {
+    if (!replayed && !replay_->recordingInFront().isEmpty() && pages_->livePage() >= 0) {
+        pages_->setCurrent(pages_->livePage());
+    }
+    const std::optional<double> place = replay_->timeAt(time);
+    if (!place) {
+        session_.journal().add(
+            Severity::Info,
+            tr("The plots do not contain data from %1.").arg(QLocale().toString(time, QLocale::ShortFormat)));
+        return;
+    }
+    view().pause();
+    view().goTo(*place);
+    replay_->follow();
+}
+
 void PlotDock::showRecording(std::unique_ptr<recording::Recording> file, std::optional<double> incident,
                              std::optional<double> moment) {
     const std::uint64_t rows = file->rows();
@@ -732,6 +751,20 @@ void PlotDock::askForRecording() {
     if (!path.isEmpty()) {
         openRecording(path);
     }
+}
+
+void PlotDock::listRecordings() {
+    const QString folder = choice_.folder.isEmpty() ? recordingFolder() : choice_.folder;
+    if (recordings_ == nullptr) {
+        recordings_ = new RecordingsDialog(folder, this);
+        connect(recordings_, &RecordingsDialog::recordingWanted, this,
+                [this](const QString& path) { openRecording(path); });
+    } else {
+        recordings_->refresh();
+    }
+    recordings_->show();
+    recordings_->raise();
+    recordings_->activateWindow();
 }
 
 void PlotDock::askToSaveArrangement() {
@@ -928,6 +961,7 @@ void PlotDock::onState(const SessionState& state) {
     }
     if (state.recording.active != recording_ || recording_) {
         recording_ = state.recording.active;
+        waiting_ = state.recording.waiting;
         recordingSeconds_ = state.recording.seconds;
         updateHeader();
     }
@@ -964,8 +998,9 @@ void PlotDock::updateHeader() {
                           ? tr("Show the force as measured by the robot. %1").arg(view().zeroText())
                           : tr("Subtract the current force in the plots. The robot, recordings and exported "
                                "values are not changed."));
-    const QString record =
-        recording_ ? tr("● REC %1").arg(format::duration(recordingSeconds_)) : tr("● Record");
+    const QString record = waiting_     ? tr("● Waiting")
+                           : recording_ ? tr("● REC %1").arg(format::duration(recordingSeconds_))
+                                        : tr("● Record");
     setTextIfNew(record_, record);
     const RecordingFormatWords chosen = recordingFormatWords(recordingFormat(choice_.format));
     record_->setAccessibleName(recording_ ? tr("Stop recording") : chosen.button);
@@ -977,6 +1012,9 @@ void PlotDock::updateHeader() {
 }
 
 QString PlotDock::recordingText(const RecordingState& recording) {
+    if (recording.waiting) {
+        return tr("Waiting for the trigger. Files so far: %1").arg(recording.files);
+    }
     const double rate = recording.seconds > 0 ? static_cast<double>(recording.bytes) / recording.seconds : 0;
     return tr("%1 · %2/s · %3 free · %n packet(s) lost", nullptr, static_cast<int>(recording.lost))
         .arg(format::bytes(recording.bytes), format::bytes(std::llround(rate)),
@@ -1015,7 +1053,9 @@ void PlotDock::styleHeader() {
     // Reserve the width of the bold text that is shown while recording.
     constexpr int kPadding = 8;
     const QFontMetrics bold(textFont(13, QFont::Bold));
-    record_->setFixedWidth(bold.horizontalAdvance(tr("● REC %1").arg(format::duration(0))) + kPadding);
+    record_->setFixedWidth(std::max(bold.horizontalAdvance(tr("● REC %1").arg(format::duration(0))),
+                                    bold.horizontalAdvance(tr("● Waiting"))) +
+                           kPadding);
 }
 
 void PlotDock::changeEvent(QEvent* event) {
@@ -1157,15 +1197,50 @@ void PlotDock::toggleRecording() {
         session_.recording().stop();
         return;
     }
+    if (choice_.asksMetadata) {
+        askForMetadata(true);
+    } else {
+        startRecording();
+    }
+}
+
+void PlotDock::editMetadata() {
+    askForMetadata(false);
+}
+
+void PlotDock::askForMetadata(bool thenRecords) {
+    auto* dialog = new MetadataDialog(
+        choice_.metadata, choice_.asksMetadata,
+        thenRecords ? MetadataDialog::Purpose::Record : MetadataDialog::Purpose::Edit, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog, thenRecords] {
+        choice_.metadata = dialog->fields();
+        choice_.asksMetadata = dialog->asksBeforeRecording();
+        Q_EMIT recordingChosen(choice_);
+        if (thenRecords && !recording_) {
+            startRecording();
+        }
+    });
+    dialog->open();
+}
+
+void PlotDock::startRecording() {
     const QString path = recordingPath(choice_, session_.state().robotName, QDateTime::currentDateTime());
     QDir().mkpath(QFileInfo(path).absolutePath());
     constexpr std::int64_t kBytesPerMegabyte = 1'000'000;
+    constexpr double kSecondsPerMinute = 60;
     session_.recording().start({.path = path,
                                 .fields = choice_.fields,
                                 .shown = store_.shownFields(),
                                 .every = choice_.every,
                                 .format = choice_.format,
-                                .keepFree = choice_.keepFree * kBytesPerMegabyte});
+                                .keepFree = choice_.keepFree * kBytesPerMegabyte,
+                                .metadata = choice_.facts(),
+                                .trigger = choice_.trigger,
+                                .before = choice_.before,
+                                .after = choice_.after,
+                                .fileSeconds = choice_.fileMinutes * kSecondsPerMinute,
+                                .fileBytes = choice_.fileSize * kBytesPerMegabyte});
 }
 
 void PlotDock::setRecordingChoice(const RecordingChoice& choice) {
@@ -1235,7 +1310,20 @@ void PlotDock::showRecordMenu() {
     connect(add("plots.record.signals",
                 recorded == 0 ? tr("All signals…") : tr("%n signal(s)…", nullptr, recorded)),
             &QAction::triggered, this, &PlotDock::recordingOptionsWanted);
-    connect(add("plots.record.pattern", tr("File name: %1…").arg(choice_.pattern)), &QAction::triggered, this,
+    const auto stated = static_cast<int>(choice_.facts().size());
+    connect(add("plots.record.metadata",
+                stated == 0 ? tr("Metadata…") : tr("Metadata (%n field(s))…", nullptr, stated)),
+            &QAction::triggered, this, &PlotDock::editMetadata);
+    constexpr qsizetype kMaxTriggerText = 30;
+    const bool isLong = choice_.trigger.size() > kMaxTriggerText;
+    connect(add("plots.record.trigger",
+                choice_.trigger.isEmpty()
+                    ? tr("Trigger…")
+                    : tr("Trigger %1…")
+                          .arg(isLong ? choice_.trigger.left(kMaxTriggerText - 1) + QStringLiteral("…")
+                                      : choice_.trigger)),
+            &QAction::triggered, this, &PlotDock::recordingOptionsWanted);
+    connect(add("plots.record.pattern", tr("File name %1…").arg(choice_.pattern)), &QAction::triggered, this,
             &PlotDock::recordingOptionsWanted);
     const QString folder = choice_.folder.isEmpty() ? recordingFolder() : choice_.folder;
     QAction* place = add("plots.record.folder", tr("Folder: %1…").arg(QDir(folder).dirName()));

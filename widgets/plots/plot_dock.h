@@ -37,6 +37,7 @@ class PlotPages;
 class PlotReplay;
 class PlotValues;
 class PlotView;
+class RecordingsDialog;
 class RobotSession;
 class SeriesBuffer;
 class SignalStore;
@@ -77,6 +78,9 @@ public:
                        const recording::TableFormat& format = {});
     /// The time of cursor A while the cursor is in a recording or in a paused history.
     const Replay& replay() const;
+    /// Shows the data at a time of day, with cursor A at this time.
+    /// replayed  the time is in the recording of the current page; otherwise, it is in the history
+    void goToClock(const QDateTime& time, bool replayed);
     void closeRecordings();
     /// Prompts for a recording and opens it.
     void askForRecording();
@@ -120,6 +124,10 @@ public Q_SLOTS:
     /// Copies an image of the displayed plots to the clipboard.
     void copyPicture();
     void toggleRecording();
+    /// Shows the metadata of recordings for editing.
+    void editMetadata();
+    /// Shows the list of the recordings in the folder for recordings.
+    void listRecordings();
     /// Prompts for the file, then exports the displayed range.
     void askExport();
     /// Prompts for the parameters and starts the comparison of the current recording with the model of its
@@ -171,6 +179,8 @@ private:
     void onState(const SessionState& state);
     void updateHeader();
     void showNothingToExport();
+    void askForMetadata(bool thenRecords);
+    void startRecording();
     void buildRecordMenu();
     void showRecordMenu();
     void askForFolder();
@@ -188,6 +198,7 @@ private:
     SignalTree* tree_ = nullptr;
     PlotValues* values_ = nullptr;
     PlotAnalysis* analysis_ = nullptr;
+    RecordingsDialog* recordings_ = nullptr;  // created when it is first shown
     QToolButton* valuesKey_ = nullptr;
     QLabel* historyLabel_ = nullptr;
     QWidget* side_ = nullptr;  // the signal list and the elements below it
@@ -203,6 +214,7 @@ private:
     RecordingChoice choice_;
     QMap<QString, recording::TableFormat> tables_;  ///< as PlotLayout::tables
     bool recording_ = false;
+    bool waiting_ = false;  ///< for the trigger of the recording
     double recordingSeconds_ = 0;
     int framesToHistoryText_ = 0;
     int framesToAnalysis_ = 0;

@@ -59,6 +59,24 @@ QDateTime PlotReplay::clockAt(double time) const {
                                           std::llround((time - frame->newest) * kMsPerSecond));
 }
 
+std::optional<double> PlotReplay::timeAt(const QDateTime& clock) const {
+    constexpr double kSecondsPerMs = 1e-3;
+    const std::int64_t wall = clock.toMSecsSinceEpoch();
+    if (const QString source = pages_.view().recordingInFront(); !source.isEmpty()) {
+        const auto start = store_.recorded(source)->startUtcNs();
+        const SeriesBuffer& times = *store_.timesOf(source);
+        const double since = start ? static_cast<double>(wall - *start / kNsPerMs) * kSecondsPerMs : -1;
+        const bool isInside = since >= 0 && since <= times.lastTime() - times.firstTime();
+        return isInside ? std::optional(times.firstTime() + since) : std::nullopt;
+    }
+    // Log entries belong to the last frame before them; see wallTimeOf().
+    const auto next = std::upper_bound(frames_.begin(), frames_.end(), wall,
+                                       [](std::int64_t at, const Frame& each) { return at < each.wallMs; });
+    const bool isKnown = next != frames_.begin() && !store_.live().isEmpty() &&
+                         (next - 1)->newest >= store_.live().firstTime();
+    return isKnown ? std::optional((next - 1)->newest) : std::nullopt;
+}
+
 QString PlotReplay::recordingInFront() const {
     return pages_.view().recordingInFront();
 }

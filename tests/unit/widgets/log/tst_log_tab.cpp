@@ -223,8 +223,12 @@ private Q_SLOTS:
         };
         QTest::mouseClick(table()->viewport(), Qt::LeftButton, {}, middleOf(0));
         QVERIFY(!key->isVisible());
+        QSignalSpy times(tab_.get(), &LogTab::timeWanted);
         QTest::mouseDClick(table()->viewport(), Qt::LeftButton, {}, middleOf(0));
         QCOMPARE(wanted.count(), 0);
+        QCOMPARE(times.count(), 1);
+        QCOMPARE(times.front()[0].toDateTime(), time_);
+        QCOMPARE(times.front()[1].toBool(), false);
         QTest::mouseClick(table()->viewport(), Qt::LeftButton, {}, middleOf(1));
         QVERIFY(key->isVisible());
         QTest::mouseClick(key, Qt::LeftButton);
@@ -232,6 +236,7 @@ private Q_SLOTS:
         QCOMPARE(wanted.front()[0].toString(), QString("/a/b.mcap"));
         QTest::mouseDClick(table()->viewport(), Qt::LeftButton, {}, middleOf(1));
         QCOMPARE(wanted.count(), 2);
+        QCOMPARE(times.count(), 1);
         // Another file is a separate incident, even if the text is the same.
         journal_->addRecording(Severity::Warning, "Incident recorded: protective stop", "It is there.",
                                "/a/c.mcap");

@@ -42,6 +42,7 @@
 #include "robot/station/history/signal_store.h"
 #include "robot/station/history/state_lane.h"
 #include "robot/station/link/robot_session.h"
+#include "robot/station/text/format.h"
 #include "tests/support/event_spy.h"
 #include "tests/support/sample_stream.h"
 #include "tests/unit/robot/station/history/long_recording.h"
@@ -63,6 +64,7 @@
 #include "widgets/plots/plot_pages.h"
 #include "widgets/plots/plot_pane.h"
 #include "widgets/plots/plot_view.h"
+#include "widgets/plots/recordings_dialog.h"
 #include "widgets/signals/signal_tree.h"
 
 using namespace tiller;
@@ -1138,6 +1140,152 @@ private Q_SLOTS:
         find("plots.record.signals")->trigger();
         find("plots.record.pattern")->trigger();
         QCOMPARE(wanted.count(), 2);
+    }
+
+    void theRecordKeyShowsThatItWaitsForTheTrigger() {
+        Bench b;
+        SessionState state = running(60, false);
+        state.recording.active = state.recording.waiting = true;
+        state.recording.files = 2;
+        Q_EMIT b.session.stateChanged(state);
+        QCOMPARE(b.button("plots.record")->text(), QString("● Waiting"));
+        QVERIFY(b.button("plots.record")->property("recording").toBool());
+        state.recording.waiting = false;
+        state.recording.seconds = 3;
+        Q_EMIT b.session.stateChanged(state);
+        QVERIFY(b.button("plots.record")->text().contains("REC 00:00:03"));
+    }
+
+    void metadataIsEnteredBeforeTheRecording() {
+        Bench b;
+        QTemporaryDir folder;
+        b.dock.setRecordingChoice(
+            {.folder = folder.path(), .metadata = {"operator=Ann", "sample="}, .asksMetadata = true});
+        const test::EventSpy messages(b.session.journal());
+        QSignalSpy chosen(&b.dock, &PlotDock::recordingChosen);
+        QTest::mouseClick(b.button("plots.record"), Qt::LeftButton);
+        QPointer<QDialog> dialog = b.dock.findChild<QDialog*>("plots.metadata.dialog");
+        QVERIFY(dialog != nullptr);
+        QCOMPARE(messages.count(), 0);
+        auto* table = dialog->findChild<QTableWidget*>("plots.metadata.table");
+        auto* accept = dialog->findChild<QPushButton*>("plots.metadata.accept");
+        auto* problem = dialog->findChild<QLabel*>("plots.metadata.problem");
+        QCOMPARE(accept->text(), QString("Record"));
+        QCOMPARE(table->rowCount(), 2);
+        QCOMPARE(table->currentRow(), 1);  // the first field without a value
+        table->item(1, 1)->setText("7 b");
+        QTest::mouseClick(dialog->findChild<QPushButton*>("plots.metadata.add"), Qt::LeftButton);
+        QCOMPARE(table->rowCount(), 3);
+        for (const auto& [name, word] : {std::pair("model", "model"), std::pair("a=b", "not valid"),
+                                         std::pair("operator", "twice"), std::pair("", "no name")}) {
+            table->item(2, 0)->setText(name);
+            table->item(2, 1)->setText("x");
+            QTest::mouseClick(accept, Qt::LeftButton);
+            QVERIFY2(dialog && dialog->isVisible() && problem->text().contains(word), word);
+            QCOMPARE(table->currentRow(), 2);
+        }
+        QTest::mouseClick(dialog->findChild<QPushButton*>("plots.metadata.remove"), Qt::LeftButton);
+        QCOMPARE(problem->text(), QString());
+        QTest::mouseClick(accept, Qt::LeftButton);
+        QCOMPARE(chosen.count(), 1);
+        QCOMPARE(b.dock.recordingChoice().metadata, (QStringList{"operator=Ann", "sample=7 b"}));
+        // The recording started; it needs a robot.
+        QVERIFY(messages.count() >= 1 && messages.last().text.contains("connect", Qt::CaseInsensitive));
+        Q_EMIT b.button("plots.recordMenu")->menu()->aboutToShow();
+        QVERIFY(b.button("plots.recordMenu")
+                    ->menu()
+                    ->findChild<QAction*>("plots.record.metadata")
+                    ->text()
+                    .contains('2'));
+    }
+
+    void recordingsAreListedAndSearched() {
+        Bench b;
+        QTemporaryDir folder;
+        const QString day = writeDay(folder, QStringLiteral("day.csv"));
+        QFile other(folder.filePath("other.csv"));
+        QVERIFY(other.open(QIODevice::WriteOnly));
+        other.write(
+            "# start: 2026-02-03T04:05:06.000000000Z\n# operator: Ann\n# sample: 7\n# model: UR5e\n"
+            "timestamp,actual_q_0\n1.0,0.5\n1.5,0.75\n2.0,0.5\n");
+        other.close();
+        QFile damaged(folder.filePath("damaged.mcap"));
+        QVERIFY(damaged.open(QIODevice::WriteOnly) && damaged.write("\x89MCAP") == 5);
+        damaged.close();
+        b.dock.setRecordingChoice({.folder = folder.path()});
+        b.menu("plots.layout.recordings")->trigger();
+        auto* dialog = b.dock.findChild<RecordingsDialog*>("plots.recordings.dialog");
+        QVERIFY(dialog != nullptr && dialog->isVisible());
+        auto* table = dialog->findChild<QTableWidget*>("plots.recordings.table");
+        const auto* count = dialog->findChild<QLabel*>("plots.recordings.count");
+        QCOMPARE(table->rowCount(), 3);
+        QTRY_COMPARE_WITH_TIMEOUT(count->text(), QString("3 of 3 recording(s)"), 60'000);
+        const auto rowOf = [&](const QString& name) {
+            const auto found = table->findItems(name, Qt::MatchExactly);
+            return found.isEmpty() ? -1 : found.front()->row();
+        };
+        const auto text = [&](const QString& name, int column) {
+            return table->item(rowOf(name), column)->text();
+        };
+        QCOMPARE(text("other.csv", 3), QString("UR5e"));
+        QCOMPARE(text("other.csv", 4), format::duration(1));
+        QCOMPARE(text("other.csv", 5), QString("operator=Ann, sample=7"));
+        QCOMPARE(text("day.csv", 4), format::duration(100));
+        QVERIFY(!table->item(rowOf("day.csv"), 0)->icon().isNull());
+        QVERIFY2(!text("damaged.mcap", 6).isEmpty(), "the reason is shown");
+        auto* search = dialog->findChild<QLineEdit*>("plots.recordings.search");
+        QTest::keyClicks(search, "ann 7");
+        QCOMPARE(count->text(), QString("1 of 3 recording(s)"));
+        QVERIFY(table->isRowHidden(rowOf("day.csv")) && !table->isRowHidden(rowOf("other.csv")));
+        search->clear();
+        // A new file appears when the list is shown again; a changed file is read again.
+        QVERIFY(QFile::copy(day, folder.filePath("again.csv")));
+        b.menu("plots.layout.recordings")->trigger();
+        QTRY_COMPARE_WITH_TIMEOUT(count->text(), QString("4 of 4 recording(s)"), 60'000);
+        table->selectRow(rowOf("again.csv"));
+        QTest::mouseClick(dialog->findChild<QPushButton*>("plots.recordings.open"), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(b.dock.store().hasRecordings(), 60'000);
+        QCOMPARE(b.dock.store().recordings(), QStringList("again.csv"));
+    }
+
+    void aTimeOfTheLogIsShownInThePlots() {
+        Bench b;
+        const QDateTime first = b.framed.second;
+        QTest::qWait(20);
+        b.runTo(90);
+        QTest::qWait(20);
+        b.runTo(120);
+        QTest::qWait(20);
+        // The data up to 90 s were displayed between the two frames.
+        b.dock.goToClock(first.addMSecs(15), false);
+        QVERIFY(near(b.view().cursor(PlotView::Cursor::A).value(), 60, 0.01));
+        QVERIFY(!b.view().window().follows());
+        QVERIFY(b.view().window().start() <= 60 && b.view().window().end() >= 60);
+        QVERIFY(b.dock.replay() && near(b.dock.replay()->time, 60, 0.01));
+        b.dock.goToClock(b.framed.second.addMSecs(5), false);
+        QVERIFY(near(b.view().cursor(PlotView::Cursor::A).value(), 120, 0.01));
+        // Before the first frame, there are no data.
+        const test::EventSpy messages(b.session.journal());
+        b.dock.goToClock(first.addSecs(-3600), false);
+        QCOMPARE(messages.count(), 1);
+        QVERIFY(near(b.view().cursor(PlotView::Cursor::A).value(), 120, 0.01));
+
+        // Of a recording: relative to its start.
+        QTemporaryDir folder;
+        QFile file(folder.filePath("run.csv"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(
+            "# start: 2026-02-03T04:05:06.000000000Z\ntimestamp,actual_TCP_force_2\n1.0,0\n2.0,1\n3.0,2\n");
+        file.close();
+        b.dock.openRecording(file.fileName());
+        QTRY_COMPARE_WITH_TIMEOUT(b.dock.pages().count(), 2, 60'000);
+        const double begin = b.dock.store().timesOf("run.csv")->firstTime();
+        b.dock.goToClock(QDateTime(QDate(2026, 2, 3), QTime(4, 5, 7, 500), Qt::UTC), true);
+        QVERIFY(near(b.view().cursor(PlotView::Cursor::A).value() - begin, 1.5, 1e-6));
+        // A row of the window's log shows the live page.
+        b.dock.goToClock(b.framed.second.addMSecs(5), false);
+        QCOMPARE(b.dock.pages().current(), 0);
+        QVERIFY(near(b.view().cursor(PlotView::Cursor::A).value(), 120, 0.01));
     }
 
     // ---- spectrum, XY, time axis
