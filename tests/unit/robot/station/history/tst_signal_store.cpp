@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "robot/receive/receiver.h"
+#include "robot/station/history/scaled_signal.h"
 #include "robot/station/history/signal_store.h"
 
 using namespace tiller;
@@ -15,6 +16,44 @@ class TestSignalStore : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    void aSignalIsScaledAndRestored() {
+        SignalStore store;
+        const int force = store.find(QStringLiteral("actual_TCP_force_2"));
+        ScaledSignal scaled = ScaledSignal::of(store, force);
+        QCOMPARE(scaled.unit, QString("N"));
+        QCOMPARE(scaled.key(store), QString("actual_TCP_force_2"));
+        scaled.name = QStringLiteral("Press");
+        QCOMPARE(scaled.key(store), QString("Press [N] = actual_TCP_force_2"));
+        for (const auto& [scale, offset] :
+             {std::pair(1.0, -2.5), std::pair(-1e-7, 0.0), std::pair(0.1, 3.0), std::pair(-4.0, -1e9)}) {
+            scaled.scale = scale;
+            scaled.offset = offset;
+            const int made = store.findOrDerive(scaled.key(store));
+            QVERIFY2(made >= 0, qPrintable(scaled.key(store)));
+            QCOMPARE(ScaledSignal::of(store, made), scaled);
+        }
+        // An expression is kept in parentheses.
+        const int norm =
+            store.derive(QStringLiteral("F [N] = actual_TCP_force_0 * 2 + actual_TCP_force_1")).value();
+        ScaledSignal ofNorm = ScaledSignal::of(store, norm);
+        QCOMPARE(ofNorm.scale, 1.0);
+        QCOMPARE(ofNorm.key(store), store.info(norm).key);
+        ofNorm.scale = 3;
+        ofNorm.unit.clear();
+        const int tripled = store.findOrDerive(ofNorm.key(store));
+        QVERIFY(tripled >= 0);
+        QCOMPARE(store.info(tripled).key,
+                 QString("F = (actual_TCP_force_0 * 2 + actual_TCP_force_1) * 3 + 0"));
+        ScaledSignal again = ScaledSignal::of(store, tripled);
+        QCOMPARE(again, ofNorm);
+        again.scale = 1;
+        again.unit = QStringLiteral("N");
+        QCOMPARE(again.key(store), store.info(norm).key);
+        // Not every product with a number is a scaled signal.
+        const int product = store.derive(QStringLiteral("G = (actual_q_0) + (actual_q_1) * 2 + 1")).value();
+        QCOMPARE(ScaledSignal::of(store, product).scale, 1.0);
+    }
+
     void everyComponentAndBitIsListedOnce() {
         SignalStore store;
         QSet<QString> keys;

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A signal with another name, unit, scale or offset: a derived signal of the form "NAME [UNIT] = SIGNAL * SCALE +
+// OFFSET". The signal can also be the expression of a derived signal, in parentheses.
+
+#include <QString>
+
+namespace tiller {
+
+class SignalStore;
+
+struct ScaledSignal {
+    QString base{};  ///< the signal or the expression, as written in an expression
+    QString name{};
+    QString unit{};
+    double scale = 1;
+    double offset = 0;
+
+    /// The parts of a signal. For a signal that is not scaled, its name and unit.
+    static ScaledSignal of(const SignalStore& store, int signal);
+    /// The key for SignalStore::findOrDerive(): the key of the signal itself if nothing differs from it.
+    QString key(const SignalStore& store) const;
+
+    friend bool operator==(const ScaledSignal&, const ScaledSignal&) = default;
+};
+
+}  // namespace tiller
