@@ -24,6 +24,7 @@ namespace tiller::app {
 
 namespace {
 
+constexpr int kMinListHeight = 140;  // [px]
 constexpr double kPacketRate = 500;  // packet rate of an e-Series robot [Hz]; four times that of a CB3
 
 QLabel* namedSecondary(const QString& name) {
@@ -169,7 +170,7 @@ void RecordingSettings::build() {
 
     search_->setObjectName(QStringLiteral("settings.recording.search"));
     search_->setAccessibleName(tr("Search signals"));
-    search_->setPlaceholderText(tr("Search"));
+    search_->setPlaceholderText(tr("Search signals"));
     search_->setClearButtonEnabled(true);
     signals_->setObjectName(QStringLiteral("settings.recording.signals"));
     signals_->setAccessibleName(tr("Signals in a recording"));
@@ -215,10 +216,11 @@ void RecordingSettings::build() {
     form->addRow(QString(), triggerNote_);
     form->addRow(tr("Before trigger"), pair(before_, tr("after"), after_));
     showTrigger();
-    form->addRow(tr("Signals"), above);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 16, 0, 0);
     layout->addLayout(form);
+    layout->addLayout(above);
+    signals_->setMinimumHeight(kMinListHeight);
     layout->addWidget(signals_, 1);
 }
 

@@ -75,7 +75,7 @@ SettingsPage::SettingsPage(const Preferences& preferences, const QString& theme,
     pages_->tabBar()->setDrawBase(false);
     pages_->addTab(scrolling(buildLook(theme), tr("Appearance and motion")), tr("Appearance and motion"));
     pages_->addTab(scrolling(buildDevices(devices), tr("Devices")), tr("Devices"));
-    recording_ = buildRecording();
+    recording_ = scrolling(buildRecording(), tr("Recording"));
     pages_->addTab(recording_, tr("Recording"));
     pages_->addTab(buildShortcuts(), tr("Shortcuts"));
     auto* close = new QPushButton(tr("Close"));

@@ -17,6 +17,8 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "robot/station/text/format.h"
 #include "robot/station/text/texts.h"
@@ -28,6 +30,7 @@ namespace tiller {
 namespace {
 
 constexpr QSize kThumbnail(90, 30);  // [px]
+constexpr int kCellSpace = 40;       // [px]
 constexpr int kPathRole = Qt::UserRole;
 
 /// The course of a signal from minimum to maximum. Null without values.
@@ -52,11 +55,17 @@ QPixmap thumbnailOf(const recording::RecordingOverview& overview, qreal scale) {
     const double height = kThumbnail.height() - 3;
     const auto y = [&](double value) { return 1.5 + (high - value) / span * height; };
     const auto count = static_cast<double>(overview.low.size());
+    std::optional<QPointF> before;
     for (std::size_t i = 0; i < overview.low.size(); ++i) {
-        if (!std::isnan(overview.low[i])) {
-            const double x = (static_cast<double>(i) + 0.5) / count * kThumbnail.width();
-            painter.drawLine(QPointF(x, y(overview.high[i]) - 0.5), QPointF(x, y(overview.low[i]) + 0.5));
+        if (std::isnan(overview.low[i])) {
+            before.reset();
+            continue;
         }
+        const double x = (static_cast<double>(i) + 0.5) / count * kThumbnail.width();
+        const QPointF middle(x, (y(overview.high[i]) + y(overview.low[i])) / 2);
+        painter.drawLine(before.value_or(middle), middle);
+        painter.drawLine(QPointF(x, y(overview.high[i])), QPointF(x, y(overview.low[i])));
+        before = middle;
     }
     return picture;
 }
@@ -79,7 +88,7 @@ RecordingsDialog::RecordingsDialog(const QString& folder, QWidget* parent)
     , open_(nullptr) {
     setObjectName(QStringLiteral("plots.recordings.dialog"));
     setWindowTitle(tr("Recordings"));
-    resize(1000, 560);
+    resize(1200, 560);
     place_->setObjectName(QStringLiteral("plots.recordings.folder"));
     place_->setProperty("role", QStringLiteral("secondary"));
     auto* choose = new QPushButton(tr("Choose…"));
@@ -101,11 +110,14 @@ RecordingsDialog::RecordingsDialog(const QString& folder, QWidget* parent)
     table_->horizontalHeader()->setStretchLastSection(true);
     table_->horizontalHeader()->setSectionsClickable(false);
     table_->setColumnWidth(Picture, kThumbnail.width() + 16);
-    table_->setColumnWidth(Date, 140);
-    table_->setColumnWidth(Name, 200);
-    table_->setColumnWidth(Robot, 120);
-    table_->setColumnWidth(Duration, 90);
-    table_->setColumnWidth(Metadata, 200);
+    const QString date =
+        QLocale().toString(QDateTime(QDate(2026, 11, 28), QTime(22, 48)), QLocale::ShortFormat);
+    for (const auto& [column, widest] : {std::pair(Date, date), std::pair(Duration, format::duration(0)),
+                                         std::pair(Robot, QStringLiteral("UR10e 2024000000"))}) {
+        table_->setColumnWidth(column, table_->fontMetrics().horizontalAdvance(widest) + kCellSpace);
+    }
+    table_->setColumnWidth(Name, 220);
+    table_->setColumnWidth(Metadata, 240);
     table_->setIconSize(kThumbnail);
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setSelectionMode(QAbstractItemView::SingleSelection);
