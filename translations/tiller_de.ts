@@ -2106,6 +2106,22 @@
         <source>Scale automatically</source>
         <translation>Automatisch skalieren</translation>
     </message>
+    <message>
+        <source>Left axis</source>
+        <translation>Linke Achse</translation>
+    </message>
+    <message>
+        <source>Right axis</source>
+        <translation>Rechte Achse</translation>
+    </message>
+    <message>
+        <source>Edit %1…</source>
+        <translation>%1 bearbeiten…</translation>
+    </message>
+    <message>
+        <source>Axis limits…</source>
+        <translation>Achsengrenzen…</translation>
+    </message>
 </context>
 <context>
     <name>Practice</name>
@@ -13267,10 +13283,6 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Signale suchen</translation>
     </message>
     <message>
-        <source>Search</source>
-        <translation>Suchen</translation>
-    </message>
-    <message>
         <source>Signals in a recording</source>
         <translation>Signale in einer Aufzeichnung</translation>
     </message>
@@ -13285,10 +13297,6 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     <message>
         <source>File name</source>
         <translation>Dateiname</translation>
-    </message>
-    <message>
-        <source>Signals</source>
-        <translation>Signale</translation>
     </message>
     <message>
         <source>Lab UR5e</source>
@@ -13910,6 +13918,131 @@ program starts</translation>
     <message>
         <source>Folder with recordings</source>
         <translation>Ordner mit Aufzeichnungen</translation>
+    </message>
+</context>
+<context>
+    <name>PlotPane</name>
+    <message>
+        <source>%1 (right)</source>
+        <translation>%1 (rechts)</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::CurveDialog</name>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Faktor</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Versatz</translation>
+    </message>
+    <message>
+        <source>Displayed value = value × scale + offset</source>
+        <translation>Angezeigter Wert = Wert × Faktor + Versatz</translation>
+    </message>
+    <message>
+        <source>Choose the colour</source>
+        <translation>Farbe auswählen</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Auswählen…</translation>
+    </message>
+    <message>
+        <source>Automatic colour</source>
+        <translation>Automatische Farbe</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Linie</translation>
+    </message>
+    <message>
+        <source>Solid</source>
+        <translation>Durchgezogen</translation>
+    </message>
+    <message>
+        <source>Dashed</source>
+        <translation>Gestrichelt</translation>
+    </message>
+    <message>
+        <source>Dotted</source>
+        <translation>Gepunktet</translation>
+    </message>
+    <message>
+        <source>Value axis</source>
+        <translation>Werteachse</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Enter a name.</source>
+        <translation>Geben Sie einen Namen ein.</translation>
+    </message>
+    <message>
+        <source>Name and unit cannot contain = [ ].</source>
+        <translation>Name und Einheit dürfen = [ ] nicht enthalten.</translation>
+    </message>
+    <message>
+        <source>Enter a number other than 0 as the scale.</source>
+        <translation>Geben Sie als Faktor eine Zahl ungleich 0 ein.</translation>
+    </message>
+    <message>
+        <source>Enter a number as the offset.</source>
+        <translation>Geben Sie als Versatz eine Zahl ein.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::LimitsDialog</name>
+    <message>
+        <source>Limits of the value axis</source>
+        <translation>Grenzen der Werteachse</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>%1, minimum</source>
+        <translation>%1, Minimum</translation>
+    </message>
+    <message>
+        <source>%1, maximum</source>
+        <translation>%1, Maximum</translation>
+    </message>
+    <message>
+        <source>%1: enter two numbers. The minimum must be less than the maximum.</source>
+        <translation>%1: Geben Sie zwei Zahlen ein. Das Minimum muss kleiner als das Maximum sein.</translation>
     </message>
 </context>
 </TS>

@@ -2106,6 +2106,22 @@
         <source>Scale automatically</source>
         <translation>Ajustar la escala automáticamente</translation>
     </message>
+    <message>
+        <source>Left axis</source>
+        <translation>Eje izquierdo</translation>
+    </message>
+    <message>
+        <source>Right axis</source>
+        <translation>Eje derecho</translation>
+    </message>
+    <message>
+        <source>Edit %1…</source>
+        <translation>Editar %1…</translation>
+    </message>
+    <message>
+        <source>Axis limits…</source>
+        <translation>Límites del eje…</translation>
+    </message>
 </context>
 <context>
     <name>Practice</name>
@@ -13267,10 +13283,6 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Buscar señales</translation>
     </message>
     <message>
-        <source>Search</source>
-        <translation>Buscar</translation>
-    </message>
-    <message>
         <source>Signals in a recording</source>
         <translation>Señales en una grabación</translation>
     </message>
@@ -13285,10 +13297,6 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     <message>
         <source>File name</source>
         <translation>Nombre de archivo</translation>
-    </message>
-    <message>
-        <source>Signals</source>
-        <translation>Señales</translation>
     </message>
     <message>
         <source>Lab UR5e</source>
@@ -13910,6 +13918,131 @@ program starts</translation>
     <message>
         <source>Folder with recordings</source>
         <translation>Carpeta con grabaciones</translation>
+    </message>
+</context>
+<context>
+    <name>PlotPane</name>
+    <message>
+        <source>%1 (right)</source>
+        <translation>%1 (derecha)</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::CurveDialog</name>
+    <message>
+        <source>Automatic</source>
+        <translation>Automático</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Curva</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unidad</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Escala</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Desplazamiento</translation>
+    </message>
+    <message>
+        <source>Displayed value = value × scale + offset</source>
+        <translation>Valor mostrado = valor × escala + desplazamiento</translation>
+    </message>
+    <message>
+        <source>Choose the colour</source>
+        <translation>Elegir el color</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Elegir…</translation>
+    </message>
+    <message>
+        <source>Automatic colour</source>
+        <translation>Color automático</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Línea</translation>
+    </message>
+    <message>
+        <source>Solid</source>
+        <translation>Continua</translation>
+    </message>
+    <message>
+        <source>Dashed</source>
+        <translation>Discontinua</translation>
+    </message>
+    <message>
+        <source>Dotted</source>
+        <translation>Punteada</translation>
+    </message>
+    <message>
+        <source>Value axis</source>
+        <translation>Eje de valores</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Izquierda</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Derecha</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Color</translation>
+    </message>
+    <message>
+        <source>Enter a name.</source>
+        <translation>Introduzca un nombre.</translation>
+    </message>
+    <message>
+        <source>Name and unit cannot contain = [ ].</source>
+        <translation>El nombre y la unidad no pueden contener = [ ].</translation>
+    </message>
+    <message>
+        <source>Enter a number other than 0 as the scale.</source>
+        <translation>Introduzca como escala un número distinto de 0.</translation>
+    </message>
+    <message>
+        <source>Enter a number as the offset.</source>
+        <translation>Introduzca un número como desplazamiento.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::LimitsDialog</name>
+    <message>
+        <source>Limits of the value axis</source>
+        <translation>Límites del eje de valores</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>Mínimo</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Máximo</translation>
+    </message>
+    <message>
+        <source>%1, minimum</source>
+        <translation>%1, mínimo</translation>
+    </message>
+    <message>
+        <source>%1, maximum</source>
+        <translation>%1, máximo</translation>
+    </message>
+    <message>
+        <source>%1: enter two numbers. The minimum must be less than the maximum.</source>
+        <translation>%1: introduzca dos números. El mínimo debe ser menor que el máximo.</translation>
     </message>
 </context>
 </TS>

@@ -2106,6 +2106,22 @@
         <source>Scale automatically</source>
         <translation>Échelle automatique</translation>
     </message>
+    <message>
+        <source>Left axis</source>
+        <translation>Axe gauche</translation>
+    </message>
+    <message>
+        <source>Right axis</source>
+        <translation>Axe droit</translation>
+    </message>
+    <message>
+        <source>Edit %1…</source>
+        <translation>Modifier %1…</translation>
+    </message>
+    <message>
+        <source>Axis limits…</source>
+        <translation>Limites de l’axe…</translation>
+    </message>
 </context>
 <context>
     <name>Practice</name>
@@ -13267,10 +13283,6 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Chercher des signaux</translation>
     </message>
     <message>
-        <source>Search</source>
-        <translation>Chercher</translation>
-    </message>
-    <message>
         <source>Signals in a recording</source>
         <translation>Signaux d’un enregistrement</translation>
     </message>
@@ -13285,10 +13297,6 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     <message>
         <source>File name</source>
         <translation>Nom de fichier</translation>
-    </message>
-    <message>
-        <source>Signals</source>
-        <translation>Signaux</translation>
     </message>
     <message>
         <source>Lab UR5e</source>
@@ -13910,6 +13918,131 @@ program starts</translation>
     <message>
         <source>Folder with recordings</source>
         <translation>Dossier des enregistrements</translation>
+    </message>
+</context>
+<context>
+    <name>PlotPane</name>
+    <message>
+        <source>%1 (right)</source>
+        <translation>%1 (droite)</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::CurveDialog</name>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatique</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Courbe</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unité</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Échelle</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Décalage</translation>
+    </message>
+    <message>
+        <source>Displayed value = value × scale + offset</source>
+        <translation>Valeur affichée = valeur × échelle + décalage</translation>
+    </message>
+    <message>
+        <source>Choose the colour</source>
+        <translation>Choisir la couleur</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Choisir…</translation>
+    </message>
+    <message>
+        <source>Automatic colour</source>
+        <translation>Couleur automatique</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Ligne</translation>
+    </message>
+    <message>
+        <source>Solid</source>
+        <translation>Continue</translation>
+    </message>
+    <message>
+        <source>Dashed</source>
+        <translation>Tirets</translation>
+    </message>
+    <message>
+        <source>Dotted</source>
+        <translation>Pointillés</translation>
+    </message>
+    <message>
+        <source>Value axis</source>
+        <translation>Axe des valeurs</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Gauche</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Droite</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Couleur</translation>
+    </message>
+    <message>
+        <source>Enter a name.</source>
+        <translation>Saisissez un nom.</translation>
+    </message>
+    <message>
+        <source>Name and unit cannot contain = [ ].</source>
+        <translation>Le nom et l’unité ne peuvent pas contenir = [ ].</translation>
+    </message>
+    <message>
+        <source>Enter a number other than 0 as the scale.</source>
+        <translation>Saisissez comme échelle un nombre différent de 0.</translation>
+    </message>
+    <message>
+        <source>Enter a number as the offset.</source>
+        <translation>Saisissez un nombre comme décalage.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::LimitsDialog</name>
+    <message>
+        <source>Limits of the value axis</source>
+        <translation>Limites de l’axe des valeurs</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>%1, minimum</source>
+        <translation>%1, minimum</translation>
+    </message>
+    <message>
+        <source>%1, maximum</source>
+        <translation>%1, maximum</translation>
+    </message>
+    <message>
+        <source>%1: enter two numbers. The minimum must be less than the maximum.</source>
+        <translation>%1 : saisissez deux nombres. Le minimum doit être inférieur au maximum.</translation>
     </message>
 </context>
 </TS>

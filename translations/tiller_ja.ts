@@ -2106,6 +2106,22 @@
         <source>Scale automatically</source>
         <translation>自動スケール</translation>
     </message>
+    <message>
+        <source>Left axis</source>
+        <translation>左の軸</translation>
+    </message>
+    <message>
+        <source>Right axis</source>
+        <translation>右の軸</translation>
+    </message>
+    <message>
+        <source>Edit %1…</source>
+        <translation>%1 を編集…</translation>
+    </message>
+    <message>
+        <source>Axis limits…</source>
+        <translation>軸の範囲…</translation>
+    </message>
 </context>
 <context>
     <name>Practice</name>
@@ -13222,10 +13238,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>信号を検索</translation>
     </message>
     <message>
-        <source>Search</source>
-        <translation>検索</translation>
-    </message>
-    <message>
         <source>Signals in a recording</source>
         <translation>記録の信号</translation>
     </message>
@@ -13240,10 +13252,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>File name</source>
         <translation>ファイル名</translation>
-    </message>
-    <message>
-        <source>Signals</source>
-        <translation>信号</translation>
     </message>
     <message>
         <source>Lab UR5e</source>
@@ -13861,6 +13869,131 @@ program starts</translation>
     <message>
         <source>Folder with recordings</source>
         <translation>記録のフォルダー</translation>
+    </message>
+</context>
+<context>
+    <name>PlotPane</name>
+    <message>
+        <source>%1 (right)</source>
+        <translation>%1（右）</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::CurveDialog</name>
+    <message>
+        <source>Automatic</source>
+        <translation>自動</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>曲線</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>単位</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>倍率</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>オフセット</translation>
+    </message>
+    <message>
+        <source>Displayed value = value × scale + offset</source>
+        <translation>表示値 = 値 × 倍率 + オフセット</translation>
+    </message>
+    <message>
+        <source>Choose the colour</source>
+        <translation>色を選択</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>選択…</translation>
+    </message>
+    <message>
+        <source>Automatic colour</source>
+        <translation>自動の色</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>線</translation>
+    </message>
+    <message>
+        <source>Solid</source>
+        <translation>実線</translation>
+    </message>
+    <message>
+        <source>Dashed</source>
+        <translation>破線</translation>
+    </message>
+    <message>
+        <source>Dotted</source>
+        <translation>点線</translation>
+    </message>
+    <message>
+        <source>Value axis</source>
+        <translation>値軸</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>色</translation>
+    </message>
+    <message>
+        <source>Enter a name.</source>
+        <translation>名前を入力してください。</translation>
+    </message>
+    <message>
+        <source>Name and unit cannot contain = [ ].</source>
+        <translation>名前と単位に = [ ] は使用できません。</translation>
+    </message>
+    <message>
+        <source>Enter a number other than 0 as the scale.</source>
+        <translation>倍率には 0 以外の数値を入力してください。</translation>
+    </message>
+    <message>
+        <source>Enter a number as the offset.</source>
+        <translation>オフセットには数値を入力してください。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::LimitsDialog</name>
+    <message>
+        <source>Limits of the value axis</source>
+        <translation>値軸の範囲</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>最小</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>最大</translation>
+    </message>
+    <message>
+        <source>%1, minimum</source>
+        <translation>%1、最小値</translation>
+    </message>
+    <message>
+        <source>%1, maximum</source>
+        <translation>%1、最大値</translation>
+    </message>
+    <message>
+        <source>%1: enter two numbers. The minimum must be less than the maximum.</source>
+        <translation>%1: 数値を 2 つ入力してください。最小値は最大値より小さくしてください。</translation>
     </message>
 </context>
 </TS>

@@ -2106,6 +2106,22 @@
         <source>Scale automatically</source>
         <translation>自动缩放</translation>
     </message>
+    <message>
+        <source>Left axis</source>
+        <translation>左轴</translation>
+    </message>
+    <message>
+        <source>Right axis</source>
+        <translation>右轴</translation>
+    </message>
+    <message>
+        <source>Edit %1…</source>
+        <translation>编辑 %1…</translation>
+    </message>
+    <message>
+        <source>Axis limits…</source>
+        <translation>坐标轴范围…</translation>
+    </message>
 </context>
 <context>
     <name>Practice</name>
@@ -13222,10 +13238,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>搜索信号</translation>
     </message>
     <message>
-        <source>Search</source>
-        <translation>搜索</translation>
-    </message>
-    <message>
         <source>Signals in a recording</source>
         <translation>录制中的信号</translation>
     </message>
@@ -13240,10 +13252,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>File name</source>
         <translation>文件名</translation>
-    </message>
-    <message>
-        <source>Signals</source>
-        <translation>信号</translation>
     </message>
     <message>
         <source>Lab UR5e</source>
@@ -13861,6 +13869,131 @@ program starts</translation>
     <message>
         <source>Folder with recordings</source>
         <translation>记录文件夹</translation>
+    </message>
+</context>
+<context>
+    <name>PlotPane</name>
+    <message>
+        <source>%1 (right)</source>
+        <translation>%1（右）</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::CurveDialog</name>
+    <message>
+        <source>Automatic</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>比例</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>偏移</translation>
+    </message>
+    <message>
+        <source>Displayed value = value × scale + offset</source>
+        <translation>显示值 = 值 × 比例 + 偏移</translation>
+    </message>
+    <message>
+        <source>Choose the colour</source>
+        <translation>选择颜色</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>选择…</translation>
+    </message>
+    <message>
+        <source>Automatic colour</source>
+        <translation>自动颜色</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>线型</translation>
+    </message>
+    <message>
+        <source>Solid</source>
+        <translation>实线</translation>
+    </message>
+    <message>
+        <source>Dashed</source>
+        <translation>虚线</translation>
+    </message>
+    <message>
+        <source>Dotted</source>
+        <translation>点线</translation>
+    </message>
+    <message>
+        <source>Value axis</source>
+        <translation>数值轴</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>颜色</translation>
+    </message>
+    <message>
+        <source>Enter a name.</source>
+        <translation>请输入名称。</translation>
+    </message>
+    <message>
+        <source>Name and unit cannot contain = [ ].</source>
+        <translation>名称和单位不能包含 = [ ]。</translation>
+    </message>
+    <message>
+        <source>Enter a number other than 0 as the scale.</source>
+        <translation>请输入非 0 的数值作为比例。</translation>
+    </message>
+    <message>
+        <source>Enter a number as the offset.</source>
+        <translation>请输入数值作为偏移。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::LimitsDialog</name>
+    <message>
+        <source>Limits of the value axis</source>
+        <translation>数值轴范围</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>最小</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>最大</translation>
+    </message>
+    <message>
+        <source>%1, minimum</source>
+        <translation>%1，最小值</translation>
+    </message>
+    <message>
+        <source>%1, maximum</source>
+        <translation>%1，最大值</translation>
+    </message>
+    <message>
+        <source>%1: enter two numbers. The minimum must be less than the maximum.</source>
+        <translation>%1：请输入两个数值。最小值必须小于最大值。</translation>
     </message>
 </context>
 </TS>

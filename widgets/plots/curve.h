@@ -51,6 +51,9 @@ public:
     /// Sets the offset that is subtracted before drawing.
     void setOffset(double offset) { offset_ = offset; }
     double offset() const { return offset_; }
+    /// Assigns the curve to the value axis at the right.
+    void setRight(bool right) { right_ = right; }
+    bool isRight() const { return right_; }
 
     /// Reads the data for the columns of this grid. Every call must use the same history and the same
     /// `column`.
@@ -93,6 +96,7 @@ private:
     double dashLength_ = 0;  // total length of the dash pattern [columns]
     bool visible_ = true;
     double offset_ = 0;
+    bool right_ = false;
     std::vector<MinMax> envelope_;  // minimum and maximum of each column between cachedEdges_
     std::vector<MinMax> fresh_;
     std::vector<std::int64_t> edges_;

@@ -88,8 +88,8 @@ void transposeFour(const QRgb* columns, std::ptrdiff_t columnPitch, QRgb* rows, 
 
 }  // namespace
 
-CurveRaster::CurveRaster(const std::vector<std::unique_ptr<Curve>>& curves, QGraphicsItem* parent)
-    : QGraphicsItem(parent), curves_(curves) {
+CurveRaster::CurveRaster(const std::vector<std::unique_ptr<Curve>>& curves, QGraphicsItem* parent, bool right)
+    : QGraphicsItem(parent), curves_(curves), right_(right) {
     setAcceptedMouseButtons(Qt::NoButton);
 }
 
@@ -127,7 +127,7 @@ void CurveRaster::setView(const QRectF& area, double t0, double t1, double y0, d
                 QSize(static_cast<int>(columns), static_cast<int>(std::ceil(area_.height() / pitch))),
                 {}};
     for (const auto& curve : curves_) {
-        now.offsets.push_back(curve->isVisible() ? curve->offset() : std::numeric_limits<double>::infinity());
+        now.offsets.push_back(includes(*curve) ? curve->offset() : std::numeric_limits<double>::infinity());
     }
     const std::int64_t raster = (*found)->raster();
     const bool keeps = !std::exchange(isOutdated_, false) && painted_ == now &&
@@ -147,7 +147,7 @@ void CurveRaster::setView(const QRectF& area, double t0, double t1, double y0, d
             wanted[i] = then < 0 || then >= static_cast<std::int64_t>(columns) ? 1 : 0;
         }
         for (const auto& curve : curves_) {
-            const bool counts = curve->isVisible() && curve->columns().size() == columns;
+            const bool counts = includes(*curve) && curve->columns().size() == columns;
             for (std::size_t i = 0; counts && i < columns; ++i) {
                 wanted[i] = wanted[i] != 0 || curve->hasChanged(i) ? 1 : 0;
             }
@@ -167,7 +167,7 @@ void CurveRaster::paintColumns(const std::vector<std::uint8_t>& wanted, double p
     std::vector<const Curve*> drawn;
     std::vector<std::uint8_t> dense;
     for (const auto& curve : curves_) {
-        if (!curve->isVisible() || curve->range().isEmpty() || curve->columns().size() != wanted.size()) {
+        if (!includes(*curve) || curve->range().isEmpty() || curve->columns().size() != wanted.size()) {
             continue;
         }
         drawn.push_back(curve.get());
@@ -323,7 +323,7 @@ void CurveRaster::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWid
         // Vector formats are not time-critical, so use Qt's stroker.
         painter->setBrush(Qt::NoBrush);
         for (const auto& curve : curves_) {
-            if (curve->isVisible()) {
+            if (includes(*curve)) {
                 painter->setPen(curve->pen());
                 painter->drawPath(curve->path(area_, t0_, t1_, y0_, y1_));
             }

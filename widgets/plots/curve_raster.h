@@ -22,7 +22,8 @@ public:
     /// curves  drawn in this order; must all be sampled with the same grid before each setView(), and must
     /// outlive the object
     /// parent  the chart that defines the coordinates
-    CurveRaster(const std::vector<std::unique_ptr<Curve>>& curves, QGraphicsItem* parent);
+    /// right   draws only the curves of the value axis at the right; otherwise, only those of the left one
+    CurveRaster(const std::vector<std::unique_ptr<Curve>>& curves, QGraphicsItem* parent, bool right = false);
 
     /// Paints the changes since the last call.
     /// area  rectangle of t0 ... t1 and y0 ... y1 in chart coordinates
@@ -45,6 +46,7 @@ private:
         std::vector<double> offsets;
         friend bool operator==(const Painted&, const Painted&) = default;
     };
+    bool includes(const Curve& curve) const { return curve.isVisible() && curve.isRight() == right_; }
     std::size_t place(std::int64_t column) const;
     void paintColumns(const std::vector<std::uint8_t>& wanted, double pitch);
     /// pixels  pixels of this column from top to bottom
@@ -57,6 +59,7 @@ private:
     void keepBlock(std::span<const std::uint8_t> wanted, std::size_t first);
 
     const std::vector<std::unique_ptr<Curve>>& curves_;
+    bool right_;
     QRectF area_;
     double t0_ = 0, t1_ = 1, y0_ = 0, y1_ = 1;
     Painted painted_;

@@ -25,6 +25,8 @@ constexpr double kMaxShare = 20;
 
 constexpr std::array<const char*, 3> kTimeAxes = {"relative", "controller", "clock"};
 
+constexpr std::array<const char*, 4> kLines = {"automatic", "solid", "dashed", "dotted"};
+
 QStringList keys(const char* field, int count) {
     QStringList all;
     for (int i = 0; i < count; ++i) {
@@ -50,13 +52,72 @@ double within(const QJsonValue& value, double low, double high, double otherwise
     return std::isfinite(number) ? std::clamp(number, low, high) : otherwise;
 }
 
+QJsonArray toArray(const QMap<QString, CurveStyle>& styles) {
+    QJsonArray all;
+    for (auto style = styles.begin(); style != styles.end(); ++style) {
+        QJsonObject object{{"signal", style.key()}};
+        if (style->color.isValid()) {
+            object["color"] = style->color.name();
+        }
+        if (style->line != CurveStyle::Line::Automatic) {
+            object["line"] = QLatin1String(kLines[static_cast<std::size_t>(style->line)]);
+        }
+        if (style->right) {
+            object["right"] = true;
+        }
+        all.append(object);
+    }
+    return all;
+}
+
+QMap<QString, CurveStyle> toStyles(const QJsonArray& array) {
+    QMap<QString, CurveStyle> styles;
+    for (const QJsonValue& value : array) {
+        const QJsonObject object = value.toObject();
+        const QString key = object["signal"].toString();
+        CurveStyle style;
+        if (const QString color = object["color"].toString(); QColor::isValidColor(color)) {
+            style.color = QColor(color).toRgb();
+        }
+        const auto line = std::find_if(kLines.begin(), kLines.end(), [&](const char* name) {
+            return object["line"].toString() == QLatin1String(name);
+        });
+        style.line = line == kLines.end() ? CurveStyle::Line::Automatic
+                                          : static_cast<CurveStyle::Line>(line - kLines.begin());
+        style.right = object["right"].toBool();
+        const bool isKey = !key.isEmpty() && key.size() <= kMaxKeyLength;
+        if (isKey && style != CurveStyle() && styles.size() < PlotLayout::kMaxSignals) {
+            styles[key] = style;
+        }
+    }
+    return styles;
+}
+
+/// Empty for limits that an axis cannot show.
+std::optional<ValueLimits> toLimits(const QJsonValue& value) {
+    const QJsonArray array = value.toArray();
+    const ValueLimits limits{array.at(0).toDouble(), array.at(1).toDouble()};
+    const bool isValid = array.size() == 2 && array[0].isDouble() && array[1].isDouble() && limits.isValid();
+    return isValid ? std::optional(limits) : std::nullopt;
+}
+
 QJsonObject toObject(const PageLayout& page) {
     QJsonArray panes;
     for (const PaneLayout& pane : page.panes) {
-        panes.append(QJsonObject{{"signals", QJsonArray::fromStringList(pane.shown)},
-                                 {"hidden", QJsonArray::fromStringList(pane.hidden)},
-                                 {"column", pane.column},
-                                 {"share", pane.share}});
+        QJsonObject object{{"signals", QJsonArray::fromStringList(pane.shown)},
+                           {"hidden", QJsonArray::fromStringList(pane.hidden)},
+                           {"column", pane.column},
+                           {"share", pane.share}};
+        if (!pane.styles.isEmpty()) {
+            object["styles"] = toArray(pane.styles);
+        }
+        if (pane.limits) {
+            object["limits"] = QJsonArray{pane.limits->low, pane.limits->high};
+        }
+        if (pane.rightLimits) {
+            object["right_limits"] = QJsonArray{pane.rightLimits->low, pane.rightLimits->high};
+        }
+        panes.append(object);
     }
     return {{"name", page.name}, {"plots", panes}, {"lanes", QJsonArray::fromStringList(page.lanes)}};
 }
@@ -140,13 +201,22 @@ PageLayout toPage(const QJsonObject& object) {
         page.panes.append({toKeys(pane["signals"], PlotLayout::kMaxSignals),
                            toKeys(pane["hidden"], PlotLayout::kMaxSignals),
                            static_cast<int>(within(pane["column"], 0, PlotLayout::kMaxColumns - 1, 0)),
-                           within(pane["share"], kMinShare, kMaxShare, 1)});
+                           within(pane["share"], kMinShare, kMaxShare, 1), toStyles(pane["styles"].toArray()),
+                           toLimits(pane["limits"]), toLimits(pane["right_limits"])});
     }
     page.lanes = toKeys(object["lanes"], PlotLayout::kMaxLanes);
     return page;
 }
 
 }  // namespace
+
+bool ValueLimits::isValid() const {
+    constexpr double kMaxLimit = 1e12;
+    constexpr double kMinShareOfValue =
+        1e-9;  // with a smaller range, the numbers of the grid lines would not differ
+    const double largest = std::max(std::abs(low), std::abs(high));
+    return largest <= kMaxLimit && high - low > largest * kMinShareOfValue;
+}
 
 PageLayout PageLayout::standard() {
     PageLayout page;

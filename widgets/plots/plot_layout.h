@@ -5,10 +5,12 @@
 // saved for each user. Signal names are those used in recordings.
 
 #include <QByteArray>
+#include <QColor>
 #include <QMap>
 #include <QString>
 #include <QStringList>
 #include <QVector>
+#include <optional>
 
 #include "robot/core/result.h"
 #include "robot/divergence/divergence.h"
@@ -17,11 +19,34 @@
 
 namespace tiller {
 
+/// Appearance of a curve, as far as the user has chosen it.
+struct CurveStyle {
+    enum class Line { Automatic, Solid, Dashed, Dotted };
+    QColor color{};  ///< invalid: automatic
+    Line line = Line::Automatic;
+    bool right = false;  ///< use the value axis at the right
+
+    friend bool operator==(const CurveStyle&, const CurveStyle&) = default;
+};
+
+/// Fixed limits of a value axis.
+struct ValueLimits {
+    double low = 0;
+    double high = 1;
+
+    /// True if `low` is less than `high` and an axis can show both.
+    bool isValid() const;
+    friend bool operator==(const ValueLimits&, const ValueLimits&) = default;
+};
+
 struct PaneLayout {
     QStringList shown{};
     QStringList hidden{};
     int column = 0;
-    double share = 1;  ///< height relative to the other plots of its column
+    double share = 1;                    ///< height relative to the other plots of its column
+    QMap<QString, CurveStyle> styles{};  ///< by signal
+    std::optional<ValueLimits> limits{};
+    std::optional<ValueLimits> rightLimits{};
 
     friend bool operator==(const PaneLayout&, const PaneLayout&) = default;
 };

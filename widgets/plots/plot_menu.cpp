@@ -7,7 +7,10 @@
 
 #include "robot/station/history/plot_marks.h"
 #include "robot/station/history/signal_store.h"
+#include "widgets/common/theme.h"
+#include "widgets/plots/curve_dialog.h"
 #include "widgets/plots/curve_look.h"
+#include "widgets/plots/limits_dialog.h"
 #include "widgets/plots/plot_pane.h"
 #include "widgets/plots/plot_view.h"
 
@@ -65,8 +68,9 @@ void PlotMenu::fill(QMenu& menu, const QPointF& place) {
         if (!store_.isRecorded(signal)) {
             // In the legend, the height has no meaning.
             const auto newest = named ? store_.valueAt(signal, view_.window().end()) : std::nullopt;
-            addThresholds(menu, pane, signal,
-                          newest ? *newest - pane.offset(signal) : pane.valueAt(place.y()));
+            addThresholds(
+                menu, pane, signal,
+                newest ? *newest - pane.offset(signal) : pane.valueAt(place.y(), pane.sideOf(signal)));
             menu.addSeparator();
         }
         addDerived(menu, pane, signal);
@@ -75,6 +79,73 @@ void PlotMenu::fill(QMenu& menu, const QPointF& place) {
     addPlot(menu, pane);
     addAction(menu, "plots.menu.note", tr("Add note here…"),
               [view, time = view_.timeAt(place.x())] { Q_EMIT view->noteWanted(time); });
+}
+
+/// Replaces the curve by a signal with the chosen name, unit, scale and offset. Returns the error as a sentence.
+QString PlotMenu::applyCurve(PlotView& view, SignalStore& store, int at, const QString& key,
+                             const ScaledSignal& signal, const CurveStyle& style) {
+    const QString wanted = signal.key(store);
+    const Result<int> made = store.find(wanted) >= 0 ? Result<int>(store.find(wanted)) : store.derive(wanted);
+    if (!made) {
+        return made.error().controllerMessage;
+    }
+    PageLayout page = view.page();
+    if (at >= page.panes.size() || !page.panes[at].shown.contains(key)) {
+        return {};  // the curve was removed in the meantime
+    }
+    PaneLayout& pane = page.panes[at];
+    const QString chosen = store.info(*made).key;
+    if (chosen != key) {
+        pane.shown.removeAll(chosen);
+        pane.shown[pane.shown.indexOf(key)] = chosen;
+        pane.hidden.removeAll(key);
+        pane.styles.remove(key);
+    }
+    pane.styles.remove(chosen);
+    if (style != CurveStyle()) {
+        pane.styles[chosen] = style;
+    }
+    view.setPage(page);
+    view.setReadoutSignal(*made);
+    return {};
+}
+
+void PlotMenu::editCurve(PlotView& view, SignalStore& store, int at, int signal) {
+    const PlotPane& pane = *view.panes()[static_cast<std::size_t>(at)];
+    const std::vector<int>& shown = pane.shown();
+    const auto index =
+        static_cast<std::size_t>(std::find(shown.begin(), shown.end(), signal) - shown.begin());
+    const QColor automatic = curvePens(store, shown, Theme::current())[index].color();
+    auto* dialog = new CurveDialog(
+        {ScaledSignal::of(store, signal), pane.style(signal)}, automatic,
+        [&view, &store, at, key = store.info(signal).key](const CurveDialog::Choice& choice) {
+            return applyCurve(view, store, at, key, choice.signal, choice.style);
+        },
+        &view);
+    dialog->open();
+}
+
+void PlotMenu::askForLimits(PlotView& view, int at) {
+    const PlotPane& pane = *view.panes()[static_cast<std::size_t>(at)];
+    std::vector<LimitsDialog::Axis> axes;
+    for (const auto side : {PlotPane::Side::Left, PlotPane::Side::Right}) {
+        if (side == PlotPane::Side::Left || pane.hasRight()) {
+            axes.push_back({side == PlotPane::Side::Left ? tr("Left axis") : tr("Right axis"),
+                            pane.limits(side),
+                            {pane.range(side).min(), pane.range(side).max()}});
+        }
+    }
+    auto* dialog = new LimitsDialog(axes, &view);
+    QObject::connect(dialog, &QDialog::accepted, &view, [&view, dialog, at] {
+        PageLayout page = view.page();
+        const std::vector<std::optional<ValueLimits>> limits = dialog->limits();
+        if (at < page.panes.size()) {
+            page.panes[at].limits = limits.front();
+            page.panes[at].rightLimits = limits.size() > 1 ? limits[1] : page.panes[at].rightLimits;
+            view.setPage(page);
+        }
+    });
+    dialog->open();
 }
 
 void PlotMenu::addCurve(QMenu& menu, const PlotPane& pane, int signal) {
@@ -86,14 +157,19 @@ void PlotMenu::addCurve(QMenu& menu, const PlotPane& pane, int signal) {
               [view, signal] { view->setHidden(signal, !view->isHidden(signal)); });
     addAction(menu, "plots.menu.read", tr("Show values of %1 at the cursors").arg(name),
               [view, signal] { view->setReadoutSignal(signal); });
-    addAction(
-        menu, "plots.menu.move", tr("Move %1 to a separate plot").arg(name),
-        [view, at, key = store_.info(signal).key] {
-            PageLayout page = view->page();
-            page.panes[at].shown.removeAll(key);
-            page.panes.insert(at + 1, PaneLayout{{key}, {}, page.panes[at].column, page.panes[at].share});
-            view->setPage(page);
-        })
+    addAction(menu, "plots.menu.curve", tr("Edit %1…").arg(name),
+              [view, store = &store_, at, signal] { editCurve(*view, *store, at, signal); });
+    addAction(menu, "plots.menu.move", tr("Move %1 to a separate plot").arg(name),
+              [view, at, key = store_.info(signal).key] {
+                  PageLayout page = view->page();
+                  page.panes[at].shown.removeAll(key);
+                  PaneLayout own{{key}, {}, page.panes[at].column, page.panes[at].share};
+                  if (page.panes[at].styles.contains(key)) {
+                      own.styles[key] = page.panes[at].styles.take(key);
+                  }
+                  page.panes.insert(at + 1, own);
+                  view->setPage(page);
+              })
         ->setEnabled(pane.shown().size() > 1 && view_.panes().size() < PlotLayout::kMaxPanes);
     addAction(menu, "plots.menu.remove", tr("Remove %1").arg(name),
               [view, at, signal] { view->removeSignal(at, signal); });
@@ -188,8 +264,9 @@ void PlotMenu::addPlot(QMenu& menu, const PlotPane& pane) {
         view->removePane(at);
     })->setEnabled(view_.panes().size() > 1 || !pane.shown().empty());
     menu.addSeparator();
-    addAction(menu, "plots.menu.release", tr("Scale automatically"), [view, at] {
-        view->releaseValues(*view->panes()[static_cast<std::size_t>(at)]);
+    addAction(menu, "plots.menu.limits", tr("Axis limits…"), [view, at] { askForLimits(*view, at); });
+    addAction(menu, "plots.menu.release", tr("Scale to curves"), [view, at] {
+        view->scaleToCurves(*view->panes()[static_cast<std::size_t>(at)]);
     })->setEnabled(pane.isZoomed());
     addAction(menu, "plots.menu.fit", tr("Show all"), [view] { view->fit(); });
 }

@@ -14,6 +14,8 @@ namespace tiller {
 class PlotPane;
 class PlotView;
 class SignalStore;
+struct CurveStyle;
+struct ScaledSignal;
 
 class PlotMenu {
     Q_DECLARE_TR_FUNCTIONS(PlotMenu)
@@ -25,6 +27,10 @@ public:
     void fill(QMenu& menu, const QPointF& place);
 
 private:
+    static QString applyCurve(PlotView& view, SignalStore& store, int at, const QString& key,
+                              const ScaledSignal& signal, const CurveStyle& style);
+    static void editCurve(PlotView& view, SignalStore& store, int at, int signal);
+    static void askForLimits(PlotView& view, int at);
     void addCurve(QMenu& menu, const PlotPane& pane, int signal);
     void addThresholds(QMenu& menu, const PlotPane& pane, int signal, double value);
     void addDerived(QMenu& menu, const PlotPane& pane, int signal);

@@ -123,6 +123,7 @@ bool PlotPages::takeRecordingsFrom(PageLayout& page) const {
     for (PaneLayout& pane : page.panes) {
         keep(pane.shown);
         keep(pane.hidden);
+        pane.styles.removeIf([&pane](const auto& style) { return !pane.shown.contains(style.key()); });
     }
     keep(page.lanes);
     return any;

@@ -85,6 +85,26 @@ QStringList valueTexts(const std::vector<double>& values, double step, const QSt
     return texts;
 }
 
+QPen styled(QPen pen, const CurveStyle& style) {
+    if (style.color.isValid()) {
+        pen.setColor(style.color);
+    }
+    switch (style.line) {
+        case CurveStyle::Line::Automatic:
+            break;
+        case CurveStyle::Line::Solid:
+            pen.setStyle(Qt::SolidLine);
+            break;
+        case CurveStyle::Line::Dashed:
+            pen.setDashPattern({6, 3});
+            break;
+        case CurveStyle::Line::Dotted:
+            pen.setDashPattern({2, 3});
+            break;
+    }
+    return pen;
+}
+
 }  // namespace
 
 PlotPane::PlotPane(QGraphicsScene& scene, const SignalStore& store, std::vector<int> shown)
@@ -92,9 +112,14 @@ PlotPane::PlotPane(QGraphicsScene& scene, const SignalStore& store, std::vector<
     , shown_(std::move(shown))
     , chart_(std::make_unique<QChart>())
     , grid_(new GridLines(chart_.get()))
-    , values_(new AxisLabels(Qt::AlignRight | Qt::AlignVCenter, chart_.get()))
     , times_(new AxisLabels(Qt::AlignHCenter | Qt::AlignTop, chart_.get()))
-    , range_(finestStep(store, shown_))
+    , styles_(shown_.size())
+    , axes_{{{AxisRange(finestStep(store, shown_)),
+              new AxisLabels(Qt::AlignRight | Qt::AlignVCenter, chart_.get()),
+              new CurveRaster(curves_, chart_.get())},
+             {AxisRange(finestStep(store, shown_)),
+              new AxisLabels(Qt::AlignLeft | Qt::AlignVCenter, chart_.get()),
+              new CurveRaster(curves_, chart_.get(), true)}}}
     , emphasis_(shown_.empty() ? -1 : shown_.back()) {
     chart_->setObjectName(QStringLiteral("plots.pane"));
     chart_->setBackgroundVisible(false);
@@ -110,8 +135,9 @@ PlotPane::PlotPane(QGraphicsScene& scene, const SignalStore& store, std::vector<
         curves_.push_back(std::make_unique<Curve>(
             signal, store_.isDerived(signal) ? Curve::Missing::Undefined : Curve::Missing::Bridged));
     }
-    sheet_ = new CurveRaster(curves_, chart_.get());
-    sheet_->setZValue(10);
+    for (const ValueAxis& axis : axes_) {
+        axis.sheet->setZValue(10);
+    }
     chart_->legend()->setMarkerShape(QLegend::MarkerShapeFromSeries);
     chart_->legend()->detachFromChart();
     chart_->legend()->setBackgroundVisible(false);
@@ -126,7 +152,9 @@ PlotPane::~PlotPane() = default;
 
 void PlotPane::applyTheme() {
     const Theme& theme = Theme::current();
-    values_->setLook(textFont(kLabelPixels), theme.secondary);
+    for (const ValueAxis& axis : axes_) {
+        axis.labels->setLook(textFont(kLabelPixels), theme.secondary);
+    }
     times_->setLook(textFont(kLegendPixels), theme.secondary);
     // Use a grid colour halfway between surface and border, so that the lines are not prominent.
     grid_->setColor(QColor((theme.panel.red() + theme.border.red()) / 2,
@@ -137,7 +165,9 @@ void PlotPane::applyTheme() {
     const auto markers = chart_->legend()->markers();
     const std::vector<QPen> pens = curvePens(store_, shown_, theme);
     for (std::size_t i = 0; i < curves_.size(); ++i) {
-        QPen pen = pens[i];
+        QPen pen = styled(pens[i], styles_[i]);
+        const QString label = curveLabel(store_, shown_, shown_[i]);
+        legend_[i]->setName(styles_[i].right ? tr("%1 (right)").arg(label) : label);
         const bool hidden = !curves_[i]->isVisible();
         legend_[i]->setPen(hidden ? QPen(theme.border, pen.widthF()) : pen);
         // Set the font of each entry, because the legend passes its font to the entries only when the font
@@ -155,7 +185,9 @@ void PlotPane::applyTheme() {
         }
         curves_[i]->setPen(pen);
     }
-    sheet_->forget();
+    for (const ValueAxis& axis : axes_) {
+        axis.sheet->forget();
+    }
     placeLegend();
 }
 
@@ -178,6 +210,28 @@ void PlotPane::setHidden(int signal, bool hidden) {
 bool PlotPane::isHidden(int signal) const {
     const std::size_t i = indexOf(signal);
     return i < curves_.size() && !curves_[i]->isVisible();
+}
+
+void PlotPane::setStyle(int signal, const CurveStyle& style) {
+    if (const std::size_t i = indexOf(signal); i < curves_.size() && styles_[i] != style) {
+        styles_[i] = style;
+        curves_[i]->setRight(style.right);
+        applyTheme();
+        updateValueAxis();
+    }
+}
+
+CurveStyle PlotPane::style(int signal) const {
+    const std::size_t i = indexOf(signal);
+    return i < styles_.size() ? styles_[i] : CurveStyle();
+}
+
+bool PlotPane::hasRight() const {
+    return std::any_of(styles_.begin(), styles_.end(), [](const CurveStyle& style) { return style.right; });
+}
+
+PlotPane::Side PlotPane::sideOf(int signal) const {
+    return style(signal).right ? Side::Right : Side::Left;
 }
 
 void PlotPane::setOffset(int signal, double offset) {
@@ -250,8 +304,9 @@ std::optional<int> PlotPane::curveAt(const QPointF& place) const {
         if (column.isEmpty()) {
             continue;
         }
-        const double top = yAt(column.high - curves_[i]->offset());
-        const double bottom = yAt(column.low - curves_[i]->offset());
+        const Side side = sideOf(shown_[i]);
+        const double top = yAt(column.high - curves_[i]->offset(), side);
+        const double bottom = yAt(column.low - curves_[i]->offset(), side);
         const double distance = std::max({top - place.y(), place.y() - bottom, 0.0});
         if (distance < least) {
             least = distance;
@@ -267,33 +322,64 @@ QRectF PlotPane::legendEntry(int signal) const {
     return i < entries.size() ? entries[i]->sceneBoundingRect() : QRectF();
 }
 
-double PlotPane::valueAt(double y) const {
+double PlotPane::valueAt(double y, Side side) const {
+    const AxisRange& shown = range(side);
     const double share = std::clamp((area_.bottom() - y) / std::max(1.0, area_.height()), 0.0, 1.0);
-    return range_.min() + share * (range_.max() - range_.min());
+    return shown.min() + share * (shown.max() - shown.min());
 }
 
-double PlotPane::yAt(double value) const {
-    return area_.bottom() - (value - range_.min()) / (range_.max() - range_.min()) * area_.height();
+double PlotPane::yAt(double value, Side side) const {
+    const AxisRange& shown = range(side);
+    return area_.bottom() - (value - shown.min()) / (shown.max() - shown.min()) * area_.height();
 }
 
-void PlotPane::zoomValues(double factor, double y) {
-    range_.zoom(factor, valueAt(y));
+void PlotPane::zoomValues(Side side, double factor, double y) {
+    scale(side).zoom(factor, valueAt(y, side));
     updateValueAxis();
 }
 
 void PlotPane::holdValues(double low, double high) {
-    range_.hold(low, high);
+    scale(Side::Left).hold(low, high);
+    updateValueAxis();
+}
+
+void PlotPane::holdBetween(double bottom, double top) {
+    for (const Side side : {Side::Left, Side::Right}) {
+        const double low = valueAt(bottom, side);
+        scale(side).hold(low, valueAt(top, side));
+    }
+    updateValueAxis();
+}
+
+void PlotPane::setLimits(Side side, const std::optional<ValueLimits>& limits) {
+    axes_[index(side)].limits = limits;
+    releaseValues();
+}
+
+void PlotPane::releaseValues() {
+    for (ValueAxis& axis : axes_) {
+        if (axis.limits) {
+            axis.range.hold(axis.limits->low, axis.limits->high);
+        } else {
+            axis.range.release();
+        }
+    }
     updateValueAxis();
 }
 
 QString PlotPane::unit() const {
-    if (shown_.empty()) {
-        return {};
+    const QString left = unitOf(Side::Left);
+    return !hasRight() || unitOf(Side::Right) == left ? left : QString();
+}
+
+QString PlotPane::unitOf(Side side) const {
+    QStringList units;
+    for (const int signal : shown_) {
+        if (sideOf(signal) == side && !units.contains(store_.info(signal).unit)) {
+            units << store_.info(signal).unit;
+        }
     }
-    const QString unit = store_.info(shown_.front()).unit;
-    const bool same = std::all_of(shown_.begin(), shown_.end(),
-                                  [&](int signal) { return store_.info(signal).unit == unit; });
-    return same ? unit : QString();
+    return units.size() == 1 ? units.front() : QString();
 }
 
 void PlotPane::showLike(const PlotPane& other) {
@@ -301,10 +387,12 @@ void PlotPane::showLike(const PlotPane& other) {
         curves_[i]->setVisible(other.curves_[i]->isVisible());
         curves_[i]->setOffset(other.curves_[i]->offset());
     }
-    if (other.isZoomed()) {
-        range_ = other.range_;
-        updateValueAxis();
+    for (const Side side : {Side::Left, Side::Right}) {
+        if (other.range(side).isHeld()) {
+            scale(side) = other.range(side);
+        }
     }
+    updateValueAxis();
     applyTheme();
 }
 
@@ -314,8 +402,10 @@ void PlotPane::setArea(const QRectF& area) {
     }
     area_ = area;
     // The chart covers the space around the plot area, because the labels are drawn there.
-    chart_->setGeometry(QRectF(QPointF(0, 0), QSizeF(area.right() + 12, area.bottom() + 40)));
-    range_.setMostLines(std::clamp(static_cast<int>(area.height() / kPixelsPerLine), 3, 4));
+    chart_->setGeometry(QRectF(QPointF(0, 0), QSizeF(area.right() + 12 + kValueWidth, area.bottom() + 40)));
+    for (ValueAxis& axis : axes_) {
+        axis.range.setMostLines(std::clamp(static_cast<int>(area.height() / kPixelsPerLine), 3, 4));
+    }
     placeLegend();
     updateValueAxis();
 }
@@ -337,51 +427,81 @@ void PlotPane::setTimeTicks(double from, double to, const std::vector<AxisTick>&
 }
 
 void PlotPane::updateValueAxis() {
+    const bool onlyRight = hasRight() && std::all_of(styles_.begin(), styles_.end(),
+                                                     [](const CurveStyle& style) { return style.right; });
+    std::vector<double> left;
+    if (onlyRight) {
+        axes_[index(Side::Left)].labels->setLabels({});
+    } else {
+        left = placeLabels(Side::Left);
+    }
+    std::vector<double> right;
+    if (hasRight()) {
+        right = placeLabels(Side::Right);
+    } else {
+        axes_[index(Side::Right)].labels->setLabels({});
+    }
+    grid_->setLines(area_, onlyRight ? std::move(right) : std::move(left));
+}
+
+std::vector<double> PlotPane::placeLabels(Side side) {
+    AxisLabels& axisLabels = *axes_[index(side)].labels;
+    const AxisRange& shown = range(side);
     std::vector<AxisLabels::Label> labels;
     std::vector<double> lines;
-    const QFontMetricsF metrics(values_->font());
-    const double step = range_.step();
-    const auto first = std::llround(std::ceil(range_.min() / step));
-    const auto last = std::llround(std::floor(range_.max() / step));
+    const double step = shown.step();
+    const auto first = std::llround(std::ceil(shown.min() / step));
+    const auto last = std::llround(std::floor(shown.max() / step));
     // If the height is too small for all labels, omit some. The uppermost label is always shown.
-    const double pitch = step / (range_.max() - range_.min()) * area_.height();
+    const double pitch = step / (shown.max() - shown.min()) * area_.height();
     const auto every = std::max(1LL, static_cast<long long>(std::ceil(kMinPitch / std::max(pitch, 0.1))));
     std::vector<double> values;
     for (auto i = first; i <= last; ++i) {
-        lines.push_back(yAt(static_cast<double>(i) * step));
+        lines.push_back(yAt(static_cast<double>(i) * step, side));
         if ((last - i) % every == 0) {
             values.push_back(static_cast<double>(i) * step);
         }
     }
-    const QStringList texts = valueTexts(values, step, unit());
+    const double x = side == Side::Left ? area_.left() - kValueGap - kLabelWidth : area_.right() + kValueGap;
+    const QStringList texts = valueTexts(values, step, unitOf(side));
     for (std::size_t i = 0; i < values.size(); ++i) {
-        const double y = yAt(values[i]);
+        const double y = yAt(values[i], side);
         labels.push_back(
-            {{area_.left() - kValueGap - kLabelWidth, y - kLabelHeight / 2, kLabelWidth, kLabelHeight},
-             texts[static_cast<qsizetype>(i)]});
+            {{x, y - kLabelHeight / 2, kLabelWidth, kLabelHeight}, texts[static_cast<qsizetype>(i)]});
     }
     if (!labels.empty() && texts.size() > static_cast<qsizetype>(values.size())) {
         labels.push_back({labels.back().box.translated(0, -kMinPitch), texts.back()});
     }
-    values_->setLabels(std::move(labels));
-    grid_->setLines(area_, std::move(lines));
+    axisLabels.setLabels(std::move(labels));
+    return lines;
 }
 
 void PlotPane::show(const GridOf& grids, double t0, double t1, double seconds) {
-    MinMax all;
+    std::array<MinMax, 2> all;
     for (const auto& curve : curves_) {
         // Also sample hidden signals, because all curves must have the same raster.
         if (const SeriesBuffer* history = store_.buffer(curve->signal())) {
             curve->sample(*history, store_.column(curve->signal()), grids(*history));
         }
         if (curve->isVisible() && !curve->range().isEmpty()) {
-            all.add(MinMax{curve->range().min - curve->offset(), curve->range().max - curve->offset()});
+            all[curve->isRight() ? 1 : 0].add(
+                MinMax{curve->range().min - curve->offset(), curve->range().max - curve->offset()});
         }
     }
-    if (seconds < 0 ? range_.reset(all.min, all.max) : range_.fit(all.min, all.max, seconds)) {
+    bool changed = false;
+    for (std::size_t i = 0; i < axes_.size(); ++i) {
+        const MinMax& extent = all[i];
+        AxisRange& shown = axes_[i].range;
+        changed = (seconds < 0 ? shown.reset(extent.min, extent.max)
+                               : shown.fit(extent.min, extent.max, seconds)) ||
+                  changed;
+    }
+    if (changed) {
         updateValueAxis();
     }
-    sheet_->setView(area_, t0, t1, range_.min(), range_.max());
+    for (const ValueAxis& axis : axes_) {
+        axis.sheet->setView(area_, t0, t1, axis.range.min(), axis.range.max());
+    }
 }
 
 }  // namespace tiller

@@ -3,8 +3,10 @@
 
 // One plot of a stack. The chart draws the legend. Grid, labels and curves are drawn separately.
 
+#include <QCoreApplication>
 #include <QRectF>
 #include <QString>
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -12,6 +14,7 @@
 
 #include "robot/station/history/series_buffer.h"
 #include "widgets/plots/axis_range.h"
+#include "widgets/plots/plot_layout.h"
 
 class QGraphicsItem;
 class QGraphicsScene;
@@ -39,7 +42,11 @@ struct AxisTick {
 using GridOf = std::function<const ColumnGrid&(const SeriesBuffer&)>;
 
 class PlotPane {
+    Q_DECLARE_TR_FUNCTIONS(PlotPane)
+
 public:
+    enum class Side { Left, Right };  ///< of a value axis
+
     /// shown  the signals; may be empty
     PlotPane(QGraphicsScene& scene, const SignalStore& store, std::vector<int> shown);
     ~PlotPane();
@@ -64,13 +71,18 @@ public:
     /// immediately
     void show(const GridOf& grids, double t0, double t1, double seconds);
 
-    const AxisRange& range() const { return range_; }
+    const AxisRange& range(Side side = Side::Left) const { return axes_[index(side)].range; }
     const std::vector<std::unique_ptr<Curve>>& curves() const { return curves_; }
-    const CurveRaster& sheet() const { return *sheet_; }
+    const CurveRaster& sheet() const { return *axes_[0].sheet; }
     const std::vector<int>& shown() const { return shown_; }
     bool shows(int signal) const { return indexOf(signal) < shown_.size(); }
     /// The common unit of all signals; empty if the units differ.
     QString unit() const;
+    /// Sets the appearance of a curve and its axis.
+    void setStyle(int signal, const CurveStyle& style);
+    CurveStyle style(int signal) const;
+    /// True if a curve uses the value axis at the right.
+    bool hasRight() const;
     /// Emphasizes the signal whose value is shown at the cursors.
     void setEmphasis(int signal);
 
@@ -91,22 +103,41 @@ public:
 
     /// Zooms in (factor < 1) around the value at the vertical scene position `y`. The scale is fixed until
     /// releaseValues().
-    void zoomValues(double factor, double y);
-    /// Shows this range of values until releaseValues().
+    void zoomValues(Side side, double factor, double y);
+    /// Shows this range of values of the left axis until releaseValues().
     void holdValues(double low, double high);
-    double valueAt(double y) const;
-    double yAt(double value) const;
-    /// Lets the scale follow the curves again from the next show().
-    void releaseValues() { range_.release(); }
-    bool isZoomed() const { return range_.isHeld(); }
+    /// Shows the values between two vertical scene positions, of both axes.
+    void holdBetween(double bottom, double top);
+    double valueAt(double y, Side side = Side::Left) const;
+    double yAt(double value, Side side = Side::Left) const;
+    /// The axis of a signal.
+    Side sideOf(int signal) const;
+    /// Sets or removes the limits of an axis. The scale has these limits until it is zoomed, and again after
+    /// releaseValues().
+    void setLimits(Side side, const std::optional<ValueLimits>& limits);
+    const std::optional<ValueLimits>& limits(Side side) const { return axes_[index(side)].limits; }
+    /// Restores the limits, or lets the scales follow the curves again from the next show().
+    void releaseValues();
+    bool isZoomed() const { return range().isHeld() || (hasRight() && range(Side::Right).isHeld()); }
 
     /// Copies hidden signals, offsets and zoom from a pane with the same signals.
     void showLike(const PlotPane& other);
 
     static constexpr int kLegendHeight = 20;  ///< height above the area [px]
-    static constexpr int kValueWidth = 56;    ///< width of the value-axis labels, left of the area [px]
+    static constexpr int kValueWidth = 56;    ///< width of the labels of a value axis beside the area [px]
 
 private:
+    struct ValueAxis {
+        AxisRange range;
+        AxisLabels* labels;
+        CurveRaster* sheet;
+        std::optional<ValueLimits> limits{};
+    };
+    static std::size_t index(Side side) { return side == Side::Left ? 0 : 1; }
+    AxisRange& scale(Side side) { return axes_[index(side)].range; }
+    QString unitOf(Side side) const;
+    /// Places the labels of an axis and returns the heights of its grid lines.
+    std::vector<double> placeLabels(Side side);
     std::size_t indexOf(int signal) const;
     std::vector<QGraphicsItem*> legendEntries() const;
     void updateValueAxis();
@@ -118,12 +149,11 @@ private:
     double share_ = 1;
     std::unique_ptr<QChart> chart_;
     GridLines* grid_;
-    AxisLabels* values_;
     AxisLabels* times_;
     std::vector<QLineSeries*> legend_;  // empty series, one per legend entry
     std::vector<std::unique_ptr<Curve>> curves_;
-    CurveRaster* sheet_;
-    AxisRange range_;
+    std::vector<CurveStyle> styles_;  // by curve
+    std::array<ValueAxis, 2> axes_;   // left and right
     QRectF area_;
     int emphasis_;
 };

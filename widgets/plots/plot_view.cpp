@@ -136,7 +136,13 @@ void PlotView::build(const PageLayout& page) {
         for (const int signal : pane->shown()) {
             pane->setHidden(signal, wanted.hidden.contains(store_.info(signal).key));
             pane->setOffset(signal, offsets_.value(signal, 0));
+            if (const auto style = wanted.styles.find(store_.info(signal).key);
+                style != wanted.styles.end()) {
+                pane->setStyle(signal, *style);
+            }
         }
+        pane->setLimits(PlotPane::Side::Left, wanted.limits);
+        pane->setLimits(PlotPane::Side::Right, wanted.rightLimits);
     }
     if (panes_.empty()) {
         panes_.push_back(std::make_unique<PlotPane>(*scene_, store_, std::vector<int>()));
@@ -185,7 +191,12 @@ PageLayout PlotView::page() const {
             if (pane->isHidden(signal)) {
                 one.hidden.append(store_.info(signal).key);
             }
+            if (const CurveStyle style = pane->style(signal); style != CurveStyle()) {
+                one.styles[store_.info(signal).key] = style;
+            }
         }
+        one.limits = pane->limits(PlotPane::Side::Left);
+        one.rightLimits = pane->limits(PlotPane::Side::Right);
         page.panes.append(one);
     }
     for (const SignalLane& lane : lanes_) {
@@ -393,7 +404,10 @@ const LaneItem* PlotView::signalLane(int signal) const {
 void PlotView::layOut() {
     const QSizeF size = viewport()->size();
     scene_->setSceneRect(QRectF(QPointF(0, 0), size));
-    const double width = std::max(40.0, std::floor((size.width() - kRight) / columns_ - kLeft));
+    const bool hasRight =
+        std::any_of(panes_.begin(), panes_.end(), [](const auto& pane) { return pane->hasRight(); });
+    const double beside = kLeft + (hasRight ? PlotPane::kValueWidth : 0);
+    const double width = std::max(40.0, std::floor((size.width() - kRight) / columns_ - beside));
     const double lanes = kLaneHeight + static_cast<double>(lanes_.size()) * (kLaneHeight + kLaneGap);
     int most = 0;  // plots per column
     for (int column = 0; column < columns_; ++column) {
@@ -412,7 +426,7 @@ void PlotView::layOut() {
             count += pane->column() == column ? 1 : 0;
         }
         const double heights = std::max(count * kMinHeight, bottom - kTop - (count - 1) * kBetween);
-        const double left = kLeft + column * (width + kLeft);
+        const double left = kLeft + column * (width + beside);
         double top = kTop;
         for (const auto& pane : panes_) {
             if (pane->column() == column) {
@@ -933,7 +947,8 @@ void PlotView::drawThresholds(QPainter& painter, const PlotPane& pane) const {
     const Theme& theme = Theme::current();
     for (const Threshold& threshold : marks_.thresholds()) {
         const int signal = store_.find(threshold.key);
-        const double y = std::floor(pane.yAt(threshold.limit - pane.offset(signal))) + 0.5;
+        const double y =
+            std::floor(pane.yAt(threshold.limit - pane.offset(signal), pane.sideOf(signal))) + 0.5;
         if (!pane.shows(signal) || pane.isHidden(signal) || y < pane.area().top() ||
             y > pane.area().bottom()) {
             continue;
@@ -993,8 +1008,13 @@ PlotPane* PlotView::paneOf(int signal) const {
     return found == panes_.end() ? nullptr : found->get();
 }
 
-bool PlotView::isOverValues(const QPointF& place) const {
-    return place.x() < areaAt(place.x()).left();
+std::optional<PlotPane::Side> PlotView::valuesAt(const QPointF& place) const {
+    const QRectF& area = areaAt(place.x());
+    if (place.x() < area.left()) {
+        return PlotPane::Side::Left;
+    }
+    return place.x() > area.right() && paneAt(place).hasRight() ? std::optional(PlotPane::Side::Right)
+                                                                : std::nullopt;
 }
 
 std::optional<int> PlotView::legendAt(const QPointF& place) const {
@@ -1037,16 +1057,26 @@ void PlotView::setHidden(int signal, bool hidden) {
     Q_EMIT pageChanged();
 }
 
-void PlotView::zoomValues(PlotPane& pane, double factor, double y) {
-    pane.zoomValues(factor, y);
+void PlotView::zoomValues(PlotPane& pane, std::initializer_list<PlotPane::Side> sides, double factor,
+                          double y) {
+    for (const PlotPane::Side side : sides) {
+        pane.zoomValues(side, factor, y);
+    }
     show(0);
     viewport()->update();
+}
+
+void PlotView::scaleToCurves(PlotPane& pane) {
+    pane.setLimits(PlotPane::Side::Left, std::nullopt);
+    pane.setLimits(PlotPane::Side::Right, std::nullopt);
+    releaseValues(pane);
 }
 
 void PlotView::releaseValues(PlotPane& pane) {
     pane.releaseValues();
     show(-1);
     viewport()->update();
+    Q_EMIT pageChanged();  // the limits may have changed
 }
 
 std::optional<double> PlotView::meanAtTheEnd(int signal) const {
@@ -1226,8 +1256,7 @@ void PlotView::mouseReleaseEvent(QMouseEvent* event) {
         drag_ = Drag::None;
         if (frame.width() >= QApplication::startDragDistance() &&
             frame.height() >= QApplication::startDragDistance()) {
-            const double low = pane.valueAt(frame.bottom());
-            pane.holdValues(low, pane.valueAt(frame.top()));
+            pane.holdBetween(frame.bottom(), frame.top());
             showRange(timeAt(frame.left()), timeAt(frame.right()));
         }
         viewport()->update();
@@ -1251,7 +1280,8 @@ void PlotView::mouseDoubleClickEvent(QMouseEvent* event) {
         return;
     }
     event->accept();
-    if (isOverValues(at)) {
+    if (const auto side = valuesAt(at)) {
+        paneAt(at).setLimits(*side, std::nullopt);
         releaseValues(paneAt(at));
         return;
     }
@@ -1297,8 +1327,12 @@ void PlotView::wheelEvent(QWheelEvent* event) {
     }
     const double factor = std::pow(kZoomPerNotch, angle.y() / 120.0);
     const QPointF at = event->position();
-    if (isOverValues(at) || (event->modifiers() & Qt::ControlModifier) != 0) {
-        zoomValues(paneAt(at), factor, at.y());
+    if (const auto side = valuesAt(at)) {
+        zoomValues(paneAt(at), {*side}, factor, at.y());
+        return;
+    }
+    if ((event->modifiers() & Qt::ControlModifier) != 0) {
+        zoomValues(paneAt(at), {PlotPane::Side::Left, PlotPane::Side::Right}, factor, at.y());
         return;
     }
     window_.zoom(factor, timeAt(at.x()));
@@ -1398,10 +1432,12 @@ bool PlotView::keyWithControl(int key) {
             return true;
         case Qt::Key_Plus:
         case Qt::Key_Equal:
-            zoomValues(pane, kZoomPerNotch, pane.area().center().y());
+            zoomValues(pane, {PlotPane::Side::Left, PlotPane::Side::Right}, kZoomPerNotch,
+                       pane.area().center().y());
             return true;
         case Qt::Key_Minus:
-            zoomValues(pane, 1 / kZoomPerNotch, pane.area().center().y());
+            zoomValues(pane, {PlotPane::Side::Left, PlotPane::Side::Right}, 1 / kZoomPerNotch,
+                       pane.area().center().y());
             return true;
         case Qt::Key_0:
             releaseValues(pane);

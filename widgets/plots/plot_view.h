@@ -12,6 +12,7 @@
 #include <QTimer>
 #include <array>
 #include <functional>
+#include <initializer_list>
 #include <map>
 #include <memory>
 #include <optional>
@@ -21,6 +22,7 @@
 #include "robot/station/history/recorded_clock.h"
 #include "robot/station/history/series_buffer.h"
 #include "widgets/plots/plot_layout.h"
+#include "widgets/plots/plot_pane.h"
 #include "widgets/plots/time_window.h"
 
 namespace tiller {
@@ -28,7 +30,6 @@ namespace tiller {
 class CursorItem;
 class LaneItem;
 class PlotMarks;
-class PlotPane;
 class SignalStore;
 class StateLane;
 
@@ -128,6 +129,8 @@ public:
     std::optional<int> laneAt(const QPointF& place) const;
     /// Lets the scale of the pane follow the curves again.
     void releaseValues(PlotPane& pane);
+    /// Removes the limits of the value axes of a plot.
+    void scaleToCurves(PlotPane& pane);
     double timeAt(double x) const;
     double xAt(double time) const;
 
@@ -200,9 +203,10 @@ private:
     /// The plot area of the column at this horizontal position.
     const QRectF& areaAt(double x) const;
     PlotPane* paneOf(int signal) const;
-    bool isOverValues(const QPointF& place) const;
+    /// The value axis at this position; empty for other positions.
+    std::optional<PlotPane::Side> valuesAt(const QPointF& place) const;
     void legendClicked(int signal, Qt::KeyboardModifiers modifiers);
-    void zoomValues(PlotPane& pane, double factor, double y);
+    void zoomValues(PlotPane& pane, std::initializer_list<PlotPane::Side> sides, double factor, double y);
     bool keyWithControl(int key);
     std::optional<double> meanAtTheEnd(int signal) const;
     std::vector<int> forces() const;

@@ -391,7 +391,6 @@ const QHash<QString, QString>& withoutDisplay() {
         {"widgets/common/stop_mark", "a property of the STOP button"},
         {"widgets/jog/input_device", "what devices in widgets/ implement"},
         {"widgets/plots/axis_range", kPlots},
-        {"widgets/plots/plot_layout", kPlots},
         {"widgets/plots/time_window", kPlots},
         {"widgets/scene/arm_mesh", kView},
         {"widgets/scene/camera", kView},

@@ -2,6 +2,7 @@
 //
 // The plot panel, tested with real mouse, wheel and key events and generated samples.
 #include <QApplication>
+#include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
 #include <QDir>
@@ -1286,6 +1287,160 @@ private Q_SLOTS:
         b.dock.goToClock(b.framed.second.addMSecs(5), false);
         QCOMPARE(b.dock.pages().current(), 0);
         QVERIFY(near(b.view().cursor(PlotView::Cursor::A).value(), 120, 0.01));
+    }
+
+    // ---- appearance of curves
+    void aCurveIsEdited() {
+        Bench b;
+        const int force = b.id("actual_TCP_force_2");
+        const auto open = [&](int signal) {
+            const QRectF entry = b.forces().legendEntry(signal);
+            b.menuAt(entry.center(), "plots.menu.curve");
+            return b.view().findChild<QDialog*>("plots.curve.dialog");
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(!b.forces().legendEntry(force).isEmpty(), 60'000);
+        QDialog* dialog = open(force);
+        QVERIFY(dialog != nullptr);
+        const auto edit = [&](const char* name, const QString& text) {
+            dialog->findChild<QLineEdit*>(QStringLiteral("plots.curve.") + name)->setText(text);
+        };
+        const auto accept = [&] {
+            QTest::mouseClick(dialog->findChild<QPushButton*>("plots.curve.accept"), Qt::LeftButton);
+        };
+        const auto* problem = dialog->findChild<QLabel*>("plots.curve.problem");
+        edit("scale", "0");
+        accept();
+        QVERIFY2(problem->text().contains("scale") && dialog->isVisible(), qPrintable(problem->text()));
+        edit("scale", "-0,002");
+        edit("offset", "x");
+        accept();
+        QVERIFY2(problem->text().contains("offset"), qPrintable(problem->text()));
+        edit("offset", "\u22121.5");
+        edit("name", "Press [x]");
+        accept();
+        QVERIFY2(problem->text().contains("[ ]"), qPrintable(problem->text()));
+        edit("name", "Press");
+        edit("unit", "kN");
+        dialog->findChild<QComboBox*>("plots.curve.line")->setCurrentIndex(2);
+        dialog->findChild<QComboBox*>("plots.curve.axis")->setCurrentIndex(1);
+        accept();
+        const QString key = QStringLiteral("Press [kN] = actual_TCP_force_2 * -0.002 - 1.5");
+        const PaneLayout pane = b.view().page().panes[0];
+        QCOMPARE(pane.shown, (QStringList{"actual_TCP_force_0", "actual_TCP_force_1", key}));
+        QCOMPARE(pane.styles.size(), 1);
+        QCOMPARE(pane.styles[key].line, CurveStyle::Line::Dashed);
+        QVERIFY(pane.styles[key].right);
+        // The values follow the scale: Fz equals the time.
+        const int press = b.id(qPrintable(key));
+        QVERIFY(near(b.dock.store().valueAt(press, 40).value(), 40 * -0.002 - 1.5, 1e-6));
+        QCOMPARE(b.curve(press).pen().style(), Qt::CustomDashLine);
+        // The second edit shows the values of the first one, and undoing all of them restores the signal.
+        QTRY_VERIFY_WITH_TIMEOUT(!b.forces().legendEntry(press).isEmpty(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(b.view().findChild<QDialog*>("plots.curve.dialog") == nullptr, 60'000);
+        dialog = open(press);
+        QCOMPARE(dialog->findChild<QLineEdit*>("plots.curve.scale")->text(), QString("-0.002"));
+        QCOMPARE(dialog->findChild<QLineEdit*>("plots.curve.offset")->text(), QString("-1.5"));
+        QCOMPARE(dialog->findChild<QLineEdit*>("plots.curve.unit")->text(), QString("kN"));
+        edit("name", b.dock.store().info(force).longLabel);
+        edit("unit", "N");
+        edit("scale", "1");
+        edit("offset", "0");
+        dialog->findChild<QComboBox*>("plots.curve.line")->setCurrentIndex(0);
+        dialog->findChild<QComboBox*>("plots.curve.axis")->setCurrentIndex(0);
+        accept();
+        QCOMPARE(b.view().page(), PageLayout::standard());
+    }
+
+    void aCurveUsesTheAxisAtTheRight() {
+        Bench b;
+        const double width = b.forces().area().width();
+        PageLayout page = b.view().page();
+        page.panes[0].shown << "actual_current_0";
+        page.panes[0].styles["actual_current_0"].right = true;
+        page.panes[0].styles["actual_current_0"].color = QColor(1, 2, 3);
+        QVERIFY(b.view().setPage(page));
+        PlotPane& pane = b.forces();
+        using Side = PlotPane::Side;
+        QVERIFY(pane.hasRight());
+        QCOMPARE(pane.area().width(), width - PlotPane::kValueWidth);
+        // Force from 30 N to 60 N at the left, a constant current of 1 A at the right.
+        QVERIFY(pane.range().max() >= 59 && pane.range(Side::Right).max() < 10);
+        const int current = b.id("actual_current_0");
+        QCOMPARE(b.curve(current).pen().color(), QColor(1, 2, 3));
+        const QImage image = b.view().grab().toImage();
+        const int x = static_cast<int>(pane.area().center().x());
+        int drawn = -1;
+        for (int y = static_cast<int>(pane.area().top()); y < pane.area().bottom(); ++y) {
+            drawn = image.pixelColor(x, y) == QColor(1, 2, 3) ? y : drawn;
+        }
+        QVERIFY2(near(drawn, pane.yAt(1, Side::Right), 2), qPrintable(QString::number(drawn)));
+        QVERIFY(!near(pane.yAt(1), pane.yAt(1, Side::Right), 10));
+        QCOMPARE(pane.curveAt({pane.area().center().x(), pane.yAt(1, Side::Right)}), std::optional(current));
+        // The wheel over an axis zooms this axis only.
+        const double left = pane.range().max() - pane.range().min();
+        const double right = pane.range(Side::Right).max() - pane.range(Side::Right).min();
+        b.wheelAt({pane.area().right() + 20, pane.area().center().y()}, 2);
+        QVERIFY(pane.range(Side::Right).max() - pane.range(Side::Right).min() < right);
+        QCOMPARE(pane.range().max() - pane.range().min(), left);
+        // The layout contains the style.
+        const QByteArray kept = b.dock.arrangement();
+        LiveHistory anotherLive(b.session);
+        PlotDock another(b.session, anotherLive);
+        another.arrange(kept);
+        QCOMPARE(another.arrangement(), kept);
+        QVERIFY(another.view().page().panes[0].styles["actual_current_0"].right);
+        QCOMPARE(another.view().page().panes[0].styles["actual_current_0"].color, QColor(1, 2, 3));
+    }
+
+    void limitsOfAnAxisAreTypedAndKept() {
+        Bench b;
+        b.menuAt(b.forces().area().center(), "plots.menu.limits");
+        auto* dialog = b.view().findChild<QDialog*>("plots.limits.dialog");
+        QVERIFY(dialog != nullptr);
+        const auto field = [&](const char* name) {
+            return dialog->findChild<QLineEdit*>(QLatin1String(name));
+        };
+        QVERIFY(field("plots.limits.low1") == nullptr);  // there is no second axis
+        QVERIFY(!field("plots.limits.low0")->isEnabled());
+        dialog->findChild<QCheckBox*>("plots.limits.fixed0")->setChecked(true);
+        field("plots.limits.low0")->setText("80");
+        field("plots.limits.high0")->setText("-12,5");
+        auto* accept = dialog->findChild<QPushButton*>("plots.limits.accept");
+        QTest::mouseClick(accept, Qt::LeftButton);
+        QVERIFY(dialog->isVisible() &&
+                dialog->findChild<QLabel*>("plots.limits.problem")->text().contains("less"));
+        field("plots.limits.high0")->setText("812.5");
+        QTest::mouseClick(accept, Qt::LeftButton);
+        const auto shows = [&](double low, double high) {
+            return near(b.forces().range().min(), low, 1e-9) && near(b.forces().range().max(), high, 1e-9);
+        };
+        QVERIFY(shows(80, 812.5));
+        b.runTo(70);
+        QVERIFY(shows(80, 812.5));
+        // The layout and the other pages keep the limits. A zoom is temporary.
+        QVERIFY(b.dock.arrangement().contains("\"limits\":[80,812.5]"));
+        b.wheelAt({5, b.forces().area().center().y()}, 2);
+        QVERIFY(!shows(80, 812.5));
+        b.view().fit();
+        QVERIFY(shows(80, 812.5));
+        b.menuAt(b.forces().area().center(), "plots.menu.release");
+        QVERIFY(b.forces().range().max() < 150 && !b.forces().isZoomed());
+        QVERIFY(!b.dock.arrangement().contains("limits\":["));
+    }
+
+    void invalidStylesOfALayoutAreIgnored() {
+        QByteArray json =
+            "{'pages':[{'plots':[{'signals':['a','b'],'limits':[3,3],'right_limits':[1,'x'],'styles':["
+            "{'signal':'a','color':'not a colour','line':'wavy'},{'signal':'','right':true},"
+            "{'signal':'b','color':'#0a0B0c','line':'dotted'},5]}]}]}";
+        const Result<PlotLayout> layout = PlotLayout::fromJson(json.replace('\'', '"'));
+        QVERIFY(layout.ok());
+        const PaneLayout& pane = layout->pages[0].panes[0];
+        QVERIFY(!pane.limits && !pane.rightLimits);
+        QCOMPARE(pane.styles.keys(), QStringList("b"));
+        QCOMPARE(pane.styles["b"].color, QColor(10, 11, 12));
+        QCOMPARE(pane.styles["b"].line, CurveStyle::Line::Dotted);
+        QVERIFY(!pane.styles["b"].right);
     }
 
     // ---- spectrum, XY, time axis
