@@ -674,7 +674,8 @@ void PlotDock::showRecording(std::unique_ptr<recording::Recording> file, std::op
     const double begin = placeOf(*file, length, incident);
     std::vector<PlotMark> notes;
     for (const recording::RecordedEvent& event : file->events()) {
-        if (event.source == QLatin1String(recording::kNoteSource)) {
+        if (event.source == QLatin1String(recording::kNoteSource) ||
+            event.source == QLatin1String(recording::kTriggerSource)) {
             notes.push_back({begin + event.seconds, event.text});
         }
     }

@@ -2221,11 +2221,15 @@ private Q_SLOTS:
         QVERIFY(notes.open(QIODevice::WriteOnly));
         notes.write(
             "row,utc,level,source,text\n1000,,20,note,early\n3000,,20,note,\"in the file, \"\"A\"\"\"\n"
-            "4500,,30,robot,warning\n9000,,20,note,late\n");
+            "4500,,30,robot,warning\n5500,,20,trigger,Trigger: x > 1 (2)\n9000,,20,note,late\n");
         notes.close();
         b.dock.openRecording(path);
         QTRY_COMPARE_WITH_TIMEOUT(b.dock.pages().count(), 2, 60'000);
         const double begin = b.dock.store().timesOf(QStringLiteral("day.csv"))->firstTime();
+        const auto& marks = b.dock.marks().marks();
+        const auto cause = std::find_if(marks.begin(), marks.end(),
+                                        [](const PlotMark& mark) { return mark.text.startsWith("Trigger"); });
+        QVERIFY(cause != marks.end() && near(cause->time, begin + 55, 0.02));
         b.dock.addNote(begin + 40, QStringLiteral("in the window ü"));
         b.dock.addNote(begin + 70, QStringLiteral("afterwards"));
         b.view().setCursor(PlotView::Cursor::A, begin + 20);
@@ -2250,7 +2254,8 @@ private Q_SLOTS:
                  QString("10 20 note in the file, \"A\" | 20 20 note in the window ü | 25 30 robot warning"));
         QCOMPARE(notesIn("all", PlotDock::ExportRange::Visible),
                  QString("10 20 note early | 30 20 note in the file, \"A\" | 40 20 note in the window ü | "
-                         "45 30 robot warning | 70 20 note afterwards | 90 20 note late"));
+                         "45 30 robot warning | 55 20 trigger Trigger: x > 1 (2) | "
+                         "70 20 note afterwards | 90 20 note late"));
     }
 
     void exportsTheNotesOfLiveData() {
