@@ -112,7 +112,8 @@ std::optional<RecordOptions> optionsFrom(const CommandArguments& arguments) {
     if (arguments.isSet("trigger")) {
         auto parsed = recording::RecordingTrigger::parse(arguments.value("trigger"));
         if (!parsed) {
-            wrongArguments(QStringLiteral("--trigger: ") + parsed.error().controllerMessage);
+            wrongArguments(QStringLiteral("--trigger: %1: %2")
+                               .arg(parsed.error().context, parsed.error().controllerMessage));
             return std::nullopt;
         }
         options.recorder.trigger = std::move(parsed).value();
