@@ -375,7 +375,7 @@ int runOnRobot(LoadedProgram loaded, const RobotRun& run, program::PreviewOption
         error = problemText(loaded, end.failedStep, QStringLiteral("the step failed"));
     } else if (end.state != ProgramExecution::State::Completed) {
         error = problemText(loaded, end.lastStep,
-                            isLate ? QStringLiteral("the time limit of --time-limit expired")
+                            isLate ? QStringLiteral("the time limit set with --time-limit expired")
                                    : execution.wait(Deadline::never()).error().toString());
     }
     if (run.printsJson) {

@@ -18,7 +18,7 @@ namespace tiller::recording {
 
 /// `source` of an operator's note, to distinguish it from a log line.
 inline constexpr const char* kNoteSource = "note";
-inline constexpr const char* kStepSource = "program";     ///< source of the steps of a program
+inline constexpr const char* kStepSource = "program";     ///< source of program steps
 inline constexpr const char* kTriggerSource = "trigger";  ///< source of the cause of a triggered recording
 
 /// A log line or a note added during a recording.

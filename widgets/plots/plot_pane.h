@@ -124,7 +124,7 @@ public:
     void showLike(const PlotPane& other);
 
     static constexpr int kLegendHeight = 20;  ///< height above the area [px]
-    static constexpr int kValueWidth = 56;    ///< width of the labels of a value axis beside the area [px]
+    static constexpr int kValueWidth = 56;    ///< width of the labels of a value axis [px]
 
 private:
     struct ValueAxis {
