@@ -2103,10 +2103,6 @@
         <translation>%1 gefiltert</translation>
     </message>
     <message>
-        <source>Scale automatically</source>
-        <translation>Automatisch skalieren</translation>
-    </message>
-    <message>
         <source>Left axis</source>
         <translation>Linke Achse</translation>
     </message>
@@ -2121,6 +2117,17 @@
     <message>
         <source>Axis limits…</source>
         <translation>Achsengrenzen…</translation>
+    </message>
+    <message>
+        <source>Scale to curves</source>
+        <translation>An Kurven anpassen</translation>
+    </message>
+</context>
+<context>
+    <name>PlotPane</name>
+    <message>
+        <source>%1 (right)</source>
+        <translation>%1 (rechts)</translation>
     </message>
 </context>
 <context>
@@ -5610,6 +5617,97 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie „Ecke hi
     </message>
 </context>
 <context>
+    <name>tiller::CurveDialog</name>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Faktor</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Versatz</translation>
+    </message>
+    <message>
+        <source>Displayed value = value × scale + offset</source>
+        <translation>Angezeigter Wert = Wert × Faktor + Versatz</translation>
+    </message>
+    <message>
+        <source>Choose the colour</source>
+        <translation>Farbe auswählen</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Auswählen…</translation>
+    </message>
+    <message>
+        <source>Automatic colour</source>
+        <translation>Automatische Farbe</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Linie</translation>
+    </message>
+    <message>
+        <source>Solid</source>
+        <translation>Durchgezogen</translation>
+    </message>
+    <message>
+        <source>Dashed</source>
+        <translation>Gestrichelt</translation>
+    </message>
+    <message>
+        <source>Dotted</source>
+        <translation>Gepunktet</translation>
+    </message>
+    <message>
+        <source>Value axis</source>
+        <translation>Werteachse</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Enter a name.</source>
+        <translation>Geben Sie einen Namen ein.</translation>
+    </message>
+    <message>
+        <source>Name and unit cannot contain = [ ].</source>
+        <translation>Name und Einheit dürfen = [ ] nicht enthalten.</translation>
+    </message>
+    <message>
+        <source>Enter a number other than 0 as the scale.</source>
+        <translation>Geben Sie als Faktor eine Zahl ungleich 0 ein.</translation>
+    </message>
+    <message>
+        <source>Enter a number as the offset.</source>
+        <translation>Geben Sie als Versatz eine Zahl ein.</translation>
+    </message>
+</context>
+<context>
     <name>tiller::DecimalSpinBox</name>
     <message>
         <source>“%1” is out of range (%2 to %3). The value is still %4.</source>
@@ -7168,6 +7266,33 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
     </message>
 </context>
 <context>
+    <name>tiller::LimitsDialog</name>
+    <message>
+        <source>Limits of the value axis</source>
+        <translation>Grenzen der Werteachse</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>%1, minimum</source>
+        <translation>%1, Minimum</translation>
+    </message>
+    <message>
+        <source>%1, maximum</source>
+        <translation>%1, Maximum</translation>
+    </message>
+    <message>
+        <source>%1: enter two numbers. The minimum must be less than the maximum.</source>
+        <translation>%1: Geben Sie zwei Zahlen ein. Das Minimum muss kleiner als das Maximum sein.</translation>
+    </message>
+</context>
+<context>
     <name>tiller::LogModel</name>
     <message>
         <source>Info</source>
@@ -7303,6 +7428,69 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
     <message>
         <source>Note: %1</source>
         <translation>Notiz: %1</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::MetadataDialog</name>
+    <message>
+        <source>Ask before each recording</source>
+        <translation>Vor jeder Aufzeichnung fragen</translation>
+    </message>
+    <message>
+        <source>Metadata of recordings</source>
+        <translation>Metadaten der Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>Tiller stores the fields with a value in each recording. The names and values are kept for the next recording.</source>
+        <translation>Tiller speichert die Felder mit einem Wert in jeder Aufzeichnung. Namen und Werte bleiben für die nächste Aufzeichnung erhalten.</translation>
+    </message>
+    <message>
+        <source>Metadata</source>
+        <translation>Metadaten</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Add field</source>
+        <translation>Feld hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove field</source>
+        <translation>Feld entfernen</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Aufzeichnen</translation>
+    </message>
+    <message>
+        <source>The value “%1” has no name. Enter a name.</source>
+        <translation>Der Wert „%1“ hat keinen Namen. Geben Sie einen Namen ein.</translation>
+    </message>
+    <message>
+        <source>The name “%1” is not valid. Use letters, digits, spaces and _ - . (at most 60).</source>
+        <translation>Der Name „%1“ ist ungültig. Verwenden Sie Buchstaben, Ziffern, Leerzeichen und _ - . (höchstens 60).</translation>
+    </message>
+    <message>
+        <source>Tiller stores “%1” itself. Choose another name.</source>
+        <translation>Tiller speichert „%1“ selbst. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>The name “%1” occurs twice. Choose another name.</source>
+        <translation>Der Name „%1“ kommt doppelt vor. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>The value of “%1” must be one line of at most %2 characters.</source>
+        <translation>Der Wert von „%1“ muss eine Zeile mit höchstens %2 Zeichen sein.</translation>
+    </message>
+    <message>
+        <source>Remove fields: at most %1 fields are possible.</source>
+        <translation>Entfernen Sie Felder: höchstens %1 Felder sind möglich.</translation>
     </message>
 </context>
 <context>
@@ -8643,10 +8831,6 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>%1 bis %2 s</translation>
     </message>
     <message>
-        <source>File name: %1…</source>
-        <translation>Dateiname: %1…</translation>
-    </message>
-    <message>
         <source>Folder: %1…</source>
         <translation>Ordner: %1…</translation>
     </message>
@@ -8723,6 +8907,10 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
     <message>
         <source>Trigger %1…</source>
         <translation>Trigger %1…</translation>
+    </message>
+    <message>
+        <source>File name: %1…</source>
+        <translation>Dateiname: %1…</translation>
     </message>
 </context>
 <context>
@@ -9955,6 +10143,79 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     <message>
         <source>The range contains samples from different robots. Place cursors A and B around data from one robot.</source>
         <translation>Der Bereich enthält Messwerte verschiedener Roboter. Setzen Sie die Cursor A und B in die Daten eines Roboters.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RecordingsDialog</name>
+    <message>
+        <source>Recordings</source>
+        <translation>Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Auswählen…</translation>
+    </message>
+    <message>
+        <source>Choose the folder</source>
+        <translation>Ordner auswählen</translation>
+    </message>
+    <message>
+        <source>Search recordings</source>
+        <translation>Aufzeichnungen suchen</translation>
+    </message>
+    <message>
+        <source>Search name, date, metadata and notes</source>
+        <translation>Name, Datum, Metadaten und Notizen durchsuchen</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>Metadata</source>
+        <translation>Metadaten</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notizen</translation>
+    </message>
+    <message>
+        <source>This folder contains no recordings.</source>
+        <translation>Dieser Ordner enthält keine Aufzeichnungen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n recording(s)</source>
+        <translation>
+            <numerusform>%1 von %n Aufzeichnung</numerusform>
+            <numerusform>%1 von %n Aufzeichnungen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>reading %n file(s)…</source>
+        <translation>
+            <numerusform>%n Datei wird gelesen…</numerusform>
+            <numerusform>%n Dateien werden gelesen…</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Folder with recordings</source>
+        <translation>Ordner mit Aufzeichnungen</translation>
     </message>
 </context>
 <context>
@@ -13782,267 +14043,6 @@ program starts</translation>
     <message>
         <source>Practice: add “%1”</source>
         <translation>Übung: „%1“ hinzufügen</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::MetadataDialog</name>
-    <message>
-        <source>Ask before each recording</source>
-        <translation>Vor jeder Aufzeichnung fragen</translation>
-    </message>
-    <message>
-        <source>Metadata of recordings</source>
-        <translation>Metadaten der Aufzeichnungen</translation>
-    </message>
-    <message>
-        <source>Tiller stores the fields with a value in each recording. The names and values are kept for the next recording.</source>
-        <translation>Tiller speichert die Felder mit einem Wert in jeder Aufzeichnung. Namen und Werte bleiben für die nächste Aufzeichnung erhalten.</translation>
-    </message>
-    <message>
-        <source>Metadata</source>
-        <translation>Metadaten</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Name</translation>
-    </message>
-    <message>
-        <source>Value</source>
-        <translation>Wert</translation>
-    </message>
-    <message>
-        <source>Add field</source>
-        <translation>Feld hinzufügen</translation>
-    </message>
-    <message>
-        <source>Remove field</source>
-        <translation>Feld entfernen</translation>
-    </message>
-    <message>
-        <source>Record</source>
-        <translation>Aufzeichnen</translation>
-    </message>
-    <message>
-        <source>The value “%1” has no name. Enter a name.</source>
-        <translation>Der Wert „%1“ hat keinen Namen. Geben Sie einen Namen ein.</translation>
-    </message>
-    <message>
-        <source>The name “%1” is not valid. Use letters, digits, spaces and _ - . (at most 60).</source>
-        <translation>Der Name „%1“ ist ungültig. Verwenden Sie Buchstaben, Ziffern, Leerzeichen und _ - . (höchstens 60).</translation>
-    </message>
-    <message>
-        <source>Tiller stores “%1” itself. Choose another name.</source>
-        <translation>Tiller speichert „%1“ selbst. Wählen Sie einen anderen Namen.</translation>
-    </message>
-    <message>
-        <source>The name “%1” occurs twice. Choose another name.</source>
-        <translation>Der Name „%1“ kommt doppelt vor. Wählen Sie einen anderen Namen.</translation>
-    </message>
-    <message>
-        <source>The value of “%1” must be one line of at most %2 characters.</source>
-        <translation>Der Wert von „%1“ muss eine Zeile mit höchstens %2 Zeichen sein.</translation>
-    </message>
-    <message>
-        <source>Remove fields: at most %1 fields are possible.</source>
-        <translation>Entfernen Sie Felder: höchstens %1 Felder sind möglich.</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::RecordingsDialog</name>
-    <message>
-        <source>Recordings</source>
-        <translation>Aufzeichnungen</translation>
-    </message>
-    <message>
-        <source>Choose…</source>
-        <translation>Auswählen…</translation>
-    </message>
-    <message>
-        <source>Choose the folder</source>
-        <translation>Ordner auswählen</translation>
-    </message>
-    <message>
-        <source>Search recordings</source>
-        <translation>Aufzeichnungen suchen</translation>
-    </message>
-    <message>
-        <source>Search name, date, metadata and notes</source>
-        <translation>Name, Datum, Metadaten und Notizen durchsuchen</translation>
-    </message>
-    <message>
-        <source>Force</source>
-        <translation>Kraft</translation>
-    </message>
-    <message>
-        <source>Date</source>
-        <translation>Datum</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Name</translation>
-    </message>
-    <message>
-        <source>Robot</source>
-        <translation>Roboter</translation>
-    </message>
-    <message>
-        <source>Duration</source>
-        <translation>Dauer</translation>
-    </message>
-    <message>
-        <source>Metadata</source>
-        <translation>Metadaten</translation>
-    </message>
-    <message>
-        <source>Notes</source>
-        <translation>Notizen</translation>
-    </message>
-    <message>
-        <source>This folder contains no recordings.</source>
-        <translation>Dieser Ordner enthält keine Aufzeichnungen.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 of %n recording(s)</source>
-        <translation>
-            <numerusform>%1 von %n Aufzeichnung</numerusform>
-            <numerusform>%1 von %n Aufzeichnungen</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>reading %n file(s)…</source>
-        <translation>
-            <numerusform>%n Datei wird gelesen…</numerusform>
-            <numerusform>%n Dateien werden gelesen…</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Folder with recordings</source>
-        <translation>Ordner mit Aufzeichnungen</translation>
-    </message>
-</context>
-<context>
-    <name>PlotPane</name>
-    <message>
-        <source>%1 (right)</source>
-        <translation>%1 (rechts)</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::CurveDialog</name>
-    <message>
-        <source>Automatic</source>
-        <translation>Automatisch</translation>
-    </message>
-    <message>
-        <source>Curve</source>
-        <translation>Kurve</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Name</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>Einheit</translation>
-    </message>
-    <message>
-        <source>Scale</source>
-        <translation>Faktor</translation>
-    </message>
-    <message>
-        <source>Offset</source>
-        <translation>Versatz</translation>
-    </message>
-    <message>
-        <source>Displayed value = value × scale + offset</source>
-        <translation>Angezeigter Wert = Wert × Faktor + Versatz</translation>
-    </message>
-    <message>
-        <source>Choose the colour</source>
-        <translation>Farbe auswählen</translation>
-    </message>
-    <message>
-        <source>Choose…</source>
-        <translation>Auswählen…</translation>
-    </message>
-    <message>
-        <source>Automatic colour</source>
-        <translation>Automatische Farbe</translation>
-    </message>
-    <message>
-        <source>Line</source>
-        <translation>Linie</translation>
-    </message>
-    <message>
-        <source>Solid</source>
-        <translation>Durchgezogen</translation>
-    </message>
-    <message>
-        <source>Dashed</source>
-        <translation>Gestrichelt</translation>
-    </message>
-    <message>
-        <source>Dotted</source>
-        <translation>Gepunktet</translation>
-    </message>
-    <message>
-        <source>Value axis</source>
-        <translation>Werteachse</translation>
-    </message>
-    <message>
-        <source>Left</source>
-        <translation>Links</translation>
-    </message>
-    <message>
-        <source>Right</source>
-        <translation>Rechts</translation>
-    </message>
-    <message>
-        <source>Colour</source>
-        <translation>Farbe</translation>
-    </message>
-    <message>
-        <source>Enter a name.</source>
-        <translation>Geben Sie einen Namen ein.</translation>
-    </message>
-    <message>
-        <source>Name and unit cannot contain = [ ].</source>
-        <translation>Name und Einheit dürfen = [ ] nicht enthalten.</translation>
-    </message>
-    <message>
-        <source>Enter a number other than 0 as the scale.</source>
-        <translation>Geben Sie als Faktor eine Zahl ungleich 0 ein.</translation>
-    </message>
-    <message>
-        <source>Enter a number as the offset.</source>
-        <translation>Geben Sie als Versatz eine Zahl ein.</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::LimitsDialog</name>
-    <message>
-        <source>Limits of the value axis</source>
-        <translation>Grenzen der Werteachse</translation>
-    </message>
-    <message>
-        <source>Minimum</source>
-        <translation>Minimum</translation>
-    </message>
-    <message>
-        <source>Maximum</source>
-        <translation>Maximum</translation>
-    </message>
-    <message>
-        <source>%1, minimum</source>
-        <translation>%1, Minimum</translation>
-    </message>
-    <message>
-        <source>%1, maximum</source>
-        <translation>%1, Maximum</translation>
-    </message>
-    <message>
-        <source>%1: enter two numbers. The minimum must be less than the maximum.</source>
-        <translation>%1: Geben Sie zwei Zahlen ein. Das Minimum muss kleiner als das Maximum sein.</translation>
     </message>
 </context>
 </TS>

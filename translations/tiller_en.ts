@@ -2103,10 +2103,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Scale automatically</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Left axis</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2120,6 +2116,17 @@
     </message>
     <message>
         <source>Axis limits…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale to curves</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PlotPane</name>
+    <message>
+        <source>%1 (right)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5608,6 +5615,97 @@ Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
     </message>
 </context>
 <context>
+    <name>tiller::CurveDialog</name>
+    <message>
+        <source>Automatic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Displayed value = value × scale + offset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Automatic colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Solid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dashed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dotted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Value axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter a name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name and unit cannot contain = [ ].</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter a number other than 0 as the scale.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter a number as the offset.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tiller::DecimalSpinBox</name>
     <message>
         <source>“%1” is out of range (%2 to %3). The value is still %4.</source>
@@ -7161,6 +7259,33 @@ Right-click or press F2 to rename the input.</source>
     </message>
 </context>
 <context>
+    <name>tiller::LimitsDialog</name>
+    <message>
+        <source>Limits of the value axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, minimum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, maximum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: enter two numbers. The minimum must be less than the maximum.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tiller::LogModel</name>
     <message>
         <source>Info</source>
@@ -7295,6 +7420,69 @@ Right-click or press F2 to rename the input.</source>
     </message>
     <message>
         <source>Note: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::MetadataDialog</name>
+    <message>
+        <source>Ask before each recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Metadata of recordings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tiller stores the fields with a value in each recording. The names and values are kept for the next recording.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Metadata</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add field</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove field</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The value “%1” has no name. Enter a name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The name “%1” is not valid. Use letters, digits, spaces and _ - . (at most 60).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tiller stores “%1” itself. Choose another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The name “%1” occurs twice. Choose another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The value of “%1” must be one line of at most %2 characters.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove fields: at most %1 fields are possible.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8639,10 +8827,6 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>File name: %1…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Folder: %1…</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8714,6 +8898,10 @@ Press “Measure…” to measure the payload with the arm.</source>
     </message>
     <message>
         <source>Trigger %1…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File name: %1…</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9941,6 +10129,79 @@ Release the button to stop the arm.</source>
     <name>tiller::RangeStatisticsCache</name>
     <message>
         <source>The range contains samples from different robots. Place cursors A and B around data from one robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RecordingsDialog</name>
+    <message>
+        <source>Recordings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search recordings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search name, date, metadata and notes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Metadata</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This folder contains no recordings.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n recording(s)</source>
+        <translation>
+            <numerusform>%1 of %n recording</numerusform>
+            <numerusform>%1 of %n recordings</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>reading %n file(s)…</source>
+        <translation>
+            <numerusform>reading %n file…</numerusform>
+            <numerusform>reading %n files…</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Folder with recordings</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -13761,267 +14022,6 @@ program starts</source>
     </message>
     <message>
         <source>Practice: add “%1”</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>tiller::MetadataDialog</name>
-    <message>
-        <source>Ask before each recording</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Metadata of recordings</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Tiller stores the fields with a value in each recording. The names and values are kept for the next recording.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Metadata</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Value</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Add field</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Remove field</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Record</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The value “%1” has no name. Enter a name.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The name “%1” is not valid. Use letters, digits, spaces and _ - . (at most 60).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Tiller stores “%1” itself. Choose another name.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The name “%1” occurs twice. Choose another name.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The value of “%1” must be one line of at most %2 characters.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Remove fields: at most %1 fields are possible.</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>tiller::RecordingsDialog</name>
-    <message>
-        <source>Recordings</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Choose…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Choose the folder</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Search recordings</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Search name, date, metadata and notes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Force</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Date</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Robot</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Duration</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Metadata</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Notes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>This folder contains no recordings.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 of %n recording(s)</source>
-        <translation>
-            <numerusform>%1 of %n recording</numerusform>
-            <numerusform>%1 of %n recordings</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>reading %n file(s)…</source>
-        <translation>
-            <numerusform>reading %n file…</numerusform>
-            <numerusform>reading %n files…</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Folder with recordings</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>PlotPane</name>
-    <message>
-        <source>%1 (right)</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>tiller::CurveDialog</name>
-    <message>
-        <source>Automatic</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Curve</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Scale</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Offset</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Displayed value = value × scale + offset</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Choose the colour</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Choose…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Automatic colour</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Line</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Solid</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Dashed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Dotted</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Value axis</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Left</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Right</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Colour</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Enter a name.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Name and unit cannot contain = [ ].</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Enter a number other than 0 as the scale.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Enter a number as the offset.</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>tiller::LimitsDialog</name>
-    <message>
-        <source>Limits of the value axis</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Minimum</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Maximum</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1, minimum</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1, maximum</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1: enter two numbers. The minimum must be less than the maximum.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -2103,10 +2103,6 @@
         <translation>%1 filtrada</translation>
     </message>
     <message>
-        <source>Scale automatically</source>
-        <translation>Ajustar la escala automáticamente</translation>
-    </message>
-    <message>
         <source>Left axis</source>
         <translation>Eje izquierdo</translation>
     </message>
@@ -2121,6 +2117,17 @@
     <message>
         <source>Axis limits…</source>
         <translation>Límites del eje…</translation>
+    </message>
+    <message>
+        <source>Scale to curves</source>
+        <translation>Ajustar a las curvas</translation>
+    </message>
+</context>
+<context>
+    <name>PlotPane</name>
+    <message>
+        <source>%1 (right)</source>
+        <translation>%1 (derecha)</translation>
     </message>
 </context>
 <context>
@@ -5610,6 +5617,97 @@ Mueva el TCP a una esquina de un obstáculo y pulse «Esquina aquí».</translat
     </message>
 </context>
 <context>
+    <name>tiller::CurveDialog</name>
+    <message>
+        <source>Automatic</source>
+        <translation>Automático</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Curva</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unidad</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Escala</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Desplazamiento</translation>
+    </message>
+    <message>
+        <source>Displayed value = value × scale + offset</source>
+        <translation>Valor mostrado = valor × escala + desplazamiento</translation>
+    </message>
+    <message>
+        <source>Choose the colour</source>
+        <translation>Elegir el color</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Elegir…</translation>
+    </message>
+    <message>
+        <source>Automatic colour</source>
+        <translation>Color automático</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Línea</translation>
+    </message>
+    <message>
+        <source>Solid</source>
+        <translation>Continua</translation>
+    </message>
+    <message>
+        <source>Dashed</source>
+        <translation>Discontinua</translation>
+    </message>
+    <message>
+        <source>Dotted</source>
+        <translation>Punteada</translation>
+    </message>
+    <message>
+        <source>Value axis</source>
+        <translation>Eje de valores</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Izquierda</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Derecha</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Color</translation>
+    </message>
+    <message>
+        <source>Enter a name.</source>
+        <translation>Introduzca un nombre.</translation>
+    </message>
+    <message>
+        <source>Name and unit cannot contain = [ ].</source>
+        <translation>El nombre y la unidad no pueden contener = [ ].</translation>
+    </message>
+    <message>
+        <source>Enter a number other than 0 as the scale.</source>
+        <translation>Introduzca como escala un número distinto de 0.</translation>
+    </message>
+    <message>
+        <source>Enter a number as the offset.</source>
+        <translation>Introduzca un número como desplazamiento.</translation>
+    </message>
+</context>
+<context>
     <name>tiller::DecimalSpinBox</name>
     <message>
         <source>“%1” is out of range (%2 to %3). The value is still %4.</source>
@@ -7168,6 +7266,33 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
     </message>
 </context>
 <context>
+    <name>tiller::LimitsDialog</name>
+    <message>
+        <source>Limits of the value axis</source>
+        <translation>Límites del eje de valores</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>Mínimo</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Máximo</translation>
+    </message>
+    <message>
+        <source>%1, minimum</source>
+        <translation>%1, mínimo</translation>
+    </message>
+    <message>
+        <source>%1, maximum</source>
+        <translation>%1, máximo</translation>
+    </message>
+    <message>
+        <source>%1: enter two numbers. The minimum must be less than the maximum.</source>
+        <translation>%1: introduzca dos números. El mínimo debe ser menor que el máximo.</translation>
+    </message>
+</context>
+<context>
     <name>tiller::LogModel</name>
     <message>
         <source>Info</source>
@@ -7303,6 +7428,69 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
     <message>
         <source>Note: %1</source>
         <translation>Nota: %1</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::MetadataDialog</name>
+    <message>
+        <source>Ask before each recording</source>
+        <translation>Preguntar antes de cada grabación</translation>
+    </message>
+    <message>
+        <source>Metadata of recordings</source>
+        <translation>Metadatos de las grabaciones</translation>
+    </message>
+    <message>
+        <source>Tiller stores the fields with a value in each recording. The names and values are kept for the next recording.</source>
+        <translation>Tiller guarda en cada grabación los campos que tienen un valor. Los nombres y los valores se conservan para la próxima grabación.</translation>
+    </message>
+    <message>
+        <source>Metadata</source>
+        <translation>Metadatos</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valor</translation>
+    </message>
+    <message>
+        <source>Add field</source>
+        <translation>Añadir campo</translation>
+    </message>
+    <message>
+        <source>Remove field</source>
+        <translation>Quitar campo</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Grabar</translation>
+    </message>
+    <message>
+        <source>The value “%1” has no name. Enter a name.</source>
+        <translation>El valor «%1» no tiene nombre. Introduzca un nombre.</translation>
+    </message>
+    <message>
+        <source>The name “%1” is not valid. Use letters, digits, spaces and _ - . (at most 60).</source>
+        <translation>El nombre «%1» no es válido. Utilice letras, cifras, espacios y _ - . (60 como máximo).</translation>
+    </message>
+    <message>
+        <source>Tiller stores “%1” itself. Choose another name.</source>
+        <translation>Tiller guarda «%1» automáticamente. Elija otro nombre.</translation>
+    </message>
+    <message>
+        <source>The name “%1” occurs twice. Choose another name.</source>
+        <translation>El nombre «%1» aparece dos veces. Elija otro nombre.</translation>
+    </message>
+    <message>
+        <source>The value of “%1” must be one line of at most %2 characters.</source>
+        <translation>El valor de «%1» debe ser una línea de %2 caracteres como máximo.</translation>
+    </message>
+    <message>
+        <source>Remove fields: at most %1 fields are possible.</source>
+        <translation>Quite campos: se permiten %1 como máximo.</translation>
     </message>
 </context>
 <context>
@@ -8643,10 +8831,6 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>%1 a %2 s</translation>
     </message>
     <message>
-        <source>File name: %1…</source>
-        <translation>Nombre de archivo: %1…</translation>
-    </message>
-    <message>
         <source>Folder: %1…</source>
         <translation>Carpeta: %1…</translation>
     </message>
@@ -8723,6 +8907,10 @@ Pulse Medir… para medir la carga con el brazo.</translation>
     <message>
         <source>Trigger %1…</source>
         <translation>Disparador %1…</translation>
+    </message>
+    <message>
+        <source>File name: %1…</source>
+        <translation>Nombre de archivo: %1…</translation>
     </message>
 </context>
 <context>
@@ -9955,6 +10143,79 @@ Suelte el botón para detener el brazo.</translation>
     <message>
         <source>The range contains samples from different robots. Place cursors A and B around data from one robot.</source>
         <translation>El intervalo contiene muestras de robots distintos. Coloque los cursores A y B en los datos de un solo robot.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RecordingsDialog</name>
+    <message>
+        <source>Recordings</source>
+        <translation>Grabaciones</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Elegir…</translation>
+    </message>
+    <message>
+        <source>Choose the folder</source>
+        <translation>Elegir la carpeta</translation>
+    </message>
+    <message>
+        <source>Search recordings</source>
+        <translation>Buscar grabaciones</translation>
+    </message>
+    <message>
+        <source>Search name, date, metadata and notes</source>
+        <translation>Buscar en nombre, fecha, metadatos y notas</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Fuerza</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Fecha</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Duración</translation>
+    </message>
+    <message>
+        <source>Metadata</source>
+        <translation>Metadatos</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notas</translation>
+    </message>
+    <message>
+        <source>This folder contains no recordings.</source>
+        <translation>Esta carpeta no contiene grabaciones.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n recording(s)</source>
+        <translation>
+            <numerusform>%1 de %n grabación</numerusform>
+            <numerusform>%1 de %n grabaciones</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>reading %n file(s)…</source>
+        <translation>
+            <numerusform>leyendo %n archivo…</numerusform>
+            <numerusform>leyendo %n archivos…</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Folder with recordings</source>
+        <translation>Carpeta con grabaciones</translation>
     </message>
 </context>
 <context>
@@ -13782,267 +14043,6 @@ program starts</translation>
     <message>
         <source>Practice: add “%1”</source>
         <translation>Ejercicio: añadir «%1»</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::MetadataDialog</name>
-    <message>
-        <source>Ask before each recording</source>
-        <translation>Preguntar antes de cada grabación</translation>
-    </message>
-    <message>
-        <source>Metadata of recordings</source>
-        <translation>Metadatos de las grabaciones</translation>
-    </message>
-    <message>
-        <source>Tiller stores the fields with a value in each recording. The names and values are kept for the next recording.</source>
-        <translation>Tiller guarda en cada grabación los campos que tienen un valor. Los nombres y los valores se conservan para la próxima grabación.</translation>
-    </message>
-    <message>
-        <source>Metadata</source>
-        <translation>Metadatos</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Nombre</translation>
-    </message>
-    <message>
-        <source>Value</source>
-        <translation>Valor</translation>
-    </message>
-    <message>
-        <source>Add field</source>
-        <translation>Añadir campo</translation>
-    </message>
-    <message>
-        <source>Remove field</source>
-        <translation>Quitar campo</translation>
-    </message>
-    <message>
-        <source>Record</source>
-        <translation>Grabar</translation>
-    </message>
-    <message>
-        <source>The value “%1” has no name. Enter a name.</source>
-        <translation>El valor «%1» no tiene nombre. Introduzca un nombre.</translation>
-    </message>
-    <message>
-        <source>The name “%1” is not valid. Use letters, digits, spaces and _ - . (at most 60).</source>
-        <translation>El nombre «%1» no es válido. Utilice letras, cifras, espacios y _ - . (60 como máximo).</translation>
-    </message>
-    <message>
-        <source>Tiller stores “%1” itself. Choose another name.</source>
-        <translation>Tiller guarda «%1» automáticamente. Elija otro nombre.</translation>
-    </message>
-    <message>
-        <source>The name “%1” occurs twice. Choose another name.</source>
-        <translation>El nombre «%1» aparece dos veces. Elija otro nombre.</translation>
-    </message>
-    <message>
-        <source>The value of “%1” must be one line of at most %2 characters.</source>
-        <translation>El valor de «%1» debe ser una línea de %2 caracteres como máximo.</translation>
-    </message>
-    <message>
-        <source>Remove fields: at most %1 fields are possible.</source>
-        <translation>Quite campos: se permiten %1 como máximo.</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::RecordingsDialog</name>
-    <message>
-        <source>Recordings</source>
-        <translation>Grabaciones</translation>
-    </message>
-    <message>
-        <source>Choose…</source>
-        <translation>Elegir…</translation>
-    </message>
-    <message>
-        <source>Choose the folder</source>
-        <translation>Elegir la carpeta</translation>
-    </message>
-    <message>
-        <source>Search recordings</source>
-        <translation>Buscar grabaciones</translation>
-    </message>
-    <message>
-        <source>Search name, date, metadata and notes</source>
-        <translation>Buscar en nombre, fecha, metadatos y notas</translation>
-    </message>
-    <message>
-        <source>Force</source>
-        <translation>Fuerza</translation>
-    </message>
-    <message>
-        <source>Date</source>
-        <translation>Fecha</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Nombre</translation>
-    </message>
-    <message>
-        <source>Robot</source>
-        <translation>Robot</translation>
-    </message>
-    <message>
-        <source>Duration</source>
-        <translation>Duración</translation>
-    </message>
-    <message>
-        <source>Metadata</source>
-        <translation>Metadatos</translation>
-    </message>
-    <message>
-        <source>Notes</source>
-        <translation>Notas</translation>
-    </message>
-    <message>
-        <source>This folder contains no recordings.</source>
-        <translation>Esta carpeta no contiene grabaciones.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 of %n recording(s)</source>
-        <translation>
-            <numerusform>%1 de %n grabación</numerusform>
-            <numerusform>%1 de %n grabaciones</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>reading %n file(s)…</source>
-        <translation>
-            <numerusform>leyendo %n archivo…</numerusform>
-            <numerusform>leyendo %n archivos…</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Folder with recordings</source>
-        <translation>Carpeta con grabaciones</translation>
-    </message>
-</context>
-<context>
-    <name>PlotPane</name>
-    <message>
-        <source>%1 (right)</source>
-        <translation>%1 (derecha)</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::CurveDialog</name>
-    <message>
-        <source>Automatic</source>
-        <translation>Automático</translation>
-    </message>
-    <message>
-        <source>Curve</source>
-        <translation>Curva</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Nombre</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>Unidad</translation>
-    </message>
-    <message>
-        <source>Scale</source>
-        <translation>Escala</translation>
-    </message>
-    <message>
-        <source>Offset</source>
-        <translation>Desplazamiento</translation>
-    </message>
-    <message>
-        <source>Displayed value = value × scale + offset</source>
-        <translation>Valor mostrado = valor × escala + desplazamiento</translation>
-    </message>
-    <message>
-        <source>Choose the colour</source>
-        <translation>Elegir el color</translation>
-    </message>
-    <message>
-        <source>Choose…</source>
-        <translation>Elegir…</translation>
-    </message>
-    <message>
-        <source>Automatic colour</source>
-        <translation>Color automático</translation>
-    </message>
-    <message>
-        <source>Line</source>
-        <translation>Línea</translation>
-    </message>
-    <message>
-        <source>Solid</source>
-        <translation>Continua</translation>
-    </message>
-    <message>
-        <source>Dashed</source>
-        <translation>Discontinua</translation>
-    </message>
-    <message>
-        <source>Dotted</source>
-        <translation>Punteada</translation>
-    </message>
-    <message>
-        <source>Value axis</source>
-        <translation>Eje de valores</translation>
-    </message>
-    <message>
-        <source>Left</source>
-        <translation>Izquierda</translation>
-    </message>
-    <message>
-        <source>Right</source>
-        <translation>Derecha</translation>
-    </message>
-    <message>
-        <source>Colour</source>
-        <translation>Color</translation>
-    </message>
-    <message>
-        <source>Enter a name.</source>
-        <translation>Introduzca un nombre.</translation>
-    </message>
-    <message>
-        <source>Name and unit cannot contain = [ ].</source>
-        <translation>El nombre y la unidad no pueden contener = [ ].</translation>
-    </message>
-    <message>
-        <source>Enter a number other than 0 as the scale.</source>
-        <translation>Introduzca como escala un número distinto de 0.</translation>
-    </message>
-    <message>
-        <source>Enter a number as the offset.</source>
-        <translation>Introduzca un número como desplazamiento.</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::LimitsDialog</name>
-    <message>
-        <source>Limits of the value axis</source>
-        <translation>Límites del eje de valores</translation>
-    </message>
-    <message>
-        <source>Minimum</source>
-        <translation>Mínimo</translation>
-    </message>
-    <message>
-        <source>Maximum</source>
-        <translation>Máximo</translation>
-    </message>
-    <message>
-        <source>%1, minimum</source>
-        <translation>%1, mínimo</translation>
-    </message>
-    <message>
-        <source>%1, maximum</source>
-        <translation>%1, máximo</translation>
-    </message>
-    <message>
-        <source>%1: enter two numbers. The minimum must be less than the maximum.</source>
-        <translation>%1: introduzca dos números. El mínimo debe ser menor que el máximo.</translation>
     </message>
 </context>
 </TS>

@@ -2103,10 +2103,6 @@
         <translation>%1 filtré</translation>
     </message>
     <message>
-        <source>Scale automatically</source>
-        <translation>Échelle automatique</translation>
-    </message>
-    <message>
         <source>Left axis</source>
         <translation>Axe gauche</translation>
     </message>
@@ -2121,6 +2117,17 @@
     <message>
         <source>Axis limits…</source>
         <translation>Limites de l’axe…</translation>
+    </message>
+    <message>
+        <source>Scale to curves</source>
+        <translation>Ajuster aux courbes</translation>
+    </message>
+</context>
+<context>
+    <name>PlotPane</name>
+    <message>
+        <source>%1 (right)</source>
+        <translation>%1 (droite)</translation>
     </message>
 </context>
 <context>
@@ -5610,6 +5617,97 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur « Coin ici ».</transla
     </message>
 </context>
 <context>
+    <name>tiller::CurveDialog</name>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatique</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Courbe</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unité</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Échelle</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Décalage</translation>
+    </message>
+    <message>
+        <source>Displayed value = value × scale + offset</source>
+        <translation>Valeur affichée = valeur × échelle + décalage</translation>
+    </message>
+    <message>
+        <source>Choose the colour</source>
+        <translation>Choisir la couleur</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Choisir…</translation>
+    </message>
+    <message>
+        <source>Automatic colour</source>
+        <translation>Couleur automatique</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Ligne</translation>
+    </message>
+    <message>
+        <source>Solid</source>
+        <translation>Continue</translation>
+    </message>
+    <message>
+        <source>Dashed</source>
+        <translation>Tirets</translation>
+    </message>
+    <message>
+        <source>Dotted</source>
+        <translation>Pointillés</translation>
+    </message>
+    <message>
+        <source>Value axis</source>
+        <translation>Axe des valeurs</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Gauche</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Droite</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Couleur</translation>
+    </message>
+    <message>
+        <source>Enter a name.</source>
+        <translation>Saisissez un nom.</translation>
+    </message>
+    <message>
+        <source>Name and unit cannot contain = [ ].</source>
+        <translation>Le nom et l’unité ne peuvent pas contenir = [ ].</translation>
+    </message>
+    <message>
+        <source>Enter a number other than 0 as the scale.</source>
+        <translation>Saisissez comme échelle un nombre différent de 0.</translation>
+    </message>
+    <message>
+        <source>Enter a number as the offset.</source>
+        <translation>Saisissez un nombre comme décalage.</translation>
+    </message>
+</context>
+<context>
     <name>tiller::DecimalSpinBox</name>
     <message>
         <source>“%1” is out of range (%2 to %3). The value is still %4.</source>
@@ -7168,6 +7266,33 @@ Clic droit ou F2 pour renommer.</translation>
     </message>
 </context>
 <context>
+    <name>tiller::LimitsDialog</name>
+    <message>
+        <source>Limits of the value axis</source>
+        <translation>Limites de l’axe des valeurs</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>%1, minimum</source>
+        <translation>%1, minimum</translation>
+    </message>
+    <message>
+        <source>%1, maximum</source>
+        <translation>%1, maximum</translation>
+    </message>
+    <message>
+        <source>%1: enter two numbers. The minimum must be less than the maximum.</source>
+        <translation>%1 : saisissez deux nombres. Le minimum doit être inférieur au maximum.</translation>
+    </message>
+</context>
+<context>
     <name>tiller::LogModel</name>
     <message>
         <source>Info</source>
@@ -7303,6 +7428,69 @@ Clic droit ou F2 pour renommer.</translation>
     <message>
         <source>Note: %1</source>
         <translation>Note : %1</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::MetadataDialog</name>
+    <message>
+        <source>Ask before each recording</source>
+        <translation>Demander avant chaque enregistrement</translation>
+    </message>
+    <message>
+        <source>Metadata of recordings</source>
+        <translation>Métadonnées des enregistrements</translation>
+    </message>
+    <message>
+        <source>Tiller stores the fields with a value in each recording. The names and values are kept for the next recording.</source>
+        <translation>Tiller stocke dans chaque enregistrement les champs qui ont une valeur. Les noms et les valeurs sont conservés pour l’enregistrement suivant.</translation>
+    </message>
+    <message>
+        <source>Metadata</source>
+        <translation>Métadonnées</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valeur</translation>
+    </message>
+    <message>
+        <source>Add field</source>
+        <translation>Ajouter un champ</translation>
+    </message>
+    <message>
+        <source>Remove field</source>
+        <translation>Supprimer le champ</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>The value “%1” has no name. Enter a name.</source>
+        <translation>La valeur « %1 » n’a pas de nom. Saisissez un nom.</translation>
+    </message>
+    <message>
+        <source>The name “%1” is not valid. Use letters, digits, spaces and _ - . (at most 60).</source>
+        <translation>Le nom « %1 » n’est pas valide. Utilisez des lettres, des chiffres, des espaces et _ - . (60 au plus).</translation>
+    </message>
+    <message>
+        <source>Tiller stores “%1” itself. Choose another name.</source>
+        <translation>Tiller stocke lui-même « %1 ». Choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>The name “%1” occurs twice. Choose another name.</source>
+        <translation>Le nom « %1 » apparaît deux fois. Choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>The value of “%1” must be one line of at most %2 characters.</source>
+        <translation>La valeur de « %1 » doit être une ligne de %2 caractères au plus.</translation>
+    </message>
+    <message>
+        <source>Remove fields: at most %1 fields are possible.</source>
+        <translation>Supprimez des champs : %1 au plus sont possibles.</translation>
     </message>
 </context>
 <context>
@@ -8643,10 +8831,6 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>%1 à %2 s</translation>
     </message>
     <message>
-        <source>File name: %1…</source>
-        <translation>Nom de fichier : %1…</translation>
-    </message>
-    <message>
         <source>Folder: %1…</source>
         <translation>Dossier : %1…</translation>
     </message>
@@ -8723,6 +8907,10 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
     <message>
         <source>Trigger %1…</source>
         <translation>Déclencheur %1…</translation>
+    </message>
+    <message>
+        <source>File name: %1…</source>
+        <translation>Nom du fichier : %1…</translation>
     </message>
 </context>
 <context>
@@ -9955,6 +10143,79 @@ Relâchez le bouton pour arrêter le bras.</translation>
     <message>
         <source>The range contains samples from different robots. Place cursors A and B around data from one robot.</source>
         <translation>La plage contient des échantillons de robots différents. Placez les curseurs A et B dans les données d’un seul robot.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RecordingsDialog</name>
+    <message>
+        <source>Recordings</source>
+        <translation>Enregistrements</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Choisir…</translation>
+    </message>
+    <message>
+        <source>Choose the folder</source>
+        <translation>Choisir le dossier</translation>
+    </message>
+    <message>
+        <source>Search recordings</source>
+        <translation>Rechercher des enregistrements</translation>
+    </message>
+    <message>
+        <source>Search name, date, metadata and notes</source>
+        <translation>Rechercher nom, date, métadonnées et notes</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Force</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Date</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Durée</translation>
+    </message>
+    <message>
+        <source>Metadata</source>
+        <translation>Métadonnées</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notes</translation>
+    </message>
+    <message>
+        <source>This folder contains no recordings.</source>
+        <translation>Ce dossier ne contient aucun enregistrement.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n recording(s)</source>
+        <translation>
+            <numerusform>%1 sur %n enregistrement</numerusform>
+            <numerusform>%1 sur %n enregistrements</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>reading %n file(s)…</source>
+        <translation>
+            <numerusform>lecture de %n fichier…</numerusform>
+            <numerusform>lecture de %n fichiers…</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Folder with recordings</source>
+        <translation>Dossier des enregistrements</translation>
     </message>
 </context>
 <context>
@@ -13782,267 +14043,6 @@ program starts</translation>
     <message>
         <source>Practice: add “%1”</source>
         <translation>Exercice : ajouter « %1 »</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::MetadataDialog</name>
-    <message>
-        <source>Ask before each recording</source>
-        <translation>Demander avant chaque enregistrement</translation>
-    </message>
-    <message>
-        <source>Metadata of recordings</source>
-        <translation>Métadonnées des enregistrements</translation>
-    </message>
-    <message>
-        <source>Tiller stores the fields with a value in each recording. The names and values are kept for the next recording.</source>
-        <translation>Tiller stocke dans chaque enregistrement les champs qui ont une valeur. Les noms et les valeurs sont conservés pour l’enregistrement suivant.</translation>
-    </message>
-    <message>
-        <source>Metadata</source>
-        <translation>Métadonnées</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Nom</translation>
-    </message>
-    <message>
-        <source>Value</source>
-        <translation>Valeur</translation>
-    </message>
-    <message>
-        <source>Add field</source>
-        <translation>Ajouter un champ</translation>
-    </message>
-    <message>
-        <source>Remove field</source>
-        <translation>Supprimer le champ</translation>
-    </message>
-    <message>
-        <source>Record</source>
-        <translation>Enregistrer</translation>
-    </message>
-    <message>
-        <source>The value “%1” has no name. Enter a name.</source>
-        <translation>La valeur « %1 » n’a pas de nom. Saisissez un nom.</translation>
-    </message>
-    <message>
-        <source>The name “%1” is not valid. Use letters, digits, spaces and _ - . (at most 60).</source>
-        <translation>Le nom « %1 » n’est pas valide. Utilisez des lettres, des chiffres, des espaces et _ - . (60 au plus).</translation>
-    </message>
-    <message>
-        <source>Tiller stores “%1” itself. Choose another name.</source>
-        <translation>Tiller stocke lui-même « %1 ». Choisissez un autre nom.</translation>
-    </message>
-    <message>
-        <source>The name “%1” occurs twice. Choose another name.</source>
-        <translation>Le nom « %1 » apparaît deux fois. Choisissez un autre nom.</translation>
-    </message>
-    <message>
-        <source>The value of “%1” must be one line of at most %2 characters.</source>
-        <translation>La valeur de « %1 » doit être une ligne de %2 caractères au plus.</translation>
-    </message>
-    <message>
-        <source>Remove fields: at most %1 fields are possible.</source>
-        <translation>Supprimez des champs : %1 au plus sont possibles.</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::RecordingsDialog</name>
-    <message>
-        <source>Recordings</source>
-        <translation>Enregistrements</translation>
-    </message>
-    <message>
-        <source>Choose…</source>
-        <translation>Choisir…</translation>
-    </message>
-    <message>
-        <source>Choose the folder</source>
-        <translation>Choisir le dossier</translation>
-    </message>
-    <message>
-        <source>Search recordings</source>
-        <translation>Rechercher des enregistrements</translation>
-    </message>
-    <message>
-        <source>Search name, date, metadata and notes</source>
-        <translation>Rechercher nom, date, métadonnées et notes</translation>
-    </message>
-    <message>
-        <source>Force</source>
-        <translation>Force</translation>
-    </message>
-    <message>
-        <source>Date</source>
-        <translation>Date</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Nom</translation>
-    </message>
-    <message>
-        <source>Robot</source>
-        <translation>Robot</translation>
-    </message>
-    <message>
-        <source>Duration</source>
-        <translation>Durée</translation>
-    </message>
-    <message>
-        <source>Metadata</source>
-        <translation>Métadonnées</translation>
-    </message>
-    <message>
-        <source>Notes</source>
-        <translation>Notes</translation>
-    </message>
-    <message>
-        <source>This folder contains no recordings.</source>
-        <translation>Ce dossier ne contient aucun enregistrement.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 of %n recording(s)</source>
-        <translation>
-            <numerusform>%1 sur %n enregistrement</numerusform>
-            <numerusform>%1 sur %n enregistrements</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>reading %n file(s)…</source>
-        <translation>
-            <numerusform>lecture de %n fichier…</numerusform>
-            <numerusform>lecture de %n fichiers…</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Folder with recordings</source>
-        <translation>Dossier des enregistrements</translation>
-    </message>
-</context>
-<context>
-    <name>PlotPane</name>
-    <message>
-        <source>%1 (right)</source>
-        <translation>%1 (droite)</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::CurveDialog</name>
-    <message>
-        <source>Automatic</source>
-        <translation>Automatique</translation>
-    </message>
-    <message>
-        <source>Curve</source>
-        <translation>Courbe</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Nom</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>Unité</translation>
-    </message>
-    <message>
-        <source>Scale</source>
-        <translation>Échelle</translation>
-    </message>
-    <message>
-        <source>Offset</source>
-        <translation>Décalage</translation>
-    </message>
-    <message>
-        <source>Displayed value = value × scale + offset</source>
-        <translation>Valeur affichée = valeur × échelle + décalage</translation>
-    </message>
-    <message>
-        <source>Choose the colour</source>
-        <translation>Choisir la couleur</translation>
-    </message>
-    <message>
-        <source>Choose…</source>
-        <translation>Choisir…</translation>
-    </message>
-    <message>
-        <source>Automatic colour</source>
-        <translation>Couleur automatique</translation>
-    </message>
-    <message>
-        <source>Line</source>
-        <translation>Ligne</translation>
-    </message>
-    <message>
-        <source>Solid</source>
-        <translation>Continue</translation>
-    </message>
-    <message>
-        <source>Dashed</source>
-        <translation>Tirets</translation>
-    </message>
-    <message>
-        <source>Dotted</source>
-        <translation>Pointillés</translation>
-    </message>
-    <message>
-        <source>Value axis</source>
-        <translation>Axe des valeurs</translation>
-    </message>
-    <message>
-        <source>Left</source>
-        <translation>Gauche</translation>
-    </message>
-    <message>
-        <source>Right</source>
-        <translation>Droite</translation>
-    </message>
-    <message>
-        <source>Colour</source>
-        <translation>Couleur</translation>
-    </message>
-    <message>
-        <source>Enter a name.</source>
-        <translation>Saisissez un nom.</translation>
-    </message>
-    <message>
-        <source>Name and unit cannot contain = [ ].</source>
-        <translation>Le nom et l’unité ne peuvent pas contenir = [ ].</translation>
-    </message>
-    <message>
-        <source>Enter a number other than 0 as the scale.</source>
-        <translation>Saisissez comme échelle un nombre différent de 0.</translation>
-    </message>
-    <message>
-        <source>Enter a number as the offset.</source>
-        <translation>Saisissez un nombre comme décalage.</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::LimitsDialog</name>
-    <message>
-        <source>Limits of the value axis</source>
-        <translation>Limites de l’axe des valeurs</translation>
-    </message>
-    <message>
-        <source>Minimum</source>
-        <translation>Minimum</translation>
-    </message>
-    <message>
-        <source>Maximum</source>
-        <translation>Maximum</translation>
-    </message>
-    <message>
-        <source>%1, minimum</source>
-        <translation>%1, minimum</translation>
-    </message>
-    <message>
-        <source>%1, maximum</source>
-        <translation>%1, maximum</translation>
-    </message>
-    <message>
-        <source>%1: enter two numbers. The minimum must be less than the maximum.</source>
-        <translation>%1 : saisissez deux nombres. Le minimum doit être inférieur au maximum.</translation>
     </message>
 </context>
 </TS>

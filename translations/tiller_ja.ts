@@ -2103,10 +2103,6 @@
         <translation>フィルター後の %1</translation>
     </message>
     <message>
-        <source>Scale automatically</source>
-        <translation>自動スケール</translation>
-    </message>
-    <message>
         <source>Left axis</source>
         <translation>左の軸</translation>
     </message>
@@ -2121,6 +2117,17 @@
     <message>
         <source>Axis limits…</source>
         <translation>軸の範囲…</translation>
+    </message>
+    <message>
+        <source>Scale to curves</source>
+        <translation>曲線に合わせる</translation>
+    </message>
+</context>
+<context>
+    <name>PlotPane</name>
+    <message>
+        <source>%1 (right)</source>
+        <translation>%1（右）</translation>
     </message>
 </context>
 <context>
@@ -5606,6 +5613,97 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
     </message>
 </context>
 <context>
+    <name>tiller::CurveDialog</name>
+    <message>
+        <source>Automatic</source>
+        <translation>自動</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>曲線</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>単位</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>倍率</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>オフセット</translation>
+    </message>
+    <message>
+        <source>Displayed value = value × scale + offset</source>
+        <translation>表示値 = 値 × 倍率 + オフセット</translation>
+    </message>
+    <message>
+        <source>Choose the colour</source>
+        <translation>色を選択</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>選択…</translation>
+    </message>
+    <message>
+        <source>Automatic colour</source>
+        <translation>自動の色</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>線</translation>
+    </message>
+    <message>
+        <source>Solid</source>
+        <translation>実線</translation>
+    </message>
+    <message>
+        <source>Dashed</source>
+        <translation>破線</translation>
+    </message>
+    <message>
+        <source>Dotted</source>
+        <translation>点線</translation>
+    </message>
+    <message>
+        <source>Value axis</source>
+        <translation>値軸</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>色</translation>
+    </message>
+    <message>
+        <source>Enter a name.</source>
+        <translation>名前を入力してください。</translation>
+    </message>
+    <message>
+        <source>Name and unit cannot contain = [ ].</source>
+        <translation>名前と単位に = [ ] は使用できません。</translation>
+    </message>
+    <message>
+        <source>Enter a number other than 0 as the scale.</source>
+        <translation>倍率には 0 以外の数値を入力してください。</translation>
+    </message>
+    <message>
+        <source>Enter a number as the offset.</source>
+        <translation>オフセットには数値を入力してください。</translation>
+    </message>
+</context>
+<context>
     <name>tiller::DecimalSpinBox</name>
     <message>
         <source>“%1” is out of range (%2 to %3). The value is still %4.</source>
@@ -7158,6 +7256,33 @@ Right-click or press F2 to rename the input.</source>
     </message>
 </context>
 <context>
+    <name>tiller::LimitsDialog</name>
+    <message>
+        <source>Limits of the value axis</source>
+        <translation>値軸の範囲</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>最小</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>最大</translation>
+    </message>
+    <message>
+        <source>%1, minimum</source>
+        <translation>%1、最小値</translation>
+    </message>
+    <message>
+        <source>%1, maximum</source>
+        <translation>%1、最大値</translation>
+    </message>
+    <message>
+        <source>%1: enter two numbers. The minimum must be less than the maximum.</source>
+        <translation>%1: 数値を 2 つ入力してください。最小値は最大値より小さくしてください。</translation>
+    </message>
+</context>
+<context>
     <name>tiller::LogModel</name>
     <message>
         <source>Info</source>
@@ -7293,6 +7418,69 @@ Right-click or press F2 to rename the input.</source>
     <message>
         <source>Note: %1</source>
         <translation>メモ：%1</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::MetadataDialog</name>
+    <message>
+        <source>Ask before each recording</source>
+        <translation>記録のたびに確認</translation>
+    </message>
+    <message>
+        <source>Metadata of recordings</source>
+        <translation>記録のメタデータ</translation>
+    </message>
+    <message>
+        <source>Tiller stores the fields with a value in each recording. The names and values are kept for the next recording.</source>
+        <translation>値のある項目は各記録に保存されます。名前と値は次の記録のために保持されます。</translation>
+    </message>
+    <message>
+        <source>Metadata</source>
+        <translation>メタデータ</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>値</translation>
+    </message>
+    <message>
+        <source>Add field</source>
+        <translation>項目を追加</translation>
+    </message>
+    <message>
+        <source>Remove field</source>
+        <translation>項目を削除</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>記録</translation>
+    </message>
+    <message>
+        <source>The value “%1” has no name. Enter a name.</source>
+        <translation>値「%1」に名前がありません。名前を入力してください。</translation>
+    </message>
+    <message>
+        <source>The name “%1” is not valid. Use letters, digits, spaces and _ - . (at most 60).</source>
+        <translation>名前「%1」は使用できません。文字、数字、空白、_ - . を使用してください（60 文字以内）。</translation>
+    </message>
+    <message>
+        <source>Tiller stores “%1” itself. Choose another name.</source>
+        <translation>「%1」は Tiller が保存します。別の名前を選んでください。</translation>
+    </message>
+    <message>
+        <source>The name “%1” occurs twice. Choose another name.</source>
+        <translation>名前「%1」が重複しています。別の名前を選んでください。</translation>
+    </message>
+    <message>
+        <source>The value of “%1” must be one line of at most %2 characters.</source>
+        <translation>「%1」の値は %2 文字以内の 1 行にしてください。</translation>
+    </message>
+    <message>
+        <source>Remove fields: at most %1 fields are possible.</source>
+        <translation>項目を削除してください。最大 %1 個です。</translation>
     </message>
 </context>
 <context>
@@ -8623,10 +8811,6 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>%1～%2 s</translation>
     </message>
     <message>
-        <source>File name: %1…</source>
-        <translation>ファイル名：%1…</translation>
-    </message>
-    <message>
         <source>Folder: %1…</source>
         <translation>フォルダー：%1…</translation>
     </message>
@@ -8701,6 +8885,10 @@ Press “Measure…” to measure the payload with the arm.</source>
     <message>
         <source>Trigger %1…</source>
         <translation>トリガー %1…</translation>
+    </message>
+    <message>
+        <source>File name: %1…</source>
+        <translation>ファイル名：%1…</translation>
     </message>
 </context>
 <context>
@@ -9928,6 +10116,77 @@ Release the button to stop the arm.</source>
     <message>
         <source>The range contains samples from different robots. Place cursors A and B around data from one robot.</source>
         <translation>この範囲には異なるロボットのサンプルが含まれています。カーソル A と B を 1 台のロボットのデータに置いてください。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RecordingsDialog</name>
+    <message>
+        <source>Recordings</source>
+        <translation>記録</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>選択…</translation>
+    </message>
+    <message>
+        <source>Choose the folder</source>
+        <translation>フォルダーを選択</translation>
+    </message>
+    <message>
+        <source>Search recordings</source>
+        <translation>記録を検索</translation>
+    </message>
+    <message>
+        <source>Search name, date, metadata and notes</source>
+        <translation>名前、日付、メタデータ、メモを検索</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>日付</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>ロボット</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>時間</translation>
+    </message>
+    <message>
+        <source>Metadata</source>
+        <translation>メタデータ</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>メモ</translation>
+    </message>
+    <message>
+        <source>This folder contains no recordings.</source>
+        <translation>このフォルダーに記録はありません。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n recording(s)</source>
+        <translation>
+            <numerusform>%n 件中 %1 件</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>reading %n file(s)…</source>
+        <translation>
+            <numerusform>%n 個のファイルを読み込み中…</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Folder with recordings</source>
+        <translation>記録のフォルダー</translation>
     </message>
 </context>
 <context>
@@ -13735,265 +13994,6 @@ program starts</translation>
     <message>
         <source>Practice: add “%1”</source>
         <translation>練習：「%1」を追加</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::MetadataDialog</name>
-    <message>
-        <source>Ask before each recording</source>
-        <translation>記録のたびに確認</translation>
-    </message>
-    <message>
-        <source>Metadata of recordings</source>
-        <translation>記録のメタデータ</translation>
-    </message>
-    <message>
-        <source>Tiller stores the fields with a value in each recording. The names and values are kept for the next recording.</source>
-        <translation>値のある項目は各記録に保存されます。名前と値は次の記録のために保持されます。</translation>
-    </message>
-    <message>
-        <source>Metadata</source>
-        <translation>メタデータ</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>名前</translation>
-    </message>
-    <message>
-        <source>Value</source>
-        <translation>値</translation>
-    </message>
-    <message>
-        <source>Add field</source>
-        <translation>項目を追加</translation>
-    </message>
-    <message>
-        <source>Remove field</source>
-        <translation>項目を削除</translation>
-    </message>
-    <message>
-        <source>Record</source>
-        <translation>記録</translation>
-    </message>
-    <message>
-        <source>The value “%1” has no name. Enter a name.</source>
-        <translation>値「%1」に名前がありません。名前を入力してください。</translation>
-    </message>
-    <message>
-        <source>The name “%1” is not valid. Use letters, digits, spaces and _ - . (at most 60).</source>
-        <translation>名前「%1」は使用できません。文字、数字、空白、_ - . を使用してください（60 文字以内）。</translation>
-    </message>
-    <message>
-        <source>Tiller stores “%1” itself. Choose another name.</source>
-        <translation>「%1」は Tiller が保存します。別の名前を選んでください。</translation>
-    </message>
-    <message>
-        <source>The name “%1” occurs twice. Choose another name.</source>
-        <translation>名前「%1」が重複しています。別の名前を選んでください。</translation>
-    </message>
-    <message>
-        <source>The value of “%1” must be one line of at most %2 characters.</source>
-        <translation>「%1」の値は %2 文字以内の 1 行にしてください。</translation>
-    </message>
-    <message>
-        <source>Remove fields: at most %1 fields are possible.</source>
-        <translation>項目を削除してください。最大 %1 個です。</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::RecordingsDialog</name>
-    <message>
-        <source>Recordings</source>
-        <translation>記録</translation>
-    </message>
-    <message>
-        <source>Choose…</source>
-        <translation>選択…</translation>
-    </message>
-    <message>
-        <source>Choose the folder</source>
-        <translation>フォルダーを選択</translation>
-    </message>
-    <message>
-        <source>Search recordings</source>
-        <translation>記録を検索</translation>
-    </message>
-    <message>
-        <source>Search name, date, metadata and notes</source>
-        <translation>名前、日付、メタデータ、メモを検索</translation>
-    </message>
-    <message>
-        <source>Force</source>
-        <translation>力</translation>
-    </message>
-    <message>
-        <source>Date</source>
-        <translation>日付</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>名前</translation>
-    </message>
-    <message>
-        <source>Robot</source>
-        <translation>ロボット</translation>
-    </message>
-    <message>
-        <source>Duration</source>
-        <translation>時間</translation>
-    </message>
-    <message>
-        <source>Metadata</source>
-        <translation>メタデータ</translation>
-    </message>
-    <message>
-        <source>Notes</source>
-        <translation>メモ</translation>
-    </message>
-    <message>
-        <source>This folder contains no recordings.</source>
-        <translation>このフォルダーに記録はありません。</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 of %n recording(s)</source>
-        <translation>
-            <numerusform>%n 件中 %1 件</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>reading %n file(s)…</source>
-        <translation>
-            <numerusform>%n 個のファイルを読み込み中…</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Folder with recordings</source>
-        <translation>記録のフォルダー</translation>
-    </message>
-</context>
-<context>
-    <name>PlotPane</name>
-    <message>
-        <source>%1 (right)</source>
-        <translation>%1（右）</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::CurveDialog</name>
-    <message>
-        <source>Automatic</source>
-        <translation>自動</translation>
-    </message>
-    <message>
-        <source>Curve</source>
-        <translation>曲線</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>名前</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>単位</translation>
-    </message>
-    <message>
-        <source>Scale</source>
-        <translation>倍率</translation>
-    </message>
-    <message>
-        <source>Offset</source>
-        <translation>オフセット</translation>
-    </message>
-    <message>
-        <source>Displayed value = value × scale + offset</source>
-        <translation>表示値 = 値 × 倍率 + オフセット</translation>
-    </message>
-    <message>
-        <source>Choose the colour</source>
-        <translation>色を選択</translation>
-    </message>
-    <message>
-        <source>Choose…</source>
-        <translation>選択…</translation>
-    </message>
-    <message>
-        <source>Automatic colour</source>
-        <translation>自動の色</translation>
-    </message>
-    <message>
-        <source>Line</source>
-        <translation>線</translation>
-    </message>
-    <message>
-        <source>Solid</source>
-        <translation>実線</translation>
-    </message>
-    <message>
-        <source>Dashed</source>
-        <translation>破線</translation>
-    </message>
-    <message>
-        <source>Dotted</source>
-        <translation>点線</translation>
-    </message>
-    <message>
-        <source>Value axis</source>
-        <translation>値軸</translation>
-    </message>
-    <message>
-        <source>Left</source>
-        <translation>左</translation>
-    </message>
-    <message>
-        <source>Right</source>
-        <translation>右</translation>
-    </message>
-    <message>
-        <source>Colour</source>
-        <translation>色</translation>
-    </message>
-    <message>
-        <source>Enter a name.</source>
-        <translation>名前を入力してください。</translation>
-    </message>
-    <message>
-        <source>Name and unit cannot contain = [ ].</source>
-        <translation>名前と単位に = [ ] は使用できません。</translation>
-    </message>
-    <message>
-        <source>Enter a number other than 0 as the scale.</source>
-        <translation>倍率には 0 以外の数値を入力してください。</translation>
-    </message>
-    <message>
-        <source>Enter a number as the offset.</source>
-        <translation>オフセットには数値を入力してください。</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::LimitsDialog</name>
-    <message>
-        <source>Limits of the value axis</source>
-        <translation>値軸の範囲</translation>
-    </message>
-    <message>
-        <source>Minimum</source>
-        <translation>最小</translation>
-    </message>
-    <message>
-        <source>Maximum</source>
-        <translation>最大</translation>
-    </message>
-    <message>
-        <source>%1, minimum</source>
-        <translation>%1、最小値</translation>
-    </message>
-    <message>
-        <source>%1, maximum</source>
-        <translation>%1、最大値</translation>
-    </message>
-    <message>
-        <source>%1: enter two numbers. The minimum must be less than the maximum.</source>
-        <translation>%1: 数値を 2 つ入力してください。最小値は最大値より小さくしてください。</translation>
     </message>
 </context>
 </TS>

@@ -2103,10 +2103,6 @@
         <translation>滤波后的 %1</translation>
     </message>
     <message>
-        <source>Scale automatically</source>
-        <translation>自动缩放</translation>
-    </message>
-    <message>
         <source>Left axis</source>
         <translation>左轴</translation>
     </message>
@@ -2121,6 +2117,17 @@
     <message>
         <source>Axis limits…</source>
         <translation>坐标轴范围…</translation>
+    </message>
+    <message>
+        <source>Scale to curves</source>
+        <translation>按曲线缩放</translation>
+    </message>
+</context>
+<context>
+    <name>PlotPane</name>
+    <message>
+        <source>%1 (right)</source>
+        <translation>%1（右）</translation>
     </message>
 </context>
 <context>
@@ -5606,6 +5613,97 @@ Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
     </message>
 </context>
 <context>
+    <name>tiller::CurveDialog</name>
+    <message>
+        <source>Automatic</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>比例</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>偏移</translation>
+    </message>
+    <message>
+        <source>Displayed value = value × scale + offset</source>
+        <translation>显示值 = 值 × 比例 + 偏移</translation>
+    </message>
+    <message>
+        <source>Choose the colour</source>
+        <translation>选择颜色</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>选择…</translation>
+    </message>
+    <message>
+        <source>Automatic colour</source>
+        <translation>自动颜色</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>线型</translation>
+    </message>
+    <message>
+        <source>Solid</source>
+        <translation>实线</translation>
+    </message>
+    <message>
+        <source>Dashed</source>
+        <translation>虚线</translation>
+    </message>
+    <message>
+        <source>Dotted</source>
+        <translation>点线</translation>
+    </message>
+    <message>
+        <source>Value axis</source>
+        <translation>数值轴</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>颜色</translation>
+    </message>
+    <message>
+        <source>Enter a name.</source>
+        <translation>请输入名称。</translation>
+    </message>
+    <message>
+        <source>Name and unit cannot contain = [ ].</source>
+        <translation>名称和单位不能包含 = [ ]。</translation>
+    </message>
+    <message>
+        <source>Enter a number other than 0 as the scale.</source>
+        <translation>请输入非 0 的数值作为比例。</translation>
+    </message>
+    <message>
+        <source>Enter a number as the offset.</source>
+        <translation>请输入数值作为偏移。</translation>
+    </message>
+</context>
+<context>
     <name>tiller::DecimalSpinBox</name>
     <message>
         <source>“%1” is out of range (%2 to %3). The value is still %4.</source>
@@ -7158,6 +7256,33 @@ Right-click or press F2 to rename the input.</source>
     </message>
 </context>
 <context>
+    <name>tiller::LimitsDialog</name>
+    <message>
+        <source>Limits of the value axis</source>
+        <translation>数值轴范围</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>最小</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>最大</translation>
+    </message>
+    <message>
+        <source>%1, minimum</source>
+        <translation>%1，最小值</translation>
+    </message>
+    <message>
+        <source>%1, maximum</source>
+        <translation>%1，最大值</translation>
+    </message>
+    <message>
+        <source>%1: enter two numbers. The minimum must be less than the maximum.</source>
+        <translation>%1：请输入两个数值。最小值必须小于最大值。</translation>
+    </message>
+</context>
+<context>
     <name>tiller::LogModel</name>
     <message>
         <source>Info</source>
@@ -7293,6 +7418,69 @@ Right-click or press F2 to rename the input.</source>
     <message>
         <source>Note: %1</source>
         <translation>记录：%1</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::MetadataDialog</name>
+    <message>
+        <source>Ask before each recording</source>
+        <translation>每次记录前询问</translation>
+    </message>
+    <message>
+        <source>Metadata of recordings</source>
+        <translation>记录的元数据</translation>
+    </message>
+    <message>
+        <source>Tiller stores the fields with a value in each recording. The names and values are kept for the next recording.</source>
+        <translation>Tiller 会把有值的字段保存到每个记录中。名称和值会保留到下一次记录。</translation>
+    </message>
+    <message>
+        <source>Metadata</source>
+        <translation>元数据</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>值</translation>
+    </message>
+    <message>
+        <source>Add field</source>
+        <translation>添加字段</translation>
+    </message>
+    <message>
+        <source>Remove field</source>
+        <translation>删除字段</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>The value “%1” has no name. Enter a name.</source>
+        <translation>值“%1”没有名称。请输入名称。</translation>
+    </message>
+    <message>
+        <source>The name “%1” is not valid. Use letters, digits, spaces and _ - . (at most 60).</source>
+        <translation>名称“%1”无效。请使用字母、数字、空格和 _ - .（最多 60 个字符）。</translation>
+    </message>
+    <message>
+        <source>Tiller stores “%1” itself. Choose another name.</source>
+        <translation>“%1”由 Tiller 自动保存。请选择其他名称。</translation>
+    </message>
+    <message>
+        <source>The name “%1” occurs twice. Choose another name.</source>
+        <translation>名称“%1”出现了两次。请选择其他名称。</translation>
+    </message>
+    <message>
+        <source>The value of “%1” must be one line of at most %2 characters.</source>
+        <translation>“%1”的值必须是一行，最多 %2 个字符。</translation>
+    </message>
+    <message>
+        <source>Remove fields: at most %1 fields are possible.</source>
+        <translation>请删除字段：最多 %1 个。</translation>
     </message>
 </context>
 <context>
@@ -8623,10 +8811,6 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>%1 至 %2 s</translation>
     </message>
     <message>
-        <source>File name: %1…</source>
-        <translation>文件名：%1…</translation>
-    </message>
-    <message>
         <source>Folder: %1…</source>
         <translation>文件夹：%1…</translation>
     </message>
@@ -8701,6 +8885,10 @@ Press “Measure…” to measure the payload with the arm.</source>
     <message>
         <source>Trigger %1…</source>
         <translation>触发条件 %1…</translation>
+    </message>
+    <message>
+        <source>File name: %1…</source>
+        <translation>文件名：%1…</translation>
     </message>
 </context>
 <context>
@@ -9928,6 +10116,77 @@ Release the button to stop the arm.</source>
     <message>
         <source>The range contains samples from different robots. Place cursors A and B around data from one robot.</source>
         <translation>该范围包含不同机器人的样本。请将光标 A 和 B 放在同一台机器人的数据中。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RecordingsDialog</name>
+    <message>
+        <source>Recordings</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>选择…</translation>
+    </message>
+    <message>
+        <source>Choose the folder</source>
+        <translation>选择文件夹</translation>
+    </message>
+    <message>
+        <source>Search recordings</source>
+        <translation>搜索记录</translation>
+    </message>
+    <message>
+        <source>Search name, date, metadata and notes</source>
+        <translation>搜索名称、日期、元数据和备注</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>日期</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>机器人</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>时长</translation>
+    </message>
+    <message>
+        <source>Metadata</source>
+        <translation>元数据</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>This folder contains no recordings.</source>
+        <translation>此文件夹中没有记录。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n recording(s)</source>
+        <translation>
+            <numerusform>%1 / %n 个记录</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>reading %n file(s)…</source>
+        <translation>
+            <numerusform>正在读取 %n 个文件…</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Folder with recordings</source>
+        <translation>记录文件夹</translation>
     </message>
 </context>
 <context>
@@ -13735,265 +13994,6 @@ program starts</translation>
     <message>
         <source>Practice: add “%1”</source>
         <translation>练习：添加“%1”</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::MetadataDialog</name>
-    <message>
-        <source>Ask before each recording</source>
-        <translation>每次记录前询问</translation>
-    </message>
-    <message>
-        <source>Metadata of recordings</source>
-        <translation>记录的元数据</translation>
-    </message>
-    <message>
-        <source>Tiller stores the fields with a value in each recording. The names and values are kept for the next recording.</source>
-        <translation>Tiller 会把有值的字段保存到每个记录中。名称和值会保留到下一次记录。</translation>
-    </message>
-    <message>
-        <source>Metadata</source>
-        <translation>元数据</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>名称</translation>
-    </message>
-    <message>
-        <source>Value</source>
-        <translation>值</translation>
-    </message>
-    <message>
-        <source>Add field</source>
-        <translation>添加字段</translation>
-    </message>
-    <message>
-        <source>Remove field</source>
-        <translation>删除字段</translation>
-    </message>
-    <message>
-        <source>Record</source>
-        <translation>记录</translation>
-    </message>
-    <message>
-        <source>The value “%1” has no name. Enter a name.</source>
-        <translation>值“%1”没有名称。请输入名称。</translation>
-    </message>
-    <message>
-        <source>The name “%1” is not valid. Use letters, digits, spaces and _ - . (at most 60).</source>
-        <translation>名称“%1”无效。请使用字母、数字、空格和 _ - .（最多 60 个字符）。</translation>
-    </message>
-    <message>
-        <source>Tiller stores “%1” itself. Choose another name.</source>
-        <translation>“%1”由 Tiller 自动保存。请选择其他名称。</translation>
-    </message>
-    <message>
-        <source>The name “%1” occurs twice. Choose another name.</source>
-        <translation>名称“%1”出现了两次。请选择其他名称。</translation>
-    </message>
-    <message>
-        <source>The value of “%1” must be one line of at most %2 characters.</source>
-        <translation>“%1”的值必须是一行，最多 %2 个字符。</translation>
-    </message>
-    <message>
-        <source>Remove fields: at most %1 fields are possible.</source>
-        <translation>请删除字段：最多 %1 个。</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::RecordingsDialog</name>
-    <message>
-        <source>Recordings</source>
-        <translation>记录</translation>
-    </message>
-    <message>
-        <source>Choose…</source>
-        <translation>选择…</translation>
-    </message>
-    <message>
-        <source>Choose the folder</source>
-        <translation>选择文件夹</translation>
-    </message>
-    <message>
-        <source>Search recordings</source>
-        <translation>搜索记录</translation>
-    </message>
-    <message>
-        <source>Search name, date, metadata and notes</source>
-        <translation>搜索名称、日期、元数据和备注</translation>
-    </message>
-    <message>
-        <source>Force</source>
-        <translation>力</translation>
-    </message>
-    <message>
-        <source>Date</source>
-        <translation>日期</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>名称</translation>
-    </message>
-    <message>
-        <source>Robot</source>
-        <translation>机器人</translation>
-    </message>
-    <message>
-        <source>Duration</source>
-        <translation>时长</translation>
-    </message>
-    <message>
-        <source>Metadata</source>
-        <translation>元数据</translation>
-    </message>
-    <message>
-        <source>Notes</source>
-        <translation>备注</translation>
-    </message>
-    <message>
-        <source>This folder contains no recordings.</source>
-        <translation>此文件夹中没有记录。</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 of %n recording(s)</source>
-        <translation>
-            <numerusform>%1 / %n 个记录</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>reading %n file(s)…</source>
-        <translation>
-            <numerusform>正在读取 %n 个文件…</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Folder with recordings</source>
-        <translation>记录文件夹</translation>
-    </message>
-</context>
-<context>
-    <name>PlotPane</name>
-    <message>
-        <source>%1 (right)</source>
-        <translation>%1（右）</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::CurveDialog</name>
-    <message>
-        <source>Automatic</source>
-        <translation>自动</translation>
-    </message>
-    <message>
-        <source>Curve</source>
-        <translation>曲线</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>名称</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>单位</translation>
-    </message>
-    <message>
-        <source>Scale</source>
-        <translation>比例</translation>
-    </message>
-    <message>
-        <source>Offset</source>
-        <translation>偏移</translation>
-    </message>
-    <message>
-        <source>Displayed value = value × scale + offset</source>
-        <translation>显示值 = 值 × 比例 + 偏移</translation>
-    </message>
-    <message>
-        <source>Choose the colour</source>
-        <translation>选择颜色</translation>
-    </message>
-    <message>
-        <source>Choose…</source>
-        <translation>选择…</translation>
-    </message>
-    <message>
-        <source>Automatic colour</source>
-        <translation>自动颜色</translation>
-    </message>
-    <message>
-        <source>Line</source>
-        <translation>线型</translation>
-    </message>
-    <message>
-        <source>Solid</source>
-        <translation>实线</translation>
-    </message>
-    <message>
-        <source>Dashed</source>
-        <translation>虚线</translation>
-    </message>
-    <message>
-        <source>Dotted</source>
-        <translation>点线</translation>
-    </message>
-    <message>
-        <source>Value axis</source>
-        <translation>数值轴</translation>
-    </message>
-    <message>
-        <source>Left</source>
-        <translation>左</translation>
-    </message>
-    <message>
-        <source>Right</source>
-        <translation>右</translation>
-    </message>
-    <message>
-        <source>Colour</source>
-        <translation>颜色</translation>
-    </message>
-    <message>
-        <source>Enter a name.</source>
-        <translation>请输入名称。</translation>
-    </message>
-    <message>
-        <source>Name and unit cannot contain = [ ].</source>
-        <translation>名称和单位不能包含 = [ ]。</translation>
-    </message>
-    <message>
-        <source>Enter a number other than 0 as the scale.</source>
-        <translation>请输入非 0 的数值作为比例。</translation>
-    </message>
-    <message>
-        <source>Enter a number as the offset.</source>
-        <translation>请输入数值作为偏移。</translation>
-    </message>
-</context>
-<context>
-    <name>tiller::LimitsDialog</name>
-    <message>
-        <source>Limits of the value axis</source>
-        <translation>数值轴范围</translation>
-    </message>
-    <message>
-        <source>Minimum</source>
-        <translation>最小</translation>
-    </message>
-    <message>
-        <source>Maximum</source>
-        <translation>最大</translation>
-    </message>
-    <message>
-        <source>%1, minimum</source>
-        <translation>%1，最小值</translation>
-    </message>
-    <message>
-        <source>%1, maximum</source>
-        <translation>%1，最大值</translation>
-    </message>
-    <message>
-        <source>%1: enter two numbers. The minimum must be less than the maximum.</source>
-        <translation>%1：请输入两个数值。最小值必须小于最大值。</translation>
     </message>
 </context>
 </TS>

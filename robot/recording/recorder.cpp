@@ -291,7 +291,7 @@ struct Recorder::Worker : publish::SampleSink {
             missingBefore += missing;
             const auto encoded = encodeDue(sample);
             if (encoded && verdict == TriggerWatch::Verdict::Begin) {
-                noteFailed(keepNote({sample.hostTimeNs + steadyToUtc, kInfoLevel, kTriggerSource,
+                noteFailed(keepNote({clock.utcOf(sample.hostTimeNs), kInfoLevel, kTriggerSource,
                                      QStringLiteral("Trigger: %1").arg(trigger->cause())}));
             }
             return encoded;

@@ -1324,7 +1324,7 @@ void PlotDock::showRecordMenu() {
                           .arg(isLong ? choice_.trigger.left(kMaxTriggerText - 1) + QStringLiteral("…")
                                       : choice_.trigger)),
             &QAction::triggered, this, &PlotDock::recordingOptionsWanted);
-    connect(add("plots.record.pattern", tr("File name %1…").arg(choice_.pattern)), &QAction::triggered, this,
+    connect(add("plots.record.pattern", tr("File name: %1…").arg(choice_.pattern)), &QAction::triggered, this,
             &PlotDock::recordingOptionsWanted);
     const QString folder = choice_.folder.isEmpty() ? recordingFolder() : choice_.folder;
     QAction* place = add("plots.record.folder", tr("Folder: %1…").arg(QDir(folder).dirName()));
