@@ -29,7 +29,14 @@ QString withOperators(const QString& text) {
     return script;
 }
 
-/// The teach pendant stores some keywords without surrounding spaces.
+/// The base and the tool have internal names.
+QString nameOfFeature(const QString& name) {
+    return name == QLatin1String("Joint_0_name")   ? QStringLiteral("Base")
+           : name == QLatin1String("Joint_6_name") ? QStringLiteral("Tool")
+                                                   : name;
+}
+
+/// The pendant stores some keywords without surrounding spaces.
 QString separated(const QString& token) {
     const bool begins = !token.isEmpty() && token.front().isLetterOrNumber();
     const bool ends = !token.isEmpty() && token.back().isLetterOrNumber();
@@ -114,7 +121,7 @@ QString Expressions::nameOfVariable(const XmlElement& reference) {
         t_.refuse(reference, QStringLiteral("the referenced element is not a variable"));
         return {};
     }
-    if (const QString feature = variable->attribute("featureName"); !feature.isEmpty()) {
+    if (const QString feature = nameOfFeature(variable->attribute("featureName")); !feature.isEmpty()) {
         const auto found = t_.installation.features.find(feature);
         if (found == t_.installation.features.end() || !found->second.isVariable) {
             t_.refuse(reference, QStringLiteral("there is no variable feature '%1': %2")
@@ -149,14 +156,16 @@ Expressions::Frame Expressions::frame(const XmlElement& node, const XmlElement* 
         return {};
     }
     // A feature that is a variable has its name in another attribute.
-    const QString name = feature->attribute(feature->has("featureName") ? "featureName" : "referencedName");
-    if (name.isEmpty() || name == QLatin1String("Joint_0_name")) {
+    const bool isVariable = feature->has("featureName");
+    const QString name = nameOfFeature(feature->attribute(isVariable ? "featureName" : "referencedName"));
+    const auto found = t_.installation.features.find(name);
+    const bool isKnownVariable = isVariable && found != t_.installation.features.end();
+    if (name.isEmpty() || (name == QLatin1String("Base") && !isKnownVariable)) {
         return {Frame::Kind::Base, QStringLiteral("Base"), QStringLiteral("p[0,0,0,0,0,0]")};
     }
-    if (name == QLatin1String("Joint_6_name")) {
-        return {Frame::Kind::Tool, QStringLiteral("Tool"), QStringLiteral("tool_pose()")};
+    if (name == QLatin1String("Tool") && !isKnownVariable) {
+        return {Frame::Kind::Tool, name, QStringLiteral("tool_pose()")};
     }
-    const auto found = t_.installation.features.find(name);
     if (found == t_.installation.features.end()) {
         return {Frame::Kind::Other, name, {}};
     }

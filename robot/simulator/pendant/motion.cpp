@@ -69,10 +69,10 @@ bool isMotion(const XmlElement& node) {
     return node.is("Waypoint") || node.is("CircleMove") || node.is("gui.program.direction.MoveDirectionNode");
 }
 
-/// The first motion node of an enabled node and the nodes below it; null if there is none.
+/// The first motion node or disabled node of a node and the nodes below it; null if there is none.
 const XmlElement* firstMotion(const XmlElement& node) {
     if (isSuppressed(node) || isMotion(node)) {
-        return isSuppressed(node) ? nullptr : &node;
+        return &node;
     }
     const XmlElement* const children = node.child("children");
     for (std::size_t i = 0; children != nullptr && i < children->children.size(); ++i) {
@@ -287,8 +287,8 @@ QString Motion::parametersOf(const XmlElement& waypoint, const Definer& move) {
     return text;
 }
 
-/// The first motion node after a node in the order of the program tree; null if its part of the program ends. A
-/// part that repeats continues at its beginning.
+/// The first motion node or disabled node after a node in the order of the program tree; null if its part of the
+/// program ends. A part that repeats continues at its beginning.
 const XmlElement* Motion::nextMotion(const XmlElement& node) const {
     for (const XmlElement* at = &t_.placeOf(node); at->parent != nullptr; at = at->parent) {
         const auto& siblings = at->parent->children;
@@ -308,8 +308,9 @@ const XmlElement* Motion::nextMotion(const XmlElement& node) const {
     return nullptr;
 }
 
-/// A process move stops at its end if no motion follows, or if the next waypoint belongs to a move of another
-/// type. Otherwise, it blends.
+/// As in the scripts that the pendant exports, a process move stops at its end if the next motion is the waypoint
+/// of a move of another type. Otherwise, it blends, also before a disabled node. At the end of a program, it stops:
+/// exported scripts differ, but the arm must reach the last waypoint.
 QString Motion::processBlend(const XmlElement& node, const Definer& move) {
     const XmlElement* const next = nextMotion(node);
     const bool stops =
@@ -345,8 +346,8 @@ void Motion::writeMove(const XmlElement& node) {
 void Motion::labelWaypoint(const XmlElement& waypoint) {
     const bool isVariable = waypoint.attribute("type") == QLatin1String("Variable");
     const XmlElement* const variable = isVariable ? waypoint.target("variable") : nullptr;
-    t_.label(waypoint, variable != nullptr && variable->has("name") ? variable->attribute("name")
-                                                                    : waypoint.attribute("name"));
+    const XmlElement& named = variable == nullptr ? waypoint : *variable;
+    t_.label(waypoint, named.attribute(named.has("featureName") ? "featureName" : "name"));
 }
 
 void Motion::writeWaypoint(const XmlElement& node) {

@@ -15,6 +15,7 @@ namespace {
 constexpr std::size_t kMaxSubPrograms = 1000;
 constexpr double kMinCurrent = 0.004, kMaxCurrent = 0.020;  ///< range of analog terminals [A]
 constexpr double kMaxVoltage = 10.0;                        ///< [V]
+constexpr const char* kDefaultCase = "2147483647";          ///< value of the default case of a Switch
 
 QString textOf(const XmlElement& node, const char* child) {
     const XmlElement* const found = node.target(child);
@@ -223,9 +224,7 @@ void ProgramTranslator::writeBeforeStart(const XmlElement& parts) {
 
 void ProgramTranslator::writeThreads(const XmlElement& parts) {
     for (const auto& part : parts.children) {
-        if (part->is("Event")) {
-            writeEvent(*part);
-        } else if (part->is("Thread")) {
+        if (part->is("Thread")) {
             const QString name = t_.uniqueName(part->attribute("name"));
             statement(QStringLiteral("thread %1():").arg(name));
             t_.out->indent();
@@ -235,26 +234,53 @@ void ProgramTranslator::writeThreads(const XmlElement& parts) {
             statement(QStringLiteral("threadId_%1 = run %1()").arg(name));
         }
     }
+    writeEvents(parts);
 }
 
-/// The nodes of an event run in a thread when the condition is true. The condition is not checked while they
-/// run.
-void ProgramTranslator::writeEvent(const XmlElement& event) {
-    const Expression condition = x_.in(event, "expression", QStringLiteral("the condition"));
-    const QString name = t_.uniqueName(QStringLiteral("Event_%1").arg(t_.nextNumber()));
+/// One thread runs the nodes of the first event whose condition is true. While they run, no condition is
+/// checked.
+void ProgramTranslator::writeEvents(const XmlElement& parts) {
+    struct Event {
+        const XmlElement* node;
+        QString condition;
+        QString done;  ///< name of a variable; true: the event has run since its condition became true
+    };
+    std::vector<Event> events;
+    for (const auto& part : parts.children) {
+        if (part->is("Event")) {
+            const QString number = QString::number(events.size() + 1);
+            events.push_back({part.get(), x_.in(*part, "expression", QStringLiteral("the condition")).script,
+                              t_.uniqueName(QStringLiteral("event_done_") + number)});
+        }
+    }
+    if (events.empty()) {
+        return;
+    }
+    const QString name = t_.uniqueName(QStringLiteral("EventThread"));
     statement(QStringLiteral("thread %1():").arg(name));
     t_.out->indent();
+    for (const Event& event : events) {
+        if (source_.eventNeedsEdge) {
+            statement(QStringLiteral("%1 = False").arg(event.done));
+        }
+    }
     statement(QStringLiteral("while True:"));
     t_.out->indent();
-    statement(QStringLiteral("if (%1):").arg(condition.script));
-    t_.out->indent();
-    t_.label(event, QStringLiteral("Event %1").arg(condition.shown));
-    t_.out->outdent();
-    writeBlock(event);
-    if (source_.eventNeedsEdge) {
-        statement(QStringLiteral("  while (%1):").arg(condition.script));
-        statement(QStringLiteral("    sync()"));
-        statement(QStringLiteral("  end"));
+    for (const Event& event : events) {
+        if (source_.eventNeedsEdge) {
+            statement(QStringLiteral("%1 = %1 and (%2)").arg(event.done, event.condition));
+        }
+    }
+    bool isOpen = false;
+    for (const Event& event : events) {
+        const char* const word = std::exchange(isOpen, true) ? "elif" : "if";
+        if (source_.eventNeedsEdge) {
+            statement(QStringLiteral("%1 (not %2) and (%3):").arg(word, event.done, event.condition));
+            statement(QStringLiteral("  %1 = True").arg(event.done));
+        } else {
+            statement(QStringLiteral("%1 (%2):").arg(word, event.condition));
+        }
+        writeBlock(*event.node);
     }
     statement(QStringLiteral("end"));
     statement(QStringLiteral("sync()"));
@@ -828,7 +854,7 @@ void ProgramTranslator::writeLoop(const XmlElement& node) {
                                     ? x_.variable(node, "loopVariable")
                                     : t_.uniqueName(QStringLiteral("loop_%1").arg(t_.nextNumber()));
         t_.label(node, QStringLiteral("Loop %1 times").arg(count));
-        statement(QStringLiteral("global %1 = 0").arg(counter));
+        statement(QStringLiteral("%1 = 0").arg(counter));
         statement(QStringLiteral("while (%1 < %2):").arg(counter).arg(count));
         writeBlock(node);
         statement(QStringLiteral("  %1 = %1 + 1").arg(counter));
@@ -859,14 +885,16 @@ void ProgramTranslator::writeSwitch(const XmlElement& node) {
             continue;
         }
         const QString wanted = branch.attribute("caseValue");
-        if (branch.is("Case") && !wanted.isEmpty()) {
+        const bool isDefault =
+            wanted == QLatin1String(kDefaultCase) || branch.name.contains(QLatin1String("Default"));
+        if (branch.is("Case") && !wanted.isEmpty() && !isDefault) {
             if (numberList(wanted, 1).isEmpty()) {
                 t_.refuse(branch, QStringLiteral("'%1' is not a number").arg(wanted));
             }
             statement(QStringLiteral("%1 (%2 == %3):").arg(isOpen ? "elif" : "if", wanted, variable));
             writeCase(branch, QStringLiteral("Case %1").arg(wanted));
             isOpen = true;
-        } else if (branch.name.contains(QLatin1String("Default")) && otherwise == nullptr) {
+        } else if (isDefault && otherwise == nullptr) {
             otherwise = &branch;
         } else {
             t_.refuse(branch, QStringLiteral("this node is not simulated within a switch"));
@@ -874,7 +902,7 @@ void ProgramTranslator::writeSwitch(const XmlElement& node) {
     }
     if (otherwise != nullptr) {
         statement(isOpen ? QStringLiteral("else:") : QStringLiteral("if True:"));
-        writeCase(*otherwise, QStringLiteral("Default"));
+        writeCase(*otherwise, QStringLiteral("Default Case"));
         isOpen = true;
     }
     if (isOpen) {
@@ -889,7 +917,8 @@ void ProgramTranslator::writePopup(const XmlElement& node) {
     const bool halts = node.isTrue("haltProgram");
     const bool isVariable = node.attribute("inputType") == QLatin1String("Variable");
     const QString text = isVariable ? x_.variable(node) : quoted(node.attribute("message"));
-    t_.label(node, QStringLiteral("Popup: %1").arg(isVariable ? text : node.attribute("message")));
+    t_.label(node, isVariable ? QStringLiteral("Popup")
+                              : QStringLiteral("Popup: %1").arg(node.attribute("message")));
     statement(QStringLiteral("popup(%1, \"%2\", %3, %4, blocking=%5)")
                   .arg(text,
                        isWarning ? "Warning"

@@ -48,7 +48,7 @@ private:
     // parts of a program
     void writeBeforeStart(const XmlElement& parts);
     void writeThreads(const XmlElement& parts);
-    void writeEvent(const XmlElement& event);
+    void writeEvents(const XmlElement& parts);
     void writeRepeated(const XmlElement& part, const QString& label);
     void writeSubPrograms(const XmlElement& parts);
     std::optional<std::size_t> addSubProgram(const XmlElement& sub);

@@ -9,8 +9,7 @@ QString identifier(const QString& text) {
         if (c.unicode() < 128) {
             name += c.isLetterOrNumber() ? c : QChar('_');
         } else {
-            // Add the code point, which distinguishes names that differ only in this character.
-            name += QStringLiteral("_%1_").arg(c.unicode(), 4, 16, QChar('0'));
+            name += QStringLiteral("u%1").arg(c.unicode());  // scripts contain this form of the name
         }
     }
     return name.isEmpty() || name[0].isDigit() ? 'p' + name : name;

@@ -190,6 +190,7 @@ private Q_SLOTS:
                                           "<Switch>",
                                           "<Case ",
                                           "<Default>",
+                                          "<Case caseValue=\"2147483647\"",
                                           "<Wait type=\"Sleep\"",
                                           "<Wait type=\"DigitalInput\"",
                                           "<Wait type=\"AnalogInput\"",

@@ -765,6 +765,31 @@ private Q_SLOTS:
         QCOMPARE(Heard(primary).texts.size() > 1, again);
     }
 
+    // The first event whose condition is true runs, so that a later event waits while it is true.
+    void anEarlierEventComesFirst_data() {
+        QTest::addColumn<QString>("assumption");
+        QTest::addColumn<bool>("secondRuns");
+        QTest::newRow("level") << "event-node=level" << false;
+        QTest::newRow("edge") << "event-node=edge" << true;
+    }
+    void anEarlierEventComesFirst() {
+        QFETCH(QString, assumption);
+        QFETCH(bool, secondRuns);
+        const auto event = [](const QString& node) {
+            return "<Event><expression><ExpressionToken token=\" True \"/></expression><children>" + node +
+                   "<Wait type=\"Sleep\"><waitTime>0.1</waitTime></Wait></children></Event>";
+        };
+        Loaded cell(program(mainProgram("<Wait type=\"Sleep\"><waitTime>0.5</waitTime></Wait>") +
+                            event(line("textmsg(1)")) + event(line("textmsg(2)"))),
+                    {}, assumption);
+        RawPrimary primary = cell.robot.primary();
+        QVERIFY(cell.play());
+        QVERIFY(cell.ends());
+        const QList<QByteArray> texts = Heard(primary).texts;
+        QCOMPARE(texts.front(), QByteArray("1"));
+        QCOMPARE(texts.contains("2"), secondRuns);
+    }
+
     // A subprogram that is called only by a script is also part of the program.
     void aScriptMayCallASubProgram() {
         Loaded cell(program(mainProgram(line("Sub_1()")) +
