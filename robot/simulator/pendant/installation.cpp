@@ -29,6 +29,100 @@ void readTerminals(const XmlElement& ios, Installation& to) {
     }
 }
 
+/// Adds a call for each value of a list, in the order of the list, that has an entry in the table.
+void addCalls(const QString& values, const std::map<QString, QString>& table, const QString& call, int first,
+              int count, Installation& to) {
+    const QStringList list = values.split(',');
+    for (int i = 0; i < count; ++i) {
+        if (const auto found = table.find(list.value(first + i).trimmed()); found != table.end()) {
+            to.setup << call.arg(i).arg(found->second);
+        }
+    }
+}
+
+void readTerminalSettings(const XmlElement& ios, Installation& to) {
+    const auto value = [&ios](const char* element) {
+        const XmlElement* const found = ios.child(element);
+        return found == nullptr ? QString() : found->attribute("value");
+    };
+    const std::map<QString, QString> domains{{"0", "0"}, {"1", "1"}};
+    addCalls(value("analogInputRange"), domains, QStringLiteral("set_standard_analog_input_domain(%1, %2)"),
+             0, 2, to);
+    addCalls(value("analogInputRange"), domains, QStringLiteral("set_tool_analog_input_domain(%1, %2)"), 2, 2,
+             to);
+    const std::map<QString, QString> actions{{"FREEDRIVE", "\"freedrive\""}};
+    to.setup << QStringLiteral("set_input_actions_to_default()");
+    addCalls(value("DigitalInputActions"), actions,
+             QStringLiteral("set_standard_digital_input_action(%1, %2)"), 0, 8, to);
+    addCalls(value("ConfigurableInputActions"), actions,
+             QStringLiteral("set_configurable_digital_input_action(%1, %2)"), 0, 8, to);
+    addCalls(value("ToolDigitalInputActions"), actions,
+             QStringLiteral("set_tool_digital_input_action(%1, %2)"), 0, 2, to);
+    addCalls(value("GeneralPurposeBooleanRegisterInputActions"), actions,
+             QStringLiteral("set_gp_boolean_input_action(%1, %2)"), 0, 128, to);
+    const std::map<QString, QString> states{
+        {"LOW_WHEN_PROGRAM_STOPPED", "1"}, {"HIGH_WHEN_PROGRAM_STOPPED", "2"}, {"PROGRAM_RUNNING", "3"}};
+    addCalls(value("DigitalOutputActions"), states,
+             QStringLiteral("set_runstate_standard_digital_output_to_value(%1, %2)"), 0, 8, to);
+    addCalls(value("ConfigurableOutputActions"), states,
+             QStringLiteral("set_runstate_configurable_digital_output_to_value(%1, %2)"), 0, 8, to);
+    addCalls(value("ToolDigitalOutputActions"), states,
+             QStringLiteral("set_runstate_tool_digital_output_to_value(%1, %2)"), 0, 2, to);
+    addCalls(value("AnalogOutputActions"), states,
+             QStringLiteral("set_runstate_standard_analog_output_to_value(%1, %2)"), 0, 2, to);
+    addCalls(value("GeneralPurposeBooleanRegisterOutputActions"), states,
+             QStringLiteral("set_runstate_gp_boolean_output_to_value(%1, %2)"), 0, 128, to);
+}
+
+/// Settings with unknown values are omitted.
+void readToolConnector(const XmlElement& settings, Installation& to) {
+    const auto value = [&settings](const char* attribute, const std::map<QString, QString>& table) {
+        const auto found = table.find(settings.attribute(attribute));
+        return found == table.end() ? QString() : found->second;
+    };
+    const QString enabled = value("enabled", {{"true", "True"}, {"false", "False"}});
+    const QString baud = settings.attribute("baudRate").section('_', 1);
+    const QString parity = value("parity", {{"NONE", "0"}, {"ODD", "1"}, {"EVEN", "2"}});
+    const QString stopBits = value("stopBits", {{"ONE", "1"}, {"TWO", "2"}});
+    const QString rx = numberList(settings.attribute("rxIdleChars"), 1);
+    const QString tx = numberList(settings.attribute("txIdleChars"), 1);
+    if (!enabled.isEmpty() && !numberList(baud, 1).isEmpty() && !parity.isEmpty() && !stopBits.isEmpty() &&
+        !rx.isEmpty() && !tx.isEmpty()) {
+        to.setup << QStringLiteral("set_tool_communication(%1, %2, %3, %4, %5, %6)")
+                        .arg(enabled, baud, parity, stopBits, rx, tx);
+    }
+    if (settings.attribute("toolOutputMode") == QLatin1String("OUTPUT")) {
+        to.setup << QStringLiteral("set_tool_output_mode(0)");
+    }
+    const std::map<QString, QString> modes{{"SINKING", "1"}, {"SOURCING", "2"}, {"PUSH_PULL", "3"}};
+    for (const int i : {0, 1}) {
+        const QString mode = value(i == 0 ? "toolDigitalOutput0" : "toolDigitalOutput1", modes);
+        if (!mode.isEmpty()) {
+            to.setup << QStringLiteral("set_tool_digital_output_mode(%1, %2)").arg(i).arg(mode);
+        }
+    }
+    const QString volts =
+        value("toolOutputVoltage", {{"ZERO", "0"}, {"TWELVE", "12"}, {"TWENTY_FOUR", "24"}});
+    if (!volts.isEmpty()) {
+        to.setup << QStringLiteral("set_tool_voltage(%1)").arg(volts);
+    }
+}
+
+/// The direction of gravity follows from the mounting. The signs were taken from exported scripts.
+void readMounting(const XmlElement& mounting, Installation& to) {
+    constexpr double kGravity = 9.82;  // [m/s2]
+    const QString base = numberList(mounting.attribute("baseAngle"), 1);
+    const QString tilt = numberList(mounting.attribute("tiltAngle"), 1);
+    if (base.isEmpty() || tilt.isEmpty()) {
+        return;
+    }
+    const double b = base.toDouble(), t = tilt.toDouble();
+    const auto text = [](double value) { return QString::number(value, 'g', 12); };
+    to.setup << QStringLiteral("set_gravity([%1, %2, %3])")
+                    .arg(text(kGravity * std::sin(t) * std::sin(b)),
+                         text(-kGravity * std::sin(t) * std::cos(b)), text(kGravity * std::cos(t)));
+}
+
 void readModbus(const XmlElement& units, Installation& to) {
     using Type = ModbusSignal::Type;
     static const std::map<QString, Type> kTypes{{"DIGITAL_INPUT", Type::DigitalInput},
@@ -43,7 +137,9 @@ void readModbus(const XmlElement& units, Installation& to) {
                     signal->attribute("name"),
                     ModbusSignal{unit->attribute("ipAddress"), signal->attribute("slaveAddress").toInt(),
                                  signal->attribute("signalAddress").toInt(), type->second,
-                                 unit->isTrue("sequentialMode")});
+                                 unit->isTrue("sequentialMode"),
+                                 numberList(signal->attribute("updateFrequency"), 1),
+                                 numberList(signal->attribute("modificationChoice"), 1)});
             }
         }
     }
@@ -174,9 +270,16 @@ Result<Installation> readInstallation(const QString& file, const QByteArray& con
     to.file = file;
     if (const XmlElement* const ios = root.target("IOs")) {
         readTerminals(*ios, to);
+        readTerminalSettings(*ios, to);
         if (const XmlElement* const units = ios->child("ModbusUnits")) {
             readModbus(*units, to);
         }
+    }
+    if (const XmlElement* const settings = root.child("ToolCommSettings")) {
+        readToolConnector(*settings, to);
+    }
+    if (const XmlElement* const mounting = root.descendant("WorldtoMarshal")) {
+        readMounting(*mounting, to);
     }
     if (const XmlElement* const settings = root.child("TCPSettings")) {
         to.activeTcp = settings->attribute("activePose");

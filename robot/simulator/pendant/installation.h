@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The part of a pendant's installation file that programs use: TCPs, payloads, features, names of terminals,
-// Modbus signals, the home position and the installation variables.
+// The part of a pendant's installation file that programs use: TCPs, payloads, features, names and settings of
+// terminals, Modbus signals, the mounting, the home position and the installation variables.
 
 #include <QByteArray>
 #include <QString>
@@ -48,6 +48,8 @@ struct ModbusSignal {
     int address = 0;
     Type type = Type::DigitalInput;
     bool sequential = false;
+    QString frequency;  ///< [Hz]; empty: not given
+    QString runState;   ///< value of the signal while no program runs, as in scripts; empty: not given
 };
 
 struct Installation {
@@ -60,6 +62,8 @@ struct Installation {
     std::map<QString, Terminal> terminals;  ///< terminals by their assigned names
     std::map<QString, ModbusSignal> signals_;
     std::array<bool, 2> analogOutputIsVoltage{false, false};
+    /// Calls at the beginning of every program, for terminals, tool connector and mounting.
+    QStringList setup;
     QString home;                                        ///< six joint angles [rad]; empty: not set
     std::vector<std::pair<QString, QString>> variables;  ///< name and value, as URScript
 

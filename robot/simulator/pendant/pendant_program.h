@@ -34,6 +34,8 @@ struct PendantSource {
     UnknownUrcap unknownUrcap = UnknownUrcap::Refuse;
     /// True for reserved words of the language, which are not permitted as function names.
     std::function<bool(const QString& name)> isReserved = {};
+    /// True for functions of this software version; empty: all are available.
+    std::function<bool(const QString& name)> hasFunction = {};
     bool eventNeedsEdge =
         false;  ///< an event runs once each time its condition becomes true, instead of while it is true
     /// Translates disabled nodes as well, between marks. The script must not be played then.

@@ -119,6 +119,11 @@ void ProgramTranslator::writeInstallation() {
         const bool isVoltage = installation.analogOutputIsVoltage[static_cast<std::size_t>(i)];
         statement(QStringLiteral("set_analog_outputdomain(%1, %2)").arg(i).arg(isVoltage ? 1 : 0));
     }
+    for (const QString& call : installation.setup) {
+        if (!source_.hasFunction || source_.hasFunction(call.section('(', 0, 0))) {
+            statement(call);
+        }
+    }
     for (const auto& [name, feature] : installation.features) {
         if (feature.isVariable) {
             statement(QStringLiteral("global %1 = p[%2]").arg(identifier(name), feature.pose));
@@ -134,6 +139,16 @@ void ProgramTranslator::writeInstallation() {
                       .arg(signal.address)
                       .arg(static_cast<int>(signal.type))
                       .arg(quoted(name), signal.sequential ? "True" : "False"));
+        if (!signal.frequency.isEmpty()) {
+            statement(QStringLiteral("modbus_set_signal_update_frequency(%1, %2)")
+                          .arg(quoted(name), signal.frequency));
+        }
+        const bool isOutput = signal.type == ModbusSignal::Type::DigitalOutput ||
+                              signal.type == ModbusSignal::Type::RegisterOutput;
+        if (isOutput && !signal.runState.isEmpty()) {
+            statement(QStringLiteral("modbus_set_runstate_dependent_choice(%1, %2)")
+                          .arg(quoted(name), signal.runState));
+        }
     }
 }
 

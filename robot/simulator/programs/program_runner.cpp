@@ -64,12 +64,16 @@ void ProgramRunner::takeControlScript() {
     enqueue(withControlScript(std::move(done->text), std::move(*script)), true);
 }
 
-bool ProgramRunner::enqueue(std::string_view text, bool fromFile) {
+urscript::CompileOptions ProgramRunner::compileOptions() const {
     urscript::CompileOptions options;
     options.version = plant_.options().software;
     options.isListed = plant_.assumptions().firstVersions == BehaviourOptions::FirstVersions::Latest;
     options.missing = plant_.assumptions().missingBuiltins();
-    urscript::CompileOutcome outcome = urscript::compile(text, options);
+    return options;
+}
+
+bool ProgramRunner::enqueue(std::string_view text, bool fromFile) {
+    urscript::CompileOutcome outcome = urscript::compile(text, compileOptions());
     if (!outcome) {
         plant_.publish(primary::runtimeException(plant_.timestampNs(), outcome.error.line,
                                                  outcome.error.column, outcome.error.text));

@@ -40,6 +40,8 @@ public:
     /// Accepts a unit from a script port. The unit is compiled at once and runs starting with the next period.
     /// Compile errors are reported to primary clients.
     void submit(const urscript::SourceSplitter::Unit& unit);
+    /// Options for compiling a program for this controller.
+    urscript::CompileOptions compileOptions() const;
     /// Like submit(), for the text of a program file. Returns false if the text does not compile.
     bool submitText(std::string_view text);
     /// Runs a program with External Control nodes when the provider's script has arrived. If no script

@@ -18,6 +18,9 @@ pendant::PendantSource pendantSource(const ControllerModel& plant) {
     pendant::PendantSource source;
     source.software = plant.options().software;
     source.isReserved = [](const QString& name) { return urscript::isReservedName(name.toStdString()); };
+    source.hasFunction = [&plant](const QString& name) {
+        return urscript::isAvailable(name.toStdString(), plant.programs().compileOptions());
+    };
     source.eventNeedsEdge = assumptions.eventNode == BehaviourOptions::EventNode::Edge;
     source.unknownUrcap =
         assumptions.unknownUrcap == BehaviourOptions::UnknownUrcap::Skip  ? pendant::UnknownUrcap::Skip

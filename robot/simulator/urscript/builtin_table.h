@@ -65,11 +65,13 @@ inline constexpr Since kPolyScopeX{{kNever, 0, kNever}, FirstVersions{kNever, 11
 inline constexpr Since kAfter33{{0, 0, 4}, FirstVersions{5, 0, 11}};
 /// The function is not in the lists of 2019, but in the list of 5.15.
 inline constexpr Since kAfter2019{{6}, FirstVersions{15}};
-/// Like kAfter2019, but first listed in 2021 (5.11) or 2022 (5.12).
+/// Like kAfter2019, but first listed in 2021 (5.11), or used by programs saved with 5.11 or 5.9.
 inline constexpr Since kAfter2019By2021{{6}, FirstVersions{11}};
-inline constexpr Since kAfter2019By2022{{6}, FirstVersions{12}};
+inline constexpr Since kAfter2019By2020{{6}, FirstVersions{9, 0, kNever}};
 /// The function is not in the list of 5.15, but in the lists of 5.24 and 10.11.
 inline constexpr Since kAfter515{{16, 0, kNever}, FirstVersions{24, 11, kNever}};
+/// Client libraries use the function from 5.3 on. Scripts that 3.15 exports also contain it.
+inline constexpr Since kTargetWaypointSince{{3, 0, 9}, FirstVersions{3, 0, 15}};
 inline constexpr Since kStructSince{{0, 0, 6}};
 inline constexpr Since kStringsSince{{2, 0, 8}};
 inline constexpr Since kSeries5{{0, 0, kNever}};

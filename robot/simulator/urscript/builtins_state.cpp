@@ -143,7 +143,7 @@ constexpr BuiltinRow kStateRows[] = {
     {"get_target_tcp_speed()", tcpSpeed<Source::Target>},
     {"get_target_tcp_pose_along_path()", tcpPose<Source::Target>, kPlain, kAfter2019},
     {"get_target_tcp_speed_along_path()", tcpSpeed<Source::Target>, kPlain, kAfter2019},
-    {"get_target_waypoint()", targetWaypoint, kPlain, {{3, 0, kNever}}},
+    {"get_target_waypoint()", targetWaypoint, kPlain, kTargetWaypointSince},
     {"get_joint_torques()", jointTorques},
     {"get_tcp_force()", tcpForce},
     {"force()", force},

@@ -90,11 +90,11 @@ Status encoderUnwind(Call& c) {
 }
 
 constexpr BuiltinRow kSuperpositionRows[] = {
-    {"path_offset_enable()", pathOffsetEnable, kPlain, kAfter2019},
-    {"path_offset_disable(a=20)", stopSuperposition, kMotion, kAfter2019},
-    {"path_offset_set(offset, type)", pathOffsetSet, kPlain, kAfter2019},
+    {"path_offset_enable()", pathOffsetEnable, kPlain, kAfter2019By2021},
+    {"path_offset_disable(a=20)", stopSuperposition, kMotion, kAfter2019By2021},
+    {"path_offset_set(offset, type)", pathOffsetSet, kPlain, kAfter2019By2021},
     {"path_offset_get(type)", pathOffsetGet, kPlain, kAfter2019},
-    {"path_offset_set_alpha_filter(alpha)", pathOffsetFilter, kPlain, kAfter2019},
+    {"path_offset_set_alpha_filter(alpha)", pathOffsetFilter, kPlain, kAfter2019By2021},
     {"path_offset_set_max_offset(transLimit, rotLimit)", pathOffsetLimits, kPlain, kAfter2019},
     {"track_conveyor_linear(direction, ticks_per_meter, encoder_index=0)", trackLinear},
     {"track_conveyor_circular(center, ticks_per_revolution, rotate_tool=False, encoder_index=0)",

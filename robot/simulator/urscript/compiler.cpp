@@ -256,6 +256,14 @@ CompileOutcome compile(std::string_view source, const CompileOptions& options) {
     return out;
 }
 
+bool isAvailable(std::string_view builtin, const CompileOptions& options) {
+    const int index = findBuiltin(builtin);
+    const bool isMissing = std::ranges::find(options.missing, builtin) != options.missing.end();
+    return index >= 0 && !isMissing &&
+           (!options.version || builtins()[static_cast<std::size_t>(index)].since.availableIn(
+                                    *options.version, options.isListed));
+}
+
 bool isReservedName(std::string_view name) {
     return isKeyword(name) || findBuiltin(name) >= 0;
 }

@@ -231,14 +231,10 @@ void ExpressionCompiler::call(const Expr* e) {
             formals.push_back({f.elsewhere->localNames[i], {}, !f.elsewhere->optional[i], nullptr});
         }
     } else {
-        builtin = findBuiltin(e->text);
-        const bool isMissing =
-            std::find(options_.missing.begin(), options_.missing.end(), e->text) != options_.missing.end();
-        if (builtin < 0 || isMissing ||
-            (options_.version && !row(builtin).since.availableIn(*options_.version, options_.isListed))) {
+        if (!isAvailable(e->text, options_)) {
             nameNotFound(e->at, e->text);
-            builtin = -1;
         } else {
+            builtin = findBuiltin(e->text);
             out_->commandsMotion |= (row(builtin).flags & kMotion) != 0;
             out_->clearsInterpreter |= (row(builtin).flags & kClearsInterpreter) != 0;
             for (const auto& parameter : row(builtin).parameters) {

@@ -66,6 +66,9 @@ struct CompileOutcome {
 /// Threads  any. Depth and memory are limited for any input.
 CompileOutcome compile(std::string_view text, const CompileOptions& options = {});
 
+/// True if programs compiled with these options can call this builtin.
+bool isAvailable(std::string_view builtin, const CompileOptions& options);
+
 /// True if the name is a keyword or a builtin of any software version, and therefore not permitted for
 /// functions.
 bool isReservedName(std::string_view name);

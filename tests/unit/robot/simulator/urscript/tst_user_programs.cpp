@@ -207,6 +207,8 @@ private Q_SLOTS:
         QTest::newRow("gain scaling 5.0") << "force_mode_set_gain_scaling(0.1)" << 5 << 0 << true;
         QTest::newRow("get_target_waypoint 5.2") << "w=get_target_waypoint()" << 5 << 2 << false;
         QTest::newRow("get_target_waypoint 5.3") << "w=get_target_waypoint()" << 5 << 3 << true;
+        QTest::newRow("get_target_waypoint 3.8") << "w=get_target_waypoint()" << 3 << 8 << false;
+        QTest::newRow("get_target_waypoint 3.15") << "w=get_target_waypoint()" << 3 << 15 << true;
         QTest::newRow("history 5.3") << "q=get_actual_joint_positions_history(1)" << 5 << 3 << false;
         QTest::newRow("history 5.4") << "q=get_actual_joint_positions_history(1)" << 5 << 4 << true;
         QTest::newRow("movej 3.0") << "movej([0,0,0,0,0,0])" << 3 << 0 << true;
