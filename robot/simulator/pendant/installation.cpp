@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robot/core/spatial.h"
 #include "robot/simulator/pendant/xml_tree.h"
 
 namespace tiller::simulator::pendant {
@@ -145,8 +146,59 @@ void readModbus(const XmlElement& units, Installation& to) {
     }
 }
 
-/// Points, lines and planes are stored in the same way. Only features with their own pose are supported.
+/// The taught points of a plane, in the base frame.
+std::vector<Pose> pointsOf(const XmlElement& plane) {
+    std::vector<Pose> points;
+    for (const char* const name : {"firstPoint", "secondPoint", "thirdPoint"}) {
+        const XmlElement* const place = plane.child(name);
+        const XmlElement* const point = place == nullptr ? nullptr : place->target("GeomPoseNode");
+        const XmlElement* const position = point == nullptr ? nullptr : point->child("toolPosition");
+        const XmlElement* const rotation = point == nullptr ? nullptr : point->child("toolAxisAngle");
+        const auto numbers =
+            position == nullptr || rotation == nullptr
+                ? std::nullopt
+                : sixNumbers(position->attribute("value") + ',' + rotation->attribute("value"));
+        if (numbers) {
+            points.push_back(Pose::fromArray(*numbers));
+        }
+    }
+    return points;
+}
+
+/// The pose of a plane, as in exported scripts: the origin is the first point, the y axis leads to the second
+/// point, and the x axis leads away from the third point. Empty if the points do not define a plane, or if its z
+/// axis is opposite to that of the tool at the first point, because the manual then documents another direction.
+QString poseOfPlane(const XmlElement& plane) {
+    constexpr double kMinArea = 1e-9;  // [m2]
+    const std::vector<Pose> points = pointsOf(plane);
+    if (points.size() != 3) {
+        return {};
+    }
+    const Eigen::Vector3d y = points[1].position - points[0].position;
+    const Eigen::Vector3d z = y.cross(points[2].position - points[0].position);
+    if (z.norm() < kMinArea || z.dot(rotationMatrix(points[0].rotation).col(2)) <= 0) {
+        return {};
+    }
+    Eigen::Matrix3d axes;
+    axes << y.cross(z).normalized(), y.normalized(), z.normalized();
+    const Eigen::Vector3d rotation = rotationVector(axes);
+    QStringList numbers;
+    for (const Eigen::Vector3d& part : {points[0].position, rotation}) {
+        for (const double number : part) {
+            numbers << QString::number(number, 'g', 15);
+        }
+    }
+    return numbers.join(QStringLiteral(", "));
+}
+
+/// Reads points and planes.
 void readFeatures(const XmlElement& element, Installation& to) {
+    if (element.is("GeomPlaneNode") && element.has("name")) {
+        if (const QString pose = poseOfPlane(element); !pose.isEmpty()) {
+            to.features.try_emplace(element.attribute("name"), Feature{pose, element.isTrue("isVariable")});
+        }
+        return;
+    }
     const XmlElement* const position = element.child("toolPosition");
     const XmlElement* const rotation = element.child("toolAxisAngle");
     if (element.has("name") && position != nullptr && rotation != nullptr) {
