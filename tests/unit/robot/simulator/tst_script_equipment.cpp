@@ -224,6 +224,86 @@ private Q_SLOTS:
         QVERIFY(robot.error().startsWith("Range error"));
     }
 
+    // ---- functions without a test of their own
+    void functionsHaveTheirEffect_data() {
+        QTest::addColumn<QByteArray>("script");
+        QTest::addColumn<QByteArrayList>("texts");
+        const auto row = [](const char* name, const char* script, const QByteArrayList& texts) {
+            QTest::newRow(name) << QByteArray(script) << texts;
+        };
+        row("atan", "textmsg(atan(1))", {"0.785398"});
+        row("joint speeds and accelerations",
+            "thread m():\n speedj([0,0,0,0,0,0.5], 2, 1)\nend\nrun m()\nsleep(0.1)\n"
+            "textmsg(get_actual_joint_accelerations()[5] > 1)\n"
+            "textmsg(get_target_joint_accelerations()[5] > 1)\nsleep(0.4)\n"
+            "textmsg(norm(get_actual_joint_speeds()[5] - 0.5) < 0.05)",
+            {"True", "True", "True"});
+        row("analog outputs",
+            "set_analog_out(1, 0.5)\ntextmsg(get_analog_out(1))\ntextmsg(get_standard_analog_out(1))",
+            {"0.012", "0.012"});
+        row("analog input range",
+            "set_analog_inputrange(0, 1)\nsync()\na = get_rtde_value(\"analog_io_types\")\n"
+            "set_analog_inputrange(0, 0)\nsync()\nsync()\ntextmsg(a - get_rtde_value(\"analog_io_types\"))",
+            {"1"});
+        row("flags", "set_flag(3, True)\ntextmsg(get_flag(3), get_flag(4))", {"TrueFalse"});
+        row("tool output",
+            "set_tool_digital_out(1, True)\ntextmsg(get_tool_digital_out(1), get_digital_out(9))",
+            {"TrueTrue"});
+        row("output registers",
+            "write_output_boolean_register(2, True)\nwrite_output_float_register(2, 1.5)\n"
+            "textmsg(read_output_boolean_register(2), read_output_float_register(2))",
+            {"True1.5"});
+        row("payload",
+            "set_target_payload(1, [0,0,0.1], [0.1,0.2,0.3,0,0,0])\ntextmsg(get_target_payload_inertia())\n"
+            "set_payload_cog([0,0,0.2])\ntextmsg(get_target_payload())\ntextmsg(get_target_payload_cog())",
+            {"[0.1,0.2,0.3,0,0,0]", "1", "[0,0,0.2]"});
+        row("motion settings",
+            "jerk_gain_scaling_set(0.5)\nmotion_version_set(2)\n"
+            "textmsg(jerk_gain_scaling_get())\ntextmsg(motion_version_get())",
+            {"0.5", "2"});
+        row("sensors of the tool",
+            "textmsg(get_tool_temp() > 10, get_tool_current() >= 0)\ntextmsg(norm(get_tcp_force()) < 5)",
+            {"TrueTrue", "True"});
+        row("coriolis torques",
+            "textmsg(norm(get_coriolis_and_centrifugal_torques()) < 0.001)\n"
+            "textmsg(norm(get_coriolis_and_centrifugal_torques(get_actual_joint_positions(), [1,1,1,1,1,1])) "
+            "> 0.1)",
+            {"True", "True"});
+        row("conveyor",
+            "encoder_enable_set_tick_count(0, "
+            "0)\nset_conveyor_tick_count(5)\ntextmsg(get_conveyor_tick_count())",
+            {"5"});
+        row("Modbus coil",
+            "modbus_add_signal(\"192.168.0.5\", 255, 1, 1, \"c\")\nmodbus_set_output_signal(\"c\", True)\n"
+            "sleep(0.5)\ntextmsg(modbus_get_signal_status(\"c\"))\nmodbus_delete_signal(\"c\")\n"
+            "x = modbus_get_signal_status(\"c\")\ntextmsg(\"not reached\")",
+            {"True"});
+    }
+    void functionsHaveTheirEffect() {
+        QFETCH(QByteArray, script);
+        QFETCH(QByteArrayList, texts);
+        Robot robot(running({5, 25, 1, 0}));
+        robot.submit(script.toStdString());
+        robot.steps(5);
+        for (int i = 0; i < 1500 && robot.plant.programs().isActive(); ++i) {
+            robot.steps(1);
+        }
+        QCOMPARE(robot.bodies(0), texts);
+    }
+    void inputsAreReadByAllTheirNames() {
+        Robot robot;
+        constexpr int kConfigurable = 8, kTool = 16;
+        for (const int bit : {2, kConfigurable + 3, kTool + 1}) {
+            Pins::setBit(robot.plant.pins().digitalInputs, bit, true);
+        }
+        robot.steps(2);
+        QCOMPARE(robot.told("textmsg(get_digital_in(2), get_digital_in(3))\n"
+                            "textmsg(get_configurable_digital_in(3), get_configurable_digital_in(2))\n"
+                            "textmsg(get_digital_in(9), get_tool_digital_in(0))\n"
+                            "textmsg(get_analog_in(0) == get_standard_analog_in(0))\n"
+                            "textmsg(get_analog_in(2) == get_tool_analog_in(0))"),
+                 (QByteArrayList{"TrueFalse", "TrueFalse", "TrueFalse", "True", "True"}));
+    }
     // ---- operator requests
     void aQuestionIsShownAndItsAnswerUsed() {
         Robot robot;
