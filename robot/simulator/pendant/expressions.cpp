@@ -36,7 +36,7 @@ QString nameOfFeature(const QString& name) {
                                                    : name;
 }
 
-/// The pendant stores some keywords without surrounding spaces.
+/// The teach pendant stores some keywords without surrounding spaces.
 QString separated(const QString& token) {
     const bool begins = !token.isEmpty() && token.front().isLetterOrNumber();
     const bool ends = !token.isEmpty() && token.back().isLetterOrNumber();
