@@ -384,8 +384,11 @@ void PlotAnalysis::present(const Task& task, const Outcome& outcome) {
         explainMissingResult(outcome.message);
         return;
     }
-    const QString from = format::number(task.range.from, kSecondDigits);
-    const QString to = format::number(task.range.to, kSecondDigits);
+    // As on the time axis, the time of a recording begins at its first row.
+    const QString recording = store_.recordingOf(task.wanted.front());
+    const double begin = recording.isEmpty() ? 0 : store_.timesOf(recording)->firstTime();
+    const QString from = format::number(task.range.from - begin, kSecondDigits);
+    const QString to = format::number(task.range.to - begin, kSecondDigits);
     if (task.kind == Kind::Xy) {
         const auto count = static_cast<int>(outcome.points.size());
         const QString samples = task.every == 1

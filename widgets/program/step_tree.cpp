@@ -106,13 +106,12 @@ void StepTree::fitColumns() {
     const auto contents = [this](int column) {
         return std::max(sizeHintForColumn(column), header()->sectionSizeHint(column));
     };
-    // The names of the steps come first. In a narrow tree, they take up to two thirds of the width, and the other
-    // columns, whose titles remain readable, are scrolled.
+    // The titles remain readable, so a very narrow tree is scrolled. The names of the steps come first.
     const auto title = [this](int column) { return header()->sectionSizeHint(column); };
     const int room = viewport()->width();
     const int others = title(ProgramModel::Values) + title(ProgramModel::Result);
-    const int step = std::max(std::min(contents(ProgramModel::Step), std::max(room - others, room * 2 / 3)),
-                              title(ProgramModel::Step));
+    const int step =
+        std::max(std::min(contents(ProgramModel::Step), room - others), title(ProgramModel::Step));
     const int result =
         std::max(std::min(contents(ProgramModel::Result), room - step - title(ProgramModel::Values)),
                  title(ProgramModel::Result));

@@ -138,7 +138,7 @@ struct TabBench {
     }
     bool checkRecoverability() {
         find<QAction>("program.action.recover").trigger();
-        return QTest::qWaitFor([this] { return !status().startsWith("Simulating"); }, kLongMs);
+        return QTest::qWaitFor([this] { return !status().startsWith("Checking"); }, kLongMs);
     }
     bool reachWaiting() {
         return cell.advanceUntil([this] { return runner().isWaiting(); }, kLongMs);
