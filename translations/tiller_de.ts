@@ -1952,22 +1952,6 @@
         <translation>Verschiebt diesen Bereich auf diese Seite des Hauptfensters.</translation>
     </message>
     <message>
-        <source>Move %1 to the left</source>
-        <translation>%1 nach links</translation>
-    </message>
-    <message>
-        <source>Move %1 to the right</source>
-        <translation>%1 nach rechts</translation>
-    </message>
-    <message>
-        <source>Move %1 to the top</source>
-        <translation>%1 nach oben</translation>
-    </message>
-    <message>
-        <source>Move %1 to the bottom</source>
-        <translation>%1 nach unten</translation>
-    </message>
-    <message>
         <source>Show standard plots</source>
         <translation>Standard-Diagramme zeigen</translation>
     </message>
@@ -2022,6 +2006,22 @@
     <message>
         <source>Shows or hides the spectrum and the XY plot of two signals.</source>
         <translation>Zeigt oder verbirgt das Spektrum und das XY-Diagramm zweier Signale.</translation>
+    </message>
+    <message>
+        <source>%1 to the left</source>
+        <translation>%1 nach links</translation>
+    </message>
+    <message>
+        <source>%1 to the right</source>
+        <translation>%1 nach rechts</translation>
+    </message>
+    <message>
+        <source>%1 to the top</source>
+        <translation>%1 nach oben</translation>
+    </message>
+    <message>
+        <source>%1 to the bottom</source>
+        <translation>%1 nach unten</translation>
     </message>
 </context>
 <context>

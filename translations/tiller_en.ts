@@ -1952,22 +1952,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Move %1 to the left</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Move %1 to the right</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Move %1 to the top</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Move %1 to the bottom</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Show standard plots</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2021,6 +2005,22 @@
     </message>
     <message>
         <source>Shows or hides the spectrum and the XY plot of two signals.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 to the left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 to the right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 to the top</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 to the bottom</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -1952,22 +1952,6 @@
         <translation>Mueve este panel a este lado de la ventana principal.</translation>
     </message>
     <message>
-        <source>Move %1 to the left</source>
-        <translation>Mover %1 a la izquierda</translation>
-    </message>
-    <message>
-        <source>Move %1 to the right</source>
-        <translation>Mover %1 a la derecha</translation>
-    </message>
-    <message>
-        <source>Move %1 to the top</source>
-        <translation>Mover %1 arriba</translation>
-    </message>
-    <message>
-        <source>Move %1 to the bottom</source>
-        <translation>Mover %1 abajo</translation>
-    </message>
-    <message>
         <source>Show standard plots</source>
         <translation>Mostrar gráficos estándar</translation>
     </message>
@@ -2022,6 +2006,22 @@
     <message>
         <source>Shows or hides the spectrum and the XY plot of two signals.</source>
         <translation>Muestra u oculta el espectro y el gráfico XY de dos señales.</translation>
+    </message>
+    <message>
+        <source>%1 to the left</source>
+        <translation>Mover %1 a la izquierda</translation>
+    </message>
+    <message>
+        <source>%1 to the right</source>
+        <translation>Mover %1 a la derecha</translation>
+    </message>
+    <message>
+        <source>%1 to the top</source>
+        <translation>Mover %1 arriba</translation>
+    </message>
+    <message>
+        <source>%1 to the bottom</source>
+        <translation>Mover %1 abajo</translation>
     </message>
 </context>
 <context>
@@ -7434,7 +7434,7 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
     <name>tiller::MetadataDialog</name>
     <message>
         <source>Ask before each recording</source>
-        <translation>Preguntar antes de cada grabación</translation>
+        <translation>Preguntar cada vez</translation>
     </message>
     <message>
         <source>Metadata of recordings</source>
@@ -13640,7 +13640,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     </message>
     <message>
         <source>Ask before each recording</source>
-        <translation>Preguntar antes de cada grabación</translation>
+        <translation>Preguntar cada vez</translation>
     </message>
     <message>
         <source>Trigger</source>
@@ -13648,7 +13648,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     </message>
     <message>
         <source>None: recording starts at once</source>
-        <translation>Ninguno: la grabación empieza enseguida</translation>
+        <translation>Ninguno: graba enseguida</translation>
     </message>
     <message>
         <source>Combine conditions with “and” and “or”, for example:
@@ -13668,7 +13668,7 @@ program starts</translation>
     </message>
     <message>
         <source>New file after</source>
-        <translation>Archivo nuevo tras</translation>
+        <translation>Dividir tras</translation>
     </message>
     <message>
         <source>Metadata</source>
@@ -13676,7 +13676,7 @@ program starts</translation>
     </message>
     <message>
         <source>Before trigger</source>
-        <translation>Antes del disparador</translation>
+        <translation>Antes del disparo</translation>
     </message>
     <message>
         <source>after</source>

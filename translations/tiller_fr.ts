@@ -1952,22 +1952,6 @@
         <translation>Déplace ce panneau de ce côté de la fenêtre principale.</translation>
     </message>
     <message>
-        <source>Move %1 to the left</source>
-        <translation>Placer %1 à gauche</translation>
-    </message>
-    <message>
-        <source>Move %1 to the right</source>
-        <translation>Placer %1 à droite</translation>
-    </message>
-    <message>
-        <source>Move %1 to the top</source>
-        <translation>Placer %1 en haut</translation>
-    </message>
-    <message>
-        <source>Move %1 to the bottom</source>
-        <translation>Placer %1 en bas</translation>
-    </message>
-    <message>
         <source>Show standard plots</source>
         <translation>Afficher les tracés standard</translation>
     </message>
@@ -2022,6 +2006,22 @@
     <message>
         <source>Shows or hides the spectrum and the XY plot of two signals.</source>
         <translation>Affiche ou masque le spectre et le tracé XY de deux signaux.</translation>
+    </message>
+    <message>
+        <source>%1 to the left</source>
+        <translation>Placer %1 à gauche</translation>
+    </message>
+    <message>
+        <source>%1 to the right</source>
+        <translation>Placer %1 à droite</translation>
+    </message>
+    <message>
+        <source>%1 to the top</source>
+        <translation>Placer %1 en haut</translation>
+    </message>
+    <message>
+        <source>%1 to the bottom</source>
+        <translation>Placer %1 en bas</translation>
     </message>
 </context>
 <context>

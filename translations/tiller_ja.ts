@@ -1952,22 +1952,6 @@
         <translation>パネルをメインウィンドウのこの側へ移動します。</translation>
     </message>
     <message>
-        <source>Move %1 to the left</source>
-        <translation>%1 を左へ移動</translation>
-    </message>
-    <message>
-        <source>Move %1 to the right</source>
-        <translation>%1 を右へ移動</translation>
-    </message>
-    <message>
-        <source>Move %1 to the top</source>
-        <translation>%1 を上へ移動</translation>
-    </message>
-    <message>
-        <source>Move %1 to the bottom</source>
-        <translation>%1 を下へ移動</translation>
-    </message>
-    <message>
         <source>Show standard plots</source>
         <translation>標準のグラフを表示</translation>
     </message>
@@ -2022,6 +2006,22 @@
     <message>
         <source>Shows or hides the spectrum and the XY plot of two signals.</source>
         <translation>スペクトルと2つの信号のXYグラフを表示または非表示にします。</translation>
+    </message>
+    <message>
+        <source>%1 to the left</source>
+        <translation>%1 を左へ移動</translation>
+    </message>
+    <message>
+        <source>%1 to the right</source>
+        <translation>%1 を右へ移動</translation>
+    </message>
+    <message>
+        <source>%1 to the top</source>
+        <translation>%1 を上へ移動</translation>
+    </message>
+    <message>
+        <source>%1 to the bottom</source>
+        <translation>%1 を下へ移動</translation>
     </message>
 </context>
 <context>

@@ -1952,22 +1952,6 @@
         <translation>将面板移到主窗口的这一侧。</translation>
     </message>
     <message>
-        <source>Move %1 to the left</source>
-        <translation>将 %1 移到左侧</translation>
-    </message>
-    <message>
-        <source>Move %1 to the right</source>
-        <translation>将 %1 移到右侧</translation>
-    </message>
-    <message>
-        <source>Move %1 to the top</source>
-        <translation>将 %1 移到顶部</translation>
-    </message>
-    <message>
-        <source>Move %1 to the bottom</source>
-        <translation>将 %1 移到底部</translation>
-    </message>
-    <message>
         <source>Show standard plots</source>
         <translation>显示标准曲线图</translation>
     </message>
@@ -2022,6 +2006,22 @@
     <message>
         <source>Shows or hides the spectrum and the XY plot of two signals.</source>
         <translation>显示或隐藏频谱和两个信号的 XY 图。</translation>
+    </message>
+    <message>
+        <source>%1 to the left</source>
+        <translation>将 %1 移到左侧</translation>
+    </message>
+    <message>
+        <source>%1 to the right</source>
+        <translation>将 %1 移到右侧</translation>
+    </message>
+    <message>
+        <source>%1 to the top</source>
+        <translation>将 %1 移到顶部</translation>
+    </message>
+    <message>
+        <source>%1 to the bottom</source>
+        <translation>将 %1 移到底部</translation>
     </message>
 </context>
 <context>

@@ -38,7 +38,8 @@ Error stopped(const QString& context) {
 
 /// Ends a running user script and takes control again. Requires `taking`.
 /// hasEnded  the end of the script was observed
-Result<void> bringBack(Controller::Private& d, bool hasEnded) {
+/// regains   if false, the script is only ended
+Result<void> bringBack(Controller::Private& d, bool hasEnded, bool regains) {
     // A separate deadline that only release() can shorten, because the script must not continue after an
     // error.
     const Deadline deadline = Deadline::after(milliseconds(5000));
@@ -75,6 +76,10 @@ Result<void> bringBack(Controller::Private& d, bool hasEnded) {
         return Error{
             ErrorCode::LinkLost, QStringLiteral("send the control program again"),
             isStopSent ? QString() : QStringLiteral("the script could not be stopped and may continue")};
+    }
+    if (!regains) {
+        d.loop.abandonTaking();
+        return {};
     }
     return d.program.resend(deadline);
 }
@@ -296,11 +301,8 @@ Result<void> Programs::runScript(const Text& program, const Deadline& deadline, 
         d.loop.abandonTaking();
         return outcome;
     }
-    if (!terms.regainsAfterSilence && d.loop.scriptState() == ScriptState::HeartbeatExpired) {
-        d.loop.abandonTaking();
-        return outcome;
-    }
-    if (auto back = bringBack(d, hasEnded); !back) {
+    const bool regains = terms.regainsAfterSilence || outcome || outcome.error().code != ErrorCode::LinkLost;
+    if (auto back = bringBack(d, hasEnded, regains); !back) {
         if (outcome) {
             return back;
         }

@@ -36,7 +36,7 @@ struct ScriptTerms {
     /// Called in the calling thread after the script has ended without an error. If it returns false, control is not
     /// taken again, e.g. because the script was stopped on the robot.
     std::function<bool()> regainsControl = {};
-    /// If false, control is lost when the robot ended the script because no heartbeat arrived.
+    /// If false, control is lost when the script ended because data or heartbeats did not arrive (LinkLost).
     bool regainsAfterSilence = true;
 };
 

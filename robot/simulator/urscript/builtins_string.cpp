@@ -26,7 +26,7 @@ void checkPrintable(const Call& c, std::size_t i) {
     const bool structs = v.is(Value::Type::List) && v.list().kind == ListData::Kind::Other &&
                          v.list().size() > 0 && v.list().values.front().is(Value::Type::Struct);
     if (v.is(Value::Type::None) || v.is(Value::Type::Struct) || v.is(Value::Type::Matrix) || structs) {
-        c.badArgument(i, "a string, bool, number, pose or list of these types");
+        c.badArgument(i, "a string, bool, number, pose or list of those");
     }
 }
 

@@ -439,6 +439,13 @@ private Q_SLOTS:
         QVERIFY(cell.controller->status().inControl);
         QVERIFY(
             cell.during([&] { return programs.runScript(QStringLiteral("sleep(0.1)\n"), patience()); }).ok());
+        // A client that never takes control by itself can give it up instead.
+        ScriptTerms terms;
+        terms.regainsAfterSilence = false;
+        const auto lost = cell.during([&] { return programs.runScript(script, patience(), terms); });
+        QCOMPARE(lost.error().code, ErrorCode::LinkLost);
+        QVERIFY(!cell.controller->status().inControl);
+        QVERIFY(cell.takeControl().ok());
     }
 
     void aScriptMustNotUseTheWatchdogsNames() {

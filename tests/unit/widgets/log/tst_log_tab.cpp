@@ -99,7 +99,7 @@ private Q_SLOTS:
         QCOMPARE(rows(), 3);
         QCOMPARE(tab_->shownText(),
                  QString("2024-09-17 14:02:11.000\tInfo\tSafety mode is Normal again\n"
-                         "2024-09-17 14:02:12.000\tError\t(×2 until 14:02:13.000) Emergency stop\n"
+                         "2024-09-17 14:02:12.000\tError\t(×2, last at 14:02:13.000) Emergency stop\n"
                          "2024-09-17 14:02:14.000\tInfo\tSafety mode is Normal again\n"));
         QStringList times;
         for (int row = 0; row < rows(); ++row) {

@@ -2,6 +2,7 @@
 // The last stop that a session shows: a stop by the safety system replaces the stop measured before it.
 #include <QTest>
 
+#include "robot/control/motion.h"
 #include "robot/script/script_client.h"
 #include "tests/support/event_spy.h"
 #include "tests/support/virtual_cell.h"
@@ -159,6 +160,30 @@ private Q_SLOTS:
         QCOMPARE(bench.state().lastStop.cause, StopCause::UnsafeMode);
         QVERIFY(bench.state().lastStopSeen);
         QVERIFY(bench.state().lastStop.durationMs > 0);
+    }
+
+    // The connection is intact, so the cause is not a lost connection. Control is not taken again.
+    void aHangDuringAProgramIsNamedAndEndsControl() {
+        Bench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        const auto run = bench.session.beginProgram(
+            "cycle",
+            QStringLiteral("def cycle():\nwhile True:\nmovej([1.0, -1.7, -2.2, -0.8, 1.6, 0], a=2, v=1)\n"
+                           "movej([-1.6, -1.7, -2.2, -0.8, 1.6, 0], a=2, v=1)\nend\nend\n"),
+            control::Holding::Free, bench.session.stops(), {}, {});
+        QVERIFY2(run.ok(), qPrintable(run.error().toString()));
+        QVERIFY(bench.within([&] { return bench.state().moving; }));
+        bench.hang(600);
+        const auto progress = [&] { return bench.session.motionProgress(*run); };
+        QVERIFY(bench.within([&] {
+            const auto now = progress();
+            return !now || now->phase != control::MotionPhase::Active;
+        }));
+        QVERIFY2(progress().ok(), qPrintable(progress().error().toString()));
+        QCOMPARE(progress()->cause, StopCause::EventLoopStalled);
+        bench.cell.advanceMs(1000);
+        QVERIFY(bench.state().control != ControlState::InControl);
+        QCOMPARE(bench.state().runtimeState, RuntimeState::Stopped);
     }
 
     // The controller ends the motion while the window hangs. The stop is reported when the window continues.
