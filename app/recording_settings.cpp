@@ -191,6 +191,9 @@ void RecordingSettings::build() {
     above->addWidget(search_, 1);
     above->addWidget(all);
 
+    // In some languages, the longest entry is wider than the page.
+    format_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    format_->setMinimumContentsLength(12);
     auto* form = new QFormLayout;
     form->setVerticalSpacing(12);
     form->setHorizontalSpacing(20);

@@ -13636,7 +13636,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     </message>
     <message>
         <source>Use for each recording</source>
-        <translation>Usar en cada grabación</translation>
+        <translation>Usar siempre</translation>
     </message>
     <message>
         <source>Ask before each recording</source>
@@ -13676,7 +13676,7 @@ program starts</translation>
     </message>
     <message>
         <source>Before trigger</source>
-        <translation>Antes del disparo</translation>
+        <translation>Antes de él</translation>
     </message>
     <message>
         <source>after</source>
