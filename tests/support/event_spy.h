@@ -5,13 +5,27 @@
 
 #include <QObject>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "robot/station/journal/journal.h"
 
 namespace tiller::test {
 
-/// Calls `heard` with severity, text and origin of each later message. The origin may be omitted.
+/// Ends a connection with its scope. Declare it after the variables that the connected function uses.
+class Listening {
+public:
+    Listening(QMetaObject::Connection connection) : connection_(std::move(connection)) {}
+    ~Listening() { QObject::disconnect(connection_); }
+    Listening(const Listening&) = delete;
+    Listening& operator=(const Listening&) = delete;
+
+private:
+    QMetaObject::Connection connection_;
+};
+
+/// Calls `heard` with severity, text and origin of each later message. The origin may be omitted. If `heard` uses local
+/// variables, keep the result in a Listening.
 template <typename Heard>
 QMetaObject::Connection onMessage(const Journal& journal, const QObject* context, Heard heard) {
     return QObject::connect(&journal, &Journal::added, context, [heard](const JournalEvent& event) mutable {

@@ -131,12 +131,13 @@ private Q_SLOTS:
     // This window started the pulse, so monitor-only mode must not leave the output on.
     void monitorOnlyEndsARunningPulse() {
         QStringList warnings;
-        test::onMessage(bench_->window.session().journal(), &bench_->window,
-                        [&warnings](Severity severity, const QString& text) {
-                            if (severity != Severity::Info) {
-                                warnings << text;
-                            }
-                        });
+        const test::Listening listening =
+            test::onMessage(bench_->window.session().journal(), &bench_->window,
+                            [&warnings](Severity severity, const QString& text) {
+                                if (severity != Severity::Info) {
+                                    warnings << text;
+                                }
+                            });
         bench_->window.session().outputs().pulseDigitalOutput(4, 30);
         QVERIFY(until([this] { return output(4); }));
         QVERIFY(until([this] { return tab().output(4)->state() == IoChannel::State::On; }));
@@ -151,12 +152,12 @@ private Q_SLOTS:
     void releasingControlEndsARunningPulse() {
         QStringList warnings;
         RobotSession& session = bench_->window.session();
-        test::onMessage(session.journal(), &bench_->window,
-                        [&warnings](Severity severity, const QString& text) {
-                            if (severity != Severity::Info) {
-                                warnings << text;
-                            }
-                        });
+        const test::Listening listening = test::onMessage(
+            session.journal(), &bench_->window, [&warnings](Severity severity, const QString& text) {
+                if (severity != Severity::Info) {
+                    warnings << text;
+                }
+            });
         session.outputs().pulseDigitalOutput(4, 30);
         QVERIFY(until([this] { return output(4); }));
         QVERIFY(until([this] { return tab().output(4)->state() == IoChannel::State::On; }));

@@ -267,11 +267,12 @@ private Q_SLOTS:
     void unreachableAddressSuggestsASolution() {
         app::MainWindow window(settings());
         QStringList errors;
-        test::onMessage(window.session().journal(), &window, [&](Severity severity, const QString& text) {
-            if (severity == Severity::Error) {
-                errors << text;
-            }
-        });
+        const test::Listening listening =
+            test::onMessage(window.session().journal(), &window, [&](Severity severity, const QString& text) {
+                if (severity == Severity::Error) {
+                    errors << text;
+                }
+            });
         window.connectRobot({"Nobody", "127.0.0.254", 0, false});
         QTRY_VERIFY_WITH_TIMEOUT(!errors.isEmpty(), 20'000);
         QVERIFY2(errors.first().contains("127.0.0.254"), qPrintable(errors.first()));

@@ -245,10 +245,11 @@ private Q_SLOTS:
             Q_EMIT kind.activated(kind.currentIndex());
         }
         QStringList done;
-        test::onMessage(bench.window.session().journal(), &bench.window,
-                        [&](Severity, const QString& text, Origin origin) {
-                            done << (origin == Origin::Operator ? QStringList(text) : QStringList());
-                        });
+        const test::Listening listening =
+            test::onMessage(bench.window.session().journal(), &bench.window,
+                            [&](Severity, const QString& text, Origin origin) {
+                                done << (origin == Origin::Operator ? QStringList(text) : QStringList());
+                            });
         const std::uint64_t before = bench.cell.truth().digitalOutputs;
         change("gripper.close");
         QMessageBox* question = bench.question("changeQuestion");

@@ -399,11 +399,12 @@ private Q_SLOTS:
         VirtualClock clock;
         app::MainWindow window(app::Settings(file), clock);
         QStringList warnings;
-        test::onMessage(window.session().journal(), &window, [&](Severity severity, const QString& text) {
-            if (severity == Severity::Warning) {
-                warnings << text;
-            }
-        });
+        const test::Listening listening =
+            test::onMessage(window.session().journal(), &window, [&](Severity severity, const QString& text) {
+                if (severity == Severity::Warning) {
+                    warnings << text;
+                }
+            });
         window.resize(1280, 720);
         window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&window));
@@ -445,11 +446,12 @@ private Q_SLOTS:
         VirtualClock clock;
         app::MainWindow window(app::Settings(bench.file), clock);
         QStringList warnings;
-        test::onMessage(window.session().journal(), &window, [&](Severity severity, const QString& text) {
-            if (severity == Severity::Warning) {
-                warnings << text;
-            }
-        });
+        const test::Listening listening =
+            test::onMessage(window.session().journal(), &window, [&](Severity severity, const QString& text) {
+                if (severity == Severity::Warning) {
+                    warnings << text;
+                }
+            });
         window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&window));
         run(window, "perspective.saved.1");

@@ -182,7 +182,7 @@ class ProgramRun:
         changed: Timeout without a confirmation, Stopped if the program continued or ended. On Ctrl+C or any other
         exception the program ends.
         """
-        item = value.item() if hasattr(value, "item") else value
+        item = getattr(value, "item", lambda: value)()  # NumPy values have item()
         try:
             with self._waiting():
                 self._native.set_variable(name, repr(item), timeout)

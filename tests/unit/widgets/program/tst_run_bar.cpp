@@ -595,8 +595,8 @@ private Q_SLOTS:
     void aRunPausesAndContinues() {
         TabBench bench;
         QStringList log;
-        test::onMessage(bench.session.journal(), &bench.tab,
-                        [&](Severity, const QString& text) { log.append(text); });
+        const test::Listening listening = test::onMessage(
+            bench.session.journal(), &bench.tab, [&](Severity, const QString& text) { log.append(text); });
         bench.setSteps({"pick", "place", "home"});
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         bench.cell.advanceMs(20);
@@ -724,8 +724,8 @@ private Q_SLOTS:
         bench.tab.tree().selectIds({steps.at(4).id});
         bench.find<QAction>("program.action.breakpoint").trigger();
         QStringList log;
-        onMessage(bench.session.journal(), &bench.tab,
-                  [&log](Severity, const QString& text) { log << text; });
+        const test::Listening listening = onMessage(bench.session.journal(), &bench.tab,
+                                                    [&log](Severity, const QString& text) { log << text; });
         QVERIFY(bench.preview() && bench.moveToStart());
         bench.cell.advanceMs(20);
         bench.run().click();
@@ -932,8 +932,8 @@ private Q_SLOTS:
     void aPauseOnTheRobotIsShown() {
         TabBench bench;
         QStringList log;
-        test::onMessage(bench.session.journal(), &bench.tab,
-                        [&](Severity, const QString& text) { log << text; });
+        const test::Listening listening = test::onMessage(
+            bench.session.journal(), &bench.tab, [&](Severity, const QString& text) { log << text; });
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         QVERIFY(bench.runFreely({"pick", "place", "home", "pick"}));
         QVERIFY(bench.sendFromOutside("pause program\n"));
@@ -976,9 +976,10 @@ private Q_SLOTS:
     void aStopOnTheRobotIsAWarningAndCanContinue() {
         TabBench bench;
         std::optional<Severity> severity;
-        test::onMessage(bench.session.journal(), &bench.tab, [&](Severity how, const QString& text) {
-            severity = text.contains("Stopped in step 2") ? how : severity;
-        });
+        const test::Listening listening =
+            test::onMessage(bench.session.journal(), &bench.tab, [&](Severity how, const QString& text) {
+                severity = text.contains("Stopped in step 2") ? how : severity;
+            });
         bench.setSteps({"pick", "place", "home"});
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         QVERIFY(bench.checkRecoverability());
@@ -1055,8 +1056,8 @@ private Q_SLOTS:
     void theRunningProgramIsNotDeleted() {
         TabBench bench;
         QStringList log;
-        test::onMessage(bench.session.journal(), &bench.tab,
-                        [&](Severity, const QString& text) { log << text; });
+        const test::Listening listening = test::onMessage(
+            bench.session.journal(), &bench.tab, [&](Severity, const QString& text) { log << text; });
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         QVERIFY(bench.runFreely({"pick", "place", "home", "pick"}));
         const auto isKept = [&] {

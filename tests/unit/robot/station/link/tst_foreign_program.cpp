@@ -430,11 +430,12 @@ private Q_SLOTS:
         ProgramBench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         QStringList warnings;
-        test::onMessage(bench.session.journal(), &bench.session, [&](Severity severity, const QString& text) {
-            if (severity == Severity::Warning) {
-                warnings << text;
-            }
-        });
+        const test::Listening listening = test::onMessage(bench.session.journal(), &bench.session,
+                                                          [&](Severity severity, const QString& text) {
+                                                              if (severity == Severity::Warning) {
+                                                                  warnings << text;
+                                                              }
+                                                          });
         collision::CellSurroundings surroundings;
         surroundings.unplaced.push_back({QStringLiteral("crate"), QStringLiteral("0f0e0d0c")});
         bench.session.setSurroundings(surroundings);

@@ -115,8 +115,8 @@ private Q_SLOTS:
         VirtualCell cell{clock, session};
         QVERIFY2(cell.connect(), qPrintable(cell.what()));
         QStringList messages;
-        test::onMessage(session.journal(), &session,
-                        [&](Severity, const QString& text) { messages << text; });
+        const test::Listening listening = test::onMessage(
+            session.journal(), &session, [&](Severity, const QString& text) { messages << text; });
         const QString path = folder.filePath(QStringLiteral("run.mcap"));
         session.recording().start(
             {.path = path,
@@ -156,17 +156,19 @@ private Q_SLOTS:
         QVERIFY2(cell.connect(), qPrintable(cell.what()));
         QVERIFY(cell.robot.inject("rtde-clients 1").ok());
         QStringList warnings;
-        onMessage(session.journal(), &session, [&](Severity severity, const QString& text) {
-            if (severity != Severity::Info) {
-                warnings << text;
-            }
-        });
+        const test::Listening listening =
+            onMessage(session.journal(), &session, [&](Severity severity, const QString& text) {
+                if (severity != Severity::Info) {
+                    warnings << text;
+                }
+            });
         const QString path = folder.filePath(QStringLiteral("run.") + format);
         session.recording().start(
             {.path = path,
              .shown = {"output_double_register_3", "output_int_register_0", "output_int_register_12"},
              .format = format});
         QVERIFY(advanceUntil(cell, [&] { return session.state().recording.rows > 200; }));
+        QVERIFY(advanceUntil(cell, [&] { return !warnings.isEmpty(); }));
         QCOMPARE(warnings.size(), 1);
         QVERIFY2(warnings[0].contains("output_double_register_3, output_int_register_0") &&
                      !warnings[0].contains("output_int_register_12"),
