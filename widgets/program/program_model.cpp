@@ -168,9 +168,13 @@ void ProgramModel::setRun(const program::ProgramScript& script, const program::S
     }
     showTimings(script, log.timings());
     // After a lost connection, the log keeps the last known step.
+    const QUuid before = running_;
     running_ =
         isActive && log.step() > 0 ? script.steps[static_cast<std::size_t>(log.step() - 1)].step : QUuid();
     changed();
+    if (running_ != before) {
+        Q_EMIT runningStepMoved(indexOf(before), indexOf(running_));
+    }
 }
 
 void ProgramModel::setRecovery(const program::ProgramScript* script, const program::RecoveryMap* map) {

@@ -71,6 +71,8 @@ Q_SIGNALS:
     void treeChanged();
     void stepsDropped(const tiller::program::StepPosition& at,
                       const std::vector<tiller::project::ProgramStep>& steps);
+    /// Both are invalid if no step of this program runs.
+    void runningStepMoved(const QModelIndex& before, const QModelIndex& now);
     void stepsMoved(const tiller::program::StepPosition& at, const QSet<QUuid>& ids);
 
 private:

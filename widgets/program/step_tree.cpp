@@ -40,6 +40,7 @@ StepTree::StepTree(ProgramModel& model, QWidget* parent) : QTreeView(parent), mo
     }
     connect(&model, &QAbstractItemModel::dataChanged, &fitTimer_, [this] { fitTimer_.start(0); });
     connect(&model, &ProgramModel::treeChanged, &fitTimer_, [this] { fitTimer_.start(0); });
+    connect(&model, &ProgramModel::runningStepMoved, this, &StepTree::followRun);
     connect(this, &QTreeView::collapsed, this,
             [this](const QModelIndex& index) { collapsed_.insert(model_.idAt(index)); });
     connect(this, &QTreeView::expanded, this,
@@ -119,6 +120,24 @@ void StepTree::fitColumns() {
         std::max(std::min(contents(ProgramModel::Values), room - result - step), title(ProgramModel::Values));
     header()->resizeSection(ProgramModel::Step, step);
     header()->resizeSection(ProgramModel::Values, values);
+}
+
+void StepTree::followRun(const QModelIndex& before, const QModelIndex& now) {
+    const bool isFollowed =
+        !before.isValid() || viewport()->rect().intersects(visualRect(shownRowOf(before)));
+    if (now.isValid() && isFollowed) {
+        scrollTo(shownRowOf(now));
+    }
+}
+
+QModelIndex StepTree::shownRowOf(const QModelIndex& step) const {
+    QModelIndex shown = step;
+    for (QModelIndex section = step.parent(); section.isValid(); section = section.parent()) {
+        if (!isExpanded(section)) {
+            shown = section;
+        }
+    }
+    return shown;
 }
 
 void StepTree::selectionChanged(const QItemSelection& selected, const QItemSelection& deselected) {

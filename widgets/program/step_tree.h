@@ -33,6 +33,10 @@ protected:
 private:
     /// Distributes the width: first the results, then the steps, then the values.
     void fitColumns();
+    /// Shows the running step, unless the person has scrolled away from it.
+    void followRun(const QModelIndex& before, const QModelIndex& now);
+    /// The step, or the outermost collapsed section that contains it.
+    QModelIndex shownRowOf(const QModelIndex& step) const;
 
     ProgramModel& model_;
     QTimer fitTimer_;

@@ -660,6 +660,33 @@ private Q_SLOTS:
         QVERIFY(!model.index(1, 0).data(Qt::FontRole).value<QFont>().bold());
     }
 
+    // The tree scrolls to the running step until the person scrolls away from it.
+    void theTreeFollowsTheRunningStep() {
+        TabBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        std::vector<project::ProgramStep> steps = bench.moves({"pick"});
+        for (int i = 0; i < 100; ++i) {
+            steps.push_back(program::step("wait", {{"time", 0.1}}));
+        }
+        bench.setProgram(steps);
+        StepTree& tree = bench.find<StepTree>("program.tree");
+        const auto isVisible = [&](int row) {
+            return tree.viewport()->rect().intersects(tree.visualRect(tree.model()->index(row, 0)));
+        };
+        QVERIFY(bench.preview() && bench.moveToStart());
+        bench.cell.advanceMs(20);
+        bench.run().click();
+        const auto runsStep = [&](int step) {
+            return bench.cell.advanceUntil([&] { return bench.runner().log().step() == step; }, kLongMs);
+        };
+        QVERIFY(!isVisible(49) && runsStep(50));
+        QVERIFY(isVisible(49) && !isVisible(0));
+        tree.scrollToTop();
+        QVERIFY(runsStep(70));
+        QVERIFY(isVisible(0) && !isVisible(69));
+        QVERIFY(bench.awaitEnd());
+    }
+
     // Imported programs usually set their TCP.
     void aProgramThatSetsItsTcpRunsWithAnyTcp() {
         TabBench bench;
