@@ -122,6 +122,16 @@ simulator::SimulatorOptions polyScopeX(const SoftwareVersion& software = {10, 12
     return options;
 }
 
+/// The second press and release of a double click.
+void sendSecondClick(QWidget& widget) {
+    const QPointF at = widget.rect().center();
+    for (const QEvent::Type type : {QEvent::MouseButtonDblClick, QEvent::MouseButtonRelease}) {
+        const Qt::MouseButtons down = type == QEvent::MouseButtonDblClick ? Qt::LeftButton : Qt::NoButton;
+        QMouseEvent event(type, at, widget.mapToGlobal(at), Qt::LeftButton, down, Qt::NoModifier);
+        QApplication::sendEvent(&widget, &event);
+    }
+}
+
 }  // namespace
 
 class TestRecovery : public QObject {
@@ -172,6 +182,11 @@ private Q_SLOTS:
         QCOMPARE(bench.safety(), SafetyMode::ProtectiveStop);
         QTest::mouseClick(bench.key(), Qt::LeftButton);
         QVERIFY(bench.until([&] { return bench.safety() == SafetyMode::Normal; }));
+        // The second click of a double click on Unlock does not take control.
+        QVERIFY(bench.until([&] { return bench.offersControl() && bench.key()->isEnabled(); }));
+        sendSecondClick(*bench.key());
+        bench.cell.advanceMs(300);
+        QVERIFY(bench.offersControl() && bench.key()->isEnabled());
         QVERIFY(bench.takesControl());
         QVERIFY(bench.until([&] { return bench.window.session().state().canMove(); }));
         const Pose at = bench.cell.truth().tcpPose;

@@ -15,6 +15,7 @@
 
 #include "robot/station/text/notation.h"
 #include "robot/station/text/texts.h"
+#include "widgets/common/single_click.h"
 #include "widgets/common/state_chip.h"
 #include "widgets/common/theme.h"
 #include "widgets/common/window_stacking.h"
@@ -135,6 +136,7 @@ HeaderBar::HeaderBar(HeaderPort port, QWidget* parent)
     // arrange() sets the layout from the width of the bar.
     layout_->setSizeConstraint(QLayout::SetNoConstraint);
     stepButton_->setObjectName(QStringLiteral("nextStepButton"));
+    new SingleClick(*stepButton_);  // the next step appears at the same place
     stepButton_->setAccessibleName(tr("Next step"));
     stepButton_->setProperty("primary", true);
     QSizePolicy keepsItsPlace(QSizePolicy::Fixed, QSizePolicy::Fixed);

@@ -17,6 +17,7 @@
 #include "robot/station/text/notation.h"
 #include "widgets/common/density.h"
 #include "widgets/common/fit_to_contents.h"
+#include "widgets/common/single_click.h"
 #include "widgets/common/theme.h"
 
 namespace tiller {
@@ -181,6 +182,7 @@ void RecoveryPage::build() {
     // An accidental Return must not unlock the robot. The user must click the button, or press Space while
     // the button has the focus.
     key_->setAutoDefault(false);
+    new SingleClick(*key_);  // the next step appears at the same place
     connect(key_, &QPushButton::clicked, this, &RecoveryPage::takeStep);
     row->addWidget(waiting_, 1);
     row->addWidget(key_);

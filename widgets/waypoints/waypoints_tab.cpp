@@ -23,6 +23,7 @@
 #include "robot/station/text/reach_words.h"
 #include "widgets/common/bottom_overlay.h"
 #include "widgets/common/notice_bar.h"
+#include "widgets/common/single_click.h"
 #include "widgets/project/undoable_document.h"
 #include "widgets/waypoints/folding_row.h"
 #include "widgets/waypoints/go_through_bar.h"
@@ -118,6 +119,7 @@ void WaypointsTab::buildLayout(MotionPort port, HoldPolicy& policy) {
     teach_ = new QPushButton(tr("Teach here  T"));
     teach_->setObjectName(QStringLiteral("waypoint.teach"));
     teach_->setAccessibleName(tr("Teach here"));
+    new SingleClick(*teach_);  // a double click would teach the same position twice
     teach_->setProperty("primary", true);
     touchUp_ = new QPushButton(tr("Touch up  U"));
     touchUp_->setObjectName(QStringLiteral("waypoint.touchUp"));
