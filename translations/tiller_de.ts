@@ -2008,19 +2008,19 @@
         <translation>Zeigt oder verbirgt das Spektrum und das XY-Diagramm zweier Signale.</translation>
     </message>
     <message>
-        <source>%1 to the left</source>
+        <source>Move %1 to the left</source>
         <translation>%1 nach links</translation>
     </message>
     <message>
-        <source>%1 to the right</source>
+        <source>Move %1 to the right</source>
         <translation>%1 nach rechts</translation>
     </message>
     <message>
-        <source>%1 to the top</source>
+        <source>Move %1 to the top</source>
         <translation>%1 nach oben</translation>
     </message>
     <message>
-        <source>%1 to the bottom</source>
+        <source>Move %1 to the bottom</source>
         <translation>%1 nach unten</translation>
     </message>
 </context>
@@ -7931,8 +7931,8 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Geben Sie einen Namen für das Muster ein.</translation>
     </message>
     <message>
-        <source>Teach the three corners first, then select a waypoint for each corner.</source>
-        <translation>Teachen Sie zuerst die drei Ecken und wählen Sie dann für jede Ecke einen Wegpunkt.</translation>
+        <source>Teach the corners of the pattern first, then select a waypoint for each corner.</source>
+        <translation>Teachen Sie zuerst die Ecken des Musters und wählen Sie dann für jede Ecke einen Wegpunkt.</translation>
     </message>
     <message>
         <source>The layer height must not be 0. Enter a layer height.</source>
@@ -8265,8 +8265,8 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Der Arm hat sich bewegt. Warten Sie auf Stillstand, halten Sie das Werkzeug frei von Kontakt und prüfen Sie erneut.</translation>
     </message>
     <message>
-        <source>The payload cannot be verified because the robot is not sending force data.</source>
-        <translation>Der Roboter sendet keine Kraftdaten: Die Nutzlast kann nicht geprüft werden.</translation>
+        <source>The payload cannot be verified because the robot is not sending force data. Wait for data, or reconnect.</source>
+        <translation>Die Nutzlast kann nicht geprüft werden, weil der Roboter keine Kraftdaten sendet. Warten Sie auf Daten oder verbinden Sie neu.</translation>
     </message>
     <message>
         <source>With a payload of %1 kg, the arm measures a force of %2 and a torque of %3.</source>
@@ -9781,8 +9781,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         </translation>
     </message>
     <message>
-        <source>Paused before step %1 (%2): maximum hold time reached. Hold “Continue (hold)” to continue.</source>
-        <translation>Pausiert vor Schritt %1 (%2) nach der maximalen Haltezeit. Halten Sie „Fortsetzen (halten)“ gedrückt, um fortzufahren.</translation>
+        <source>Paused before step %1 (%2) because of the maximum hold time. Hold “Continue (hold)” to continue.</source>
+        <translation>Pausiert vor Schritt %1 (%2) wegen der maximalen Haltezeit. Halten Sie „Fortsetzen (halten)“ gedrückt, um fortzufahren.</translation>
     </message>
     <message>
         <source>Running step %1 (%2). Joint moves are slow because the preview did not run the whole program from this position.</source>

@@ -2008,19 +2008,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 to the left</source>
+        <source>Move %1 to the left</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 to the right</source>
+        <source>Move %1 to the right</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 to the top</source>
+        <source>Move %1 to the top</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 to the bottom</source>
+        <source>Move %1 to the bottom</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7924,7 +7924,7 @@ Right-click or press F2 to rename the input.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Teach the three corners first, then select a waypoint for each corner.</source>
+        <source>Teach the corners of the pattern first, then select a waypoint for each corner.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8258,7 +8258,7 @@ Right-click or press F2 to rename the input.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The payload cannot be verified because the robot is not sending force data.</source>
+        <source>The payload cannot be verified because the robot is not sending force data. Wait for data, or reconnect.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9768,7 +9768,7 @@ Release the button to stop the arm.</source>
         </translation>
     </message>
     <message>
-        <source>Paused before step %1 (%2): maximum hold time reached. Hold “Continue (hold)” to continue.</source>
+        <source>Paused before step %1 (%2) because of the maximum hold time. Hold “Continue (hold)” to continue.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

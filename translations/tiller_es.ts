@@ -2008,19 +2008,19 @@
         <translation>Muestra u oculta el espectro y el gráfico XY de dos señales.</translation>
     </message>
     <message>
-        <source>%1 to the left</source>
+        <source>Move %1 to the left</source>
         <translation>Mover %1 a la izquierda</translation>
     </message>
     <message>
-        <source>%1 to the right</source>
+        <source>Move %1 to the right</source>
         <translation>Mover %1 a la derecha</translation>
     </message>
     <message>
-        <source>%1 to the top</source>
+        <source>Move %1 to the top</source>
         <translation>Mover %1 arriba</translation>
     </message>
     <message>
-        <source>%1 to the bottom</source>
+        <source>Move %1 to the bottom</source>
         <translation>Mover %1 abajo</translation>
     </message>
 </context>
@@ -7931,8 +7931,8 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Introduzca un nombre para el patrón.</translation>
     </message>
     <message>
-        <source>Teach the three corners first, then select a waypoint for each corner.</source>
-        <translation>Enseñe primero las tres esquinas y seleccione después un punto de paso para cada una.</translation>
+        <source>Teach the corners of the pattern first, then select a waypoint for each corner.</source>
+        <translation>Enseñe primero las esquinas del patrón y seleccione después un punto de paso para cada una.</translation>
     </message>
     <message>
         <source>The layer height must not be 0. Enter a layer height.</source>
@@ -8265,8 +8265,8 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>El brazo se movió. Espere el reposo, mantenga la herramienta sin contacto y compruebe de nuevo.</translation>
     </message>
     <message>
-        <source>The payload cannot be verified because the robot is not sending force data.</source>
-        <translation>El robot no envía datos de fuerza: no se puede comprobar la carga útil.</translation>
+        <source>The payload cannot be verified because the robot is not sending force data. Wait for data, or reconnect.</source>
+        <translation>No se puede comprobar la carga útil porque el robot no envía datos de fuerza. Espere los datos o vuelva a conectarse.</translation>
     </message>
     <message>
         <source>With a payload of %1 kg, the arm measures a force of %2 and a torque of %3.</source>
@@ -9781,7 +9781,7 @@ Suelte el botón para detener el brazo.</translation>
         </translation>
     </message>
     <message>
-        <source>Paused before step %1 (%2): maximum hold time reached. Hold “Continue (hold)” to continue.</source>
+        <source>Paused before step %1 (%2) because of the maximum hold time. Hold “Continue (hold)” to continue.</source>
         <translation>En pausa antes del paso %1 (%2) por el tiempo máximo de pulsación. Mantenga pulsado «Continuar (mantener)» para continuar.</translation>
     </message>
     <message>

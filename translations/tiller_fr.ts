@@ -2008,19 +2008,19 @@
         <translation>Affiche ou masque le spectre et le tracé XY de deux signaux.</translation>
     </message>
     <message>
-        <source>%1 to the left</source>
+        <source>Move %1 to the left</source>
         <translation>Placer %1 à gauche</translation>
     </message>
     <message>
-        <source>%1 to the right</source>
+        <source>Move %1 to the right</source>
         <translation>Placer %1 à droite</translation>
     </message>
     <message>
-        <source>%1 to the top</source>
+        <source>Move %1 to the top</source>
         <translation>Placer %1 en haut</translation>
     </message>
     <message>
-        <source>%1 to the bottom</source>
+        <source>Move %1 to the bottom</source>
         <translation>Placer %1 en bas</translation>
     </message>
 </context>
@@ -7931,8 +7931,8 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Saisissez un nom pour le motif.</translation>
     </message>
     <message>
-        <source>Teach the three corners first, then select a waypoint for each corner.</source>
-        <translation>Apprenez d’abord les trois coins, puis sélectionnez un point de passage pour chacun.</translation>
+        <source>Teach the corners of the pattern first, then select a waypoint for each corner.</source>
+        <translation>Apprenez d’abord les coins du motif, puis sélectionnez un point de passage pour chacun.</translation>
     </message>
     <message>
         <source>The layer height must not be 0. Enter a layer height.</source>
@@ -8265,8 +8265,8 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Le bras a bougé. Attendez l’arrêt, gardez l’outil sans contact et vérifiez de nouveau.</translation>
     </message>
     <message>
-        <source>The payload cannot be verified because the robot is not sending force data.</source>
-        <translation>Le robot n’envoie pas de données de force : la charge utile ne peut pas être vérifiée.</translation>
+        <source>The payload cannot be verified because the robot is not sending force data. Wait for data, or reconnect.</source>
+        <translation>La charge utile ne peut pas être vérifiée, car le robot n’envoie pas de données de force. Attendez des données ou reconnectez-vous.</translation>
     </message>
     <message>
         <source>With a payload of %1 kg, the arm measures a force of %2 and a torque of %3.</source>
@@ -9781,8 +9781,8 @@ Relâchez le bouton pour arrêter le bras.</translation>
         </translation>
     </message>
     <message>
-        <source>Paused before step %1 (%2): maximum hold time reached. Hold “Continue (hold)” to continue.</source>
-        <translation>En pause avant l’étape %1 (%2) : durée maximale de maintien atteinte. Maintenez « Reprendre (maintenir) » pour reprendre.</translation>
+        <source>Paused before step %1 (%2) because of the maximum hold time. Hold “Continue (hold)” to continue.</source>
+        <translation>En pause avant l’étape %1 (%2) en raison de la durée maximale de maintien. Maintenez « Reprendre (maintenir) » pour reprendre.</translation>
     </message>
     <message>
         <source>Running step %1 (%2). Joint moves are slow because the preview did not run the whole program from this position.</source>

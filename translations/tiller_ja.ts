@@ -2008,19 +2008,19 @@
         <translation>スペクトルと2つの信号のXYグラフを表示または非表示にします。</translation>
     </message>
     <message>
-        <source>%1 to the left</source>
+        <source>Move %1 to the left</source>
         <translation>%1 を左へ移動</translation>
     </message>
     <message>
-        <source>%1 to the right</source>
+        <source>Move %1 to the right</source>
         <translation>%1 を右へ移動</translation>
     </message>
     <message>
-        <source>%1 to the top</source>
+        <source>Move %1 to the top</source>
         <translation>%1 を上へ移動</translation>
     </message>
     <message>
-        <source>%1 to the bottom</source>
+        <source>Move %1 to the bottom</source>
         <translation>%1 を下へ移動</translation>
     </message>
 </context>
@@ -7919,8 +7919,8 @@ Right-click or press F2 to rename the input.</source>
         <translation>パターンの名前を入力してください。</translation>
     </message>
     <message>
-        <source>Teach the three corners first, then select a waypoint for each corner.</source>
-        <translation>先に三隅を教示し、次に各隅のウェイポイントを選んでください。</translation>
+        <source>Teach the corners of the pattern first, then select a waypoint for each corner.</source>
+        <translation>先にパターンの隅を教示し、次に各隅のウェイポイントを選んでください。</translation>
     </message>
     <message>
         <source>The layer height must not be 0. Enter a layer height.</source>
@@ -8250,8 +8250,8 @@ Right-click or press F2 to rename the input.</source>
         <translation>アームが動きました。静止させ、何にも触れず、もう一度確認してください。</translation>
     </message>
     <message>
-        <source>The payload cannot be verified because the robot is not sending force data.</source>
-        <translation>ロボットが力のデータを送りません：ペイロードを確認できません。</translation>
+        <source>The payload cannot be verified because the robot is not sending force data. Wait for data, or reconnect.</source>
+        <translation>ロボットが力のデータを送信していないため、ペイロードを確認できません。データを待つか、再接続してください。</translation>
     </message>
     <message>
         <source>With a payload of %1 kg, the arm measures a force of %2 and a torque of %3.</source>
@@ -9757,8 +9757,8 @@ Release the button to stop the arm.</source>
         </translation>
     </message>
     <message>
-        <source>Paused before step %1 (%2): maximum hold time reached. Hold “Continue (hold)” to continue.</source>
-        <translation>最大保持時間に達したため、ステップ %1 (%2) の前で一時停止中。続けるには「再開 (長押し)」を押し続けてください。</translation>
+        <source>Paused before step %1 (%2) because of the maximum hold time. Hold “Continue (hold)” to continue.</source>
+        <translation>最大保持時間のため、ステップ %1 (%2) の前で一時停止中。続けるには「再開 (長押し)」を押し続けてください。</translation>
     </message>
     <message>
         <source>Running step %1 (%2). Joint moves are slow because the preview did not run the whole program from this position.</source>

@@ -2008,19 +2008,19 @@
         <translation>显示或隐藏频谱和两个信号的 XY 图。</translation>
     </message>
     <message>
-        <source>%1 to the left</source>
+        <source>Move %1 to the left</source>
         <translation>将 %1 移到左侧</translation>
     </message>
     <message>
-        <source>%1 to the right</source>
+        <source>Move %1 to the right</source>
         <translation>将 %1 移到右侧</translation>
     </message>
     <message>
-        <source>%1 to the top</source>
+        <source>Move %1 to the top</source>
         <translation>将 %1 移到顶部</translation>
     </message>
     <message>
-        <source>%1 to the bottom</source>
+        <source>Move %1 to the bottom</source>
         <translation>将 %1 移到底部</translation>
     </message>
 </context>
@@ -7919,8 +7919,8 @@ Right-click or press F2 to rename the input.</source>
         <translation>请输入阵列的名称。</translation>
     </message>
     <message>
-        <source>Teach the three corners first, then select a waypoint for each corner.</source>
-        <translation>请先示教三个角，然后为每个角选择路点。</translation>
+        <source>Teach the corners of the pattern first, then select a waypoint for each corner.</source>
+        <translation>请先示教阵列的角，然后为每个角选择路点。</translation>
     </message>
     <message>
         <source>The layer height must not be 0. Enter a layer height.</source>
@@ -8250,8 +8250,8 @@ Right-click or press F2 to rename the input.</source>
         <translation>机械臂移动了。请让其静止，不要触碰任何东西，再次检查。</translation>
     </message>
     <message>
-        <source>The payload cannot be verified because the robot is not sending force data.</source>
-        <translation>机器人不发送力数据：无法验证有效负载。</translation>
+        <source>The payload cannot be verified because the robot is not sending force data. Wait for data, or reconnect.</source>
+        <translation>机器人没有发送力数据，无法验证有效负载。请等待数据，或重新连接。</translation>
     </message>
     <message>
         <source>With a payload of %1 kg, the arm measures a force of %2 and a torque of %3.</source>
@@ -9757,8 +9757,8 @@ Release the button to stop the arm.</source>
         </translation>
     </message>
     <message>
-        <source>Paused before step %1 (%2): maximum hold time reached. Hold “Continue (hold)” to continue.</source>
-        <translation>已达到最长按住时间，在步骤 %1（%2）之前暂停。按住“继续（按住）”以继续。</translation>
+        <source>Paused before step %1 (%2) because of the maximum hold time. Hold “Continue (hold)” to continue.</source>
+        <translation>因最长按住时间，在步骤 %1（%2）之前暂停。按住“继续（按住）”以继续。</translation>
     </message>
     <message>
         <source>Running step %1 (%2). Joint moves are slow because the preview did not run the whole program from this position.</source>

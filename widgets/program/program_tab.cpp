@@ -287,7 +287,7 @@ void ProgramTab::showRunningStep(const program::ProgramRunner& runner) {
     showStatus(
         isPausedOnRobot ? tr("Paused on the robot in step %1 (%2)").arg(step).arg(name)
         : runner.waitsForPress()
-            ? tr("Paused before step %1 (%2): maximum hold time reached. Hold “Continue (hold)” to continue.")
+            ? tr("Paused before step %1 (%2) because of the maximum hold time. Hold “Continue (hold)” to continue.")
                   .arg(step)
                   .arg(name)
         : isWaiting           ? tr("Paused before step %1 (%2)").arg(step).arg(name)

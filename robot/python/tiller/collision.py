@@ -110,7 +110,8 @@ class CollisionCheck:
 
     def along(self, path: Sequence[Floats]) -> Contact | None:
         """The first position at which the safety distance is violated on a path of joint positions [rad]. All joints move
-        uniformly between two positions. A path that starts within the safety distance may leave it."""
+        uniformly between two positions. If the path starts within the safety distance,
+        only positions closer than the start count."""
         return _contact(self._native.along([joint_positions(q, "path") for q in path]))
 
     def examine(self, start: Floats, target: Floats, *, linear: bool = False, speed: float | None = None,

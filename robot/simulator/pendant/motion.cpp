@@ -380,7 +380,7 @@ void Motion::writeCircle(const XmlElement& node) {
             if (child->is("Waypoint")) {
                 points.push_back(&t_.nodeAt(*child));
             } else if (!isSuppressed(*child) && !child->is("Comment")) {
-                t_.refuse(*child, QStringLiteral("this node is not simulated within a circle"));
+                t_.refuse(*child, QStringLiteral("this node is not simulated inside a Circle node"));
             }
         }
     }

@@ -912,7 +912,7 @@ void ProgramTranslator::writeSwitch(const XmlElement& node) {
         } else if (isDefault && otherwise == nullptr) {
             otherwise = &branch;
         } else {
-            t_.refuse(branch, QStringLiteral("this node is not simulated within a switch"));
+            t_.refuse(branch, QStringLiteral("this node is not simulated inside a Switch node"));
         }
     }
     if (otherwise != nullptr) {

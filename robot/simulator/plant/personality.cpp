@@ -120,7 +120,7 @@ Result<void> checkSoftware(RobotModelId id, const SoftwareVersion& software) {
     const SoftwareVersion first = firstSoftware(id, software.isPolyScopeX());
     if (!model.isCb3() && software < first) {
         return wrongOption(
-            QStringLiteral("a %1 does not run software %2: the first version that supports it is %3.%4")
+            QStringLiteral("a %1 does not run software %2: use version %3.%4 or later")
                 .arg(name, version)
                 .arg(first.major)
                 .arg(first.minor));
