@@ -460,8 +460,8 @@
         <translation>Ein Gelenk hatte innerhalb von acht Stunden fünfzig Schutzstopps.</translation>
     </message>
     <message>
-        <source>Find the cause of the stops before you continue; then restart the controller.</source>
-        <translation>Klären Sie die Ursache der Stopps, bevor Sie fortfahren; starten Sie dann die Steuerung neu.</translation>
+        <source>Find and correct the cause of the stops, then restart the controller.</source>
+        <translation>Finden und beheben Sie die Ursache der Stopps und starten Sie dann die Steuerung neu.</translation>
     </message>
     <message>
         <source>Sudden change in target position</source>
@@ -3268,8 +3268,8 @@
         <translation>das Programm ruft diese Funktion nicht auf</translation>
     </message>
     <message>
-        <source>becomes a program</source>
-        <translation>wird zu einem Programm</translation>
+        <source>imported as a program</source>
+        <translation>als Programm importiert</translation>
     </message>
     <message>
         <source>part of a waypoint</source>
@@ -11831,8 +11831,8 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Gelenke: größte Änderung %2 (%1)</translation>
     </message>
     <message>
-        <source>joints have priority</source>
-        <translation>Gelenke haben Vorrang</translation>
+        <source>none (joints have priority)</source>
+        <translation>keiner (Gelenke haben Vorrang)</translation>
     </message>
     <message>
         <source>Base</source>

@@ -460,7 +460,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Find the cause of the stops before you continue; then restart the controller.</source>
+        <source>Find and correct the cause of the stops, then restart the controller.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3268,7 +3268,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>becomes a program</source>
+        <source>imported as a program</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11817,7 +11817,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>joints have priority</source>
+        <source>none (joints have priority)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

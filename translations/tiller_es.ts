@@ -460,8 +460,8 @@
         <translation>Una articulación tuvo cincuenta paradas de protección en ocho horas.</translation>
     </message>
     <message>
-        <source>Find the cause of the stops before you continue; then restart the controller.</source>
-        <translation>Averigüe la causa de las paradas antes de continuar; después reinicie el controlador.</translation>
+        <source>Find and correct the cause of the stops, then restart the controller.</source>
+        <translation>Encuentre y corrija la causa de las paradas y reinicie después el controlador.</translation>
     </message>
     <message>
         <source>Sudden change in target position</source>
@@ -3268,8 +3268,8 @@
         <translation>el programa no llama a esta función</translation>
     </message>
     <message>
-        <source>becomes a program</source>
-        <translation>se convierte en un programa</translation>
+        <source>imported as a program</source>
+        <translation>importado como programa</translation>
     </message>
     <message>
         <source>part of a waypoint</source>
@@ -11831,8 +11831,8 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Articulaciones: mayor cambio %2 (%1)</translation>
     </message>
     <message>
-        <source>joints have priority</source>
-        <translation>prioridad de articulaciones</translation>
+        <source>none (joints have priority)</source>
+        <translation>ninguno (prioridad de articulaciones)</translation>
     </message>
     <message>
         <source>Base</source>

@@ -460,8 +460,8 @@
         <translation>Une articulation a eu cinquante arrêts de protection en huit heures.</translation>
     </message>
     <message>
-        <source>Find the cause of the stops before you continue; then restart the controller.</source>
-        <translation>Trouvez la cause des arrêts avant de continuer, puis redémarrez le contrôleur.</translation>
+        <source>Find and correct the cause of the stops, then restart the controller.</source>
+        <translation>Trouvez et corrigez la cause des arrêts, puis redémarrez le contrôleur.</translation>
     </message>
     <message>
         <source>Sudden change in target position</source>
@@ -3268,8 +3268,8 @@
         <translation>le programme n’appelle pas cette fonction</translation>
     </message>
     <message>
-        <source>becomes a program</source>
-        <translation>devient un programme</translation>
+        <source>imported as a program</source>
+        <translation>importé comme programme</translation>
     </message>
     <message>
         <source>part of a waypoint</source>
@@ -11831,8 +11831,8 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Articulations : plus grand changement %2 (%1)</translation>
     </message>
     <message>
-        <source>joints have priority</source>
-        <translation>priorité aux articulations</translation>
+        <source>none (joints have priority)</source>
+        <translation>aucun (priorité aux articulations)</translation>
     </message>
     <message>
         <source>Base</source>

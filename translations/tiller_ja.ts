@@ -460,8 +460,8 @@
         <translation>一つの関節で 8 時間に 50 回の保護停止がありました。</translation>
     </message>
     <message>
-        <source>Find the cause of the stops before you continue; then restart the controller.</source>
-        <translation>続ける前に停止の原因を見つけ、その後コントローラーを再起動してください。</translation>
+        <source>Find and correct the cause of the stops, then restart the controller.</source>
+        <translation>停止の原因を特定して取り除き、その後コントローラを再起動してください。</translation>
     </message>
     <message>
         <source>Sudden change in target position</source>
@@ -3268,8 +3268,8 @@
         <translation>プログラムはこの関数を呼び出しません</translation>
     </message>
     <message>
-        <source>becomes a program</source>
-        <translation>プログラムになります</translation>
+        <source>imported as a program</source>
+        <translation>プログラムとしてインポート</translation>
     </message>
     <message>
         <source>part of a waypoint</source>
@@ -11790,8 +11790,8 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <translation>関節：最大変化 %2（%1）</translation>
     </message>
     <message>
-        <source>joints have priority</source>
-        <translation>関節が優先</translation>
+        <source>none (joints have priority)</source>
+        <translation>なし（関節が優先）</translation>
     </message>
     <message>
         <source>Base</source>

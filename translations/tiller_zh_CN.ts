@@ -460,8 +460,8 @@
         <translation>一个关节在八小时内发生了五十次保护性停止。</translation>
     </message>
     <message>
-        <source>Find the cause of the stops before you continue; then restart the controller.</source>
-        <translation>继续之前先找出停止的原因，然后重启控制器。</translation>
+        <source>Find and correct the cause of the stops, then restart the controller.</source>
+        <translation>请查明并排除停止的原因，然后重新启动控制器。</translation>
     </message>
     <message>
         <source>Sudden change in target position</source>
@@ -3268,8 +3268,8 @@
         <translation>程序没有调用此函数</translation>
     </message>
     <message>
-        <source>becomes a program</source>
-        <translation>成为一个程序</translation>
+        <source>imported as a program</source>
+        <translation>作为程序导入</translation>
     </message>
     <message>
         <source>part of a waypoint</source>
@@ -11790,8 +11790,8 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <translation>关节：%1 转动最多，%2</translation>
     </message>
     <message>
-        <source>joints have priority</source>
-        <translation>关节优先</translation>
+        <source>none (joints have priority)</source>
+        <translation>无（关节优先）</translation>
     </message>
     <message>
         <source>Base</source>

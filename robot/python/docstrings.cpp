@@ -216,7 +216,7 @@ const std::unordered_map<std::string_view, const char*> kTexts = {
 // ---- script_client
 {"ScriptClient", "Sends URScript to the controller. `with` connects at the start and disconnects at the end."},
 {"ScriptClient.__init__", "major_control_version, minor_control_version: software version of the controller; selects the lines that are marked with a version."},
-{"ScriptClient.connect", "Raises RuntimeError if the controller cannot be reached within 2 s."},
+{"ScriptClient.connect", "Connects to the controller.\nRaises RuntimeError if the controller cannot be reached within 2 s."},
 {"ScriptClient.isConnected", "True if there is a connection."},
 {"ScriptClient.disconnect", "Ends the connection."},
 {"ScriptClient.setScriptFile", "Sets the file that sendScript() uses instead of the built-in program; empty: the built-in program."},

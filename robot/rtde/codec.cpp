@@ -288,7 +288,7 @@ Result<SetupOutputsRequest> readSetupOutputsRequest(ByteView payload, ProtocolVe
     if (version != ProtocolVersion::V1) {
         if (payload.size() < 8) {
             return malformed(PackageType::SetupOutputs,
-                             QStringLiteral("the payload has only %1 bytes; the frequency alone has 8")
+                             QStringLiteral("the payload has only %1 bytes; the frequency field alone requires 8")
                                  .arg(payload.size()));
         }
         request.frequency = big_endian::readDouble(payload.data());

@@ -94,7 +94,7 @@ QStringList WaypointHistoryDialog::differences(const project::Waypoint& before, 
     }
     const auto frameText = [&](const project::Waypoint& point) {
         const project::Frame* frame = document.frames().find(point.frame);
-        return point.ruling == project::TargetKind::Joints ? tr("joints have priority")
+        return point.ruling == project::TargetKind::Joints ? tr("none (joints have priority)")
                : point.frame.isNull()                      ? tr("Base")
                : frame != nullptr                          ? frame->name
                                                            : tr("a deleted frame");

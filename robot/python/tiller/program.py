@@ -230,7 +230,7 @@ class ProgramRun:
 
     @property
     def timings(self) -> tuple[StepTiming, ...]:
-        """The runs of each step so far. Steps shorter than the period of the packets may be missing."""
+        """Number and duration of the runs of each step so far. Steps shorter than the packet interval may be missing."""
         return _timings(self._names, self._native.status()["timings"])
 
     @property

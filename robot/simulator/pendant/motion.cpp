@@ -353,7 +353,7 @@ void Motion::labelWaypoint(const XmlElement& waypoint) {
 void Motion::writeWaypoint(const XmlElement& node) {
     const Definer move = definerOf(node);
     if (move.function.isEmpty()) {
-        t_.refuse(node, QStringLiteral("the move around this node is not simulated"));
+        t_.refuse(node, QStringLiteral("this waypoint is not inside a Move node that can be simulated"));
         return;
     }
     labelWaypoint(node);

@@ -52,7 +52,7 @@ public:
          QT_TR_NOOP("Check for obstacles, and check payload and mounting.")},
         {163, QT_TR_NOOP("Too many protective stops"),
          QT_TR_NOOP("One joint had fifty protective stops within eight hours."),
-         QT_TR_NOOP("Find the cause of the stops before you continue; then restart the controller.")},
+         QT_TR_NOOP("Find and correct the cause of the stops, then restart the controller.")},
         {203, QT_TR_NOOP("Sudden change in target position"),
          QT_TR_NOOP("A program commanded an abrupt change in position."),
          QT_TR_NOOP(

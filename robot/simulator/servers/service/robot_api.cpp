@@ -220,7 +220,7 @@ HttpResponse RobotApi::putRobotState(const HttpRequest& request, const std::stri
         return done({});
     }
     return invalid(
-        QStringLiteral("action: POWER_ON, POWER_OFF, BRAKE_RELEASE, UNLOCK_PROTECTIVE_STOP or "
+        QStringLiteral("action: must be POWER_ON, POWER_OFF, BRAKE_RELEASE, UNLOCK_PROTECTIVE_STOP or "
                        "RESTART_SAFETY"));
 }
 
@@ -416,7 +416,7 @@ HttpResponse RobotApi::putProgram(const HttpRequest& request, const std::string&
 HttpResponse RobotApi::store(const HttpRequest& request, bool mustExist) {
     const auto file = fileOfForm(request.header("content-type"), request.body, "file");
     if (!file) {
-        return invalid(QStringLiteral("file: a program in a multipart form"));
+        return invalid(QStringLiteral("file: missing; send the program as multipart/form-data"));
     }
     const QByteArray content = QByteArray::fromStdString(file->content);
     const QJsonDocument document = QJsonDocument::fromJson(content);

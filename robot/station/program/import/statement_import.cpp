@@ -589,7 +589,7 @@ private:
             reason_ = ProgramText::tr("the program does not call this function");
             return false;
         }
-        addRow(statement, Row::Result::Step, ProgramText::tr("becomes a program"));
+        addRow(statement, Row::Result::Step, ProgramText::tr("imported as a program"));
         out_.rows.back().kind = QStringLiteral("call");
         const ScriptTcp tcp = moves_.tcp();
         if (callsSetTcpAfter(statement.last)) {
