@@ -2,6 +2,7 @@
 #include "widgets/plots/curve.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace tiller {
@@ -84,7 +85,8 @@ void Curve::sampleEnvelope(const SeriesBuffer& history, int column, const Column
             continue;
         }
         gap = gap || (last != none && static_cast<std::int64_t>(i - last) > longest);
-        range_.add(envelope_[i]);
+        addToRange(envelope_[i].min);
+        addToRange(envelope_[i].max);
         const double middle = (envelope_[i].min + envelope_[i].max) / 2;
         columns_[i] = {middle, middle, envelope_[i].min, envelope_[i].max};
         if (last != none && !gap) {
@@ -163,7 +165,7 @@ void Curve::samplePoints(const SeriesBuffer& history, int column, std::int64_t b
             continue;
         }
         gap = gap || (last >= 0 && i - last > longest);
-        range_.add(y);
+        addToRange(y);
         const double x = history.time(i) / width_ - origin;
         if (last >= 0 && !gap) {
             addLine(x0, y0, x, y);
@@ -174,6 +176,12 @@ void Curve::samplePoints(const SeriesBuffer& history, int column, std::int64_t b
         gap = false;
         x0 = x;
         y0 = y;
+    }
+}
+
+void Curve::addToRange(double value) {
+    if (std::isfinite(value)) {
+        range_.add(value);
     }
 }
 

@@ -58,7 +58,7 @@ public:
     /// Reads the data for the columns of this grid. Every call must use the same history and the same
     /// `column`.
     void sample(const SeriesBuffer& history, int column, const ColumnGrid& grid);
-    /// Minimum and maximum of the data that was read.
+    /// Minimum and maximum of the finite values that were read.
     const MinMax& range() const { return range_; }
     const std::vector<Column>& columns() const { return columns_; }
     /// Number of the first column on the time raster. Columns with the same width and the same number cover
@@ -80,6 +80,7 @@ private:
     void fetchEnvelope(const SeriesBuffer& history, int column, const ColumnGrid& grid);
     void sampleEnvelope(const SeriesBuffer& history, int column, const ColumnGrid& grid);
     void samplePoints(const SeriesBuffer& history, int column, std::int64_t begin, std::int64_t end);
+    void addToRange(double value);
     void addLine(double x0, double y0, double x1, double y1);
 
     /// Returns the maximum distance between two consecutive values that are connected by a line, in columns

@@ -152,6 +152,21 @@ private Q_SLOTS:
         }
     }
 
+    // Otherwise, an infinite value of one curve hides all curves of the axis.
+    void theRangeHasNoInfiniteValues() {
+        constexpr float kInfinity = std::numeric_limits<float>::infinity();
+        SeriesBuffer history(1);
+        std::array<float, 1> row{};
+        for (int i = 0; i < 1000; ++i) {
+            row[0] = i % 100 == 50 ? kInfinity : i % 100 == 51 ? -kInfinity : static_cast<float>(i % 7);
+            history.append(i * 0.002, row);
+        }
+        for (const double span : {2.0, 0.5}) {  // several samples per column, and one at most
+            const Drawn drawn(history, 0, span, 300, -10, 10, QPen(Qt::red, 2));
+            QCOMPARE(drawn.curves[0]->range(), (MinMax{0, 6}));
+        }
+    }
+
     // The square root of a negative value is undefined, and a line there would show values that do not exist.
     void undefinedValuesInterruptTheCurve_data() {
         QTest::addColumn<double>("span");
