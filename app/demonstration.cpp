@@ -178,13 +178,13 @@ void Demonstration::poll() {
 }
 
 void Demonstration::pressAgainIfStopped(const Step& step) {
-    if (!step.anew || window_.session().state().moving) {
+    if (!step.restart || window_.session().state().moving) {
         standing_.start();
         return;
     }
     if (standing_.elapsed() > kStandingMs && repeatedPresses_ < kMaxPressRepeats) {
         ++repeatedPresses_;
-        step.anew();
+        step.restart();
         standing_.start();
         elapsed_.start();
     }

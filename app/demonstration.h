@@ -45,7 +45,7 @@ private:
         int timeoutMs = 10'000;
         /// Repeats the motion if the arm stops before the step is complete. Used only for steps that move the
         /// arm: on a busy computer, a blocked event loop or outdated data may end a jog early.
-        std::function<void()> anew = {};
+        std::function<void()> restart = {};
     };
 
     void addSteps();

@@ -74,8 +74,8 @@ SizedApplication::~SizedApplication() = default;
 
 void SizedApplication::begin(int percent) {
     const double factor = desktopFactor_ * percent / 100;
-    const bool told = percent != kInterfaceSizes.front() || qEnvironmentVariableIsSet(kFactor);
-    if (told) {
+    const bool isSet = percent != kInterfaceSizes.front() || qEnvironmentVariableIsSet(kFactor);
+    if (isSet) {
         qputenv(kFactor, QByteArray::number(factor));
     }
     arguments_ = given_;
@@ -83,7 +83,7 @@ void SizedApplication::begin(int percent) {
     arguments_.push_back(nullptr);
     application_ = std::make_unique<Application>(count_, arguments_.data());
     application_->setProperty(kProperty, percent);
-    if (told) {
+    if (isSet) {
         // Restore the variable, because the scale must not apply to child processes.
         qputenv(kFactor, QByteArray::number(desktopFactor_));
     }

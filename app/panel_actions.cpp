@@ -83,6 +83,19 @@ void PanelActions::addPlots(ActionTable& table, PlotDock& plots) {
                [&plots](const SessionState&) {
                    return plots.store().hasRecordings() ? QString() : tr("No recording is open.");
                }});
+    table.add(
+        {"plots.action.play",
+         tr("Play or stop the playback"),
+         tr("Moves cursor A in real time through the recording or the paused plots. The Layout menu contains "
+            "other speeds."),
+         {},
+         [&plots] {
+             if (plots.isPlaying()) {
+                 plots.stopPlayback();
+             } else {
+                 plots.play(1);
+             }
+         }});
     table.add({"plots.action.compare",
                tr("Compare with the arm model…"),
                tr("Compares the displayed recording with the model of its arm."),

@@ -253,29 +253,29 @@ QWidget* SettingsPage::buildLanguage() {
         current = one.code == preferences_.language ? static_cast<int>(names.size()) - 1 : current;
     }
     language_ = choice("settings.language", tr("Language"), names, current);
-    anew_ = new QPushButton(tr("Reopen window"));
-    anew_->setObjectName("settings.windowAnew");
-    anew_->setAutoDefault(false);
-    anew_->setToolTip(
+    reopen_ = new QPushButton(tr("Reopen window"));
+    reopen_->setObjectName("settings.reopenWindow");
+    reopen_->setAutoDefault(false);
+    reopen_->setToolTip(
         tr("Stops the arm, gives control back and reconnects. The plots restart. The project is saved."));
     connect(language_, &QComboBox::activated, this, [this](int index) {
         preferences_.language = index == 0 ? QString() : languages()[index - 1].code;
         showLanguageNote();
         Q_EMIT preferencesChanged(preferences_);
     });
-    connect(anew_, &QPushButton::clicked, this, &SettingsPage::newWindowWanted);
+    connect(reopen_, &QPushButton::clicked, this, &SettingsPage::newWindowWanted);
     showLanguageNote();
     auto* row = new QWidget;
     auto* layout = new QHBoxLayout(row);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(language_, 1);
-    layout->addWidget(anew_);
+    layout->addWidget(reopen_);
     return row;
 }
 
 void SettingsPage::showLanguageNote() {
     const bool shown = languageFor(preferences_.language) == shownLanguage();
-    anew_->setEnabled(!shown);
+    reopen_->setEnabled(!shown);
     languageNote_->setText(
         shown
             ? tr("Language of the window and of the connection check. Files and scripts are not affected.")

@@ -92,7 +92,7 @@ private:
     QLabel* sizeNote_ = nullptr;
     QComboBox* language_ = nullptr;
     QLabel* languageNote_ = nullptr;
-    QPushButton* anew_ = nullptr;
+    QPushButton* reopen_ = nullptr;
     QCheckBox* monitorOnly_ = nullptr;
     DecimalSpinBox* cap_ = nullptr;
     QLabel* capNote_ = nullptr;

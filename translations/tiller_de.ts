@@ -2023,6 +2023,14 @@
         <source>Move %1 to the bottom</source>
         <translation>%1 nach unten</translation>
     </message>
+    <message>
+        <source>Play or stop the playback</source>
+        <translation>Wiedergabe starten oder beenden</translation>
+    </message>
+    <message>
+        <source>Moves cursor A in real time through the recording or the paused plots. The Layout menu contains other speeds.</source>
+        <translation>Bewegt Cursor A in Echtzeit durch die Aufzeichnung oder die pausierten Diagramme. Das Menü „Layout“ enthält weitere Geschwindigkeiten.</translation>
+    </message>
 </context>
 <context>
     <name>PlotMenu</name>
@@ -4974,8 +4982,8 @@
         <translation>Das Steuerprogramm wurde am Roboter gestoppt. Übernehmen Sie wieder die Steuerung.</translation>
     </message>
     <message>
-        <source>The control program does not respond. Take control again.</source>
-        <translation>Das Steuerprogramm antwortet nicht. Übernehmen Sie erneut die Steuerung.</translation>
+        <source>The control program was replaced or does not respond. Take control again.</source>
+        <translation>Das Steuerprogramm wurde ersetzt oder antwortet nicht. Übernehmen Sie erneut die Steuerung.</translation>
     </message>
     <message>
         <source>The connection was lost. Take control again.</source>
@@ -8911,6 +8919,22 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
     <message>
         <source>File name: %1…</source>
         <translation>Dateiname: %1…</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>%1 × real time</source>
+        <translation>%1 × Echtzeit</translation>
+    </message>
+    <message>
+        <source>Stop playback</source>
+        <translation>Wiedergabe beenden</translation>
+    </message>
+    <message>
+        <source>Cannot play: the page has no samples. Connect to a robot or open a recording first.</source>
+        <translation>Wiedergabe nicht möglich: Die Seite enthält keine Messwerte. Verbinden Sie zuerst einen Roboter oder öffnen Sie eine Aufzeichnung.</translation>
     </message>
 </context>
 <context>

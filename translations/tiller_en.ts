@@ -2023,6 +2023,14 @@
         <source>Move %1 to the bottom</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Play or stop the playback</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves cursor A in real time through the recording or the paused plots. The Layout menu contains other speeds.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>PlotMenu</name>
@@ -4974,7 +4982,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The control program does not respond. Take control again.</source>
+        <source>The control program was replaced or does not respond. Take control again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8902,6 +8910,22 @@ Press “Measure…” to measure the payload with the arm.</source>
     </message>
     <message>
         <source>File name: %1…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 × real time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop playback</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cannot play: the page has no samples. Connect to a robot or open a recording first.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

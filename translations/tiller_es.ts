@@ -2023,6 +2023,14 @@
         <source>Move %1 to the bottom</source>
         <translation>Mover %1 abajo</translation>
     </message>
+    <message>
+        <source>Play or stop the playback</source>
+        <translation>Iniciar o detener la reproducción</translation>
+    </message>
+    <message>
+        <source>Moves cursor A in real time through the recording or the paused plots. The Layout menu contains other speeds.</source>
+        <translation>Mueve el cursor A en tiempo real por la grabación o los gráficos en pausa. El menú «Disposición» contiene otras velocidades.</translation>
+    </message>
 </context>
 <context>
     <name>PlotMenu</name>
@@ -4974,8 +4982,8 @@
         <translation>El programa de control se detuvo en el robot. Tome de nuevo el control.</translation>
     </message>
     <message>
-        <source>The control program does not respond. Take control again.</source>
-        <translation>El programa de control no responde. Tome de nuevo el control.</translation>
+        <source>The control program was replaced or does not respond. Take control again.</source>
+        <translation>El programa de control fue sustituido o no responde. Tome de nuevo el control.</translation>
     </message>
     <message>
         <source>The connection was lost. Take control again.</source>
@@ -8911,6 +8919,22 @@ Pulse Medir… para medir la carga con el brazo.</translation>
     <message>
         <source>File name: %1…</source>
         <translation>Nombre de archivo: %1…</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Reproducir</translation>
+    </message>
+    <message>
+        <source>%1 × real time</source>
+        <translation>%1 × tiempo real</translation>
+    </message>
+    <message>
+        <source>Stop playback</source>
+        <translation>Detener la reproducción</translation>
+    </message>
+    <message>
+        <source>Cannot play: the page has no samples. Connect to a robot or open a recording first.</source>
+        <translation>No se puede reproducir: la página no contiene muestras. Conecte primero un robot o abra una grabación.</translation>
     </message>
 </context>
 <context>

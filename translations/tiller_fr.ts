@@ -2023,6 +2023,14 @@
         <source>Move %1 to the bottom</source>
         <translation>Placer %1 en bas</translation>
     </message>
+    <message>
+        <source>Play or stop the playback</source>
+        <translation>Démarrer ou arrêter la lecture</translation>
+    </message>
+    <message>
+        <source>Moves cursor A in real time through the recording or the paused plots. The Layout menu contains other speeds.</source>
+        <translation>Déplace le curseur A en temps réel dans l’enregistrement ou les tracés en pause. Le menu « Disposition » contient d’autres vitesses.</translation>
+    </message>
 </context>
 <context>
     <name>PlotMenu</name>
@@ -4974,8 +4982,8 @@
         <translation>Le programme de commande a été arrêté sur le robot. Reprenez le contrôle.</translation>
     </message>
     <message>
-        <source>The control program does not respond. Take control again.</source>
-        <translation>Le programme de commande ne répond pas. Reprenez le contrôle.</translation>
+        <source>The control program was replaced or does not respond. Take control again.</source>
+        <translation>Le programme de commande a été remplacé ou ne répond pas. Reprenez le contrôle.</translation>
     </message>
     <message>
         <source>The connection was lost. Take control again.</source>
@@ -8911,6 +8919,22 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
     <message>
         <source>File name: %1…</source>
         <translation>Nom du fichier : %1…</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Lire</translation>
+    </message>
+    <message>
+        <source>%1 × real time</source>
+        <translation>%1 × temps réel</translation>
+    </message>
+    <message>
+        <source>Stop playback</source>
+        <translation>Arrêter la lecture</translation>
+    </message>
+    <message>
+        <source>Cannot play: the page has no samples. Connect to a robot or open a recording first.</source>
+        <translation>Lecture impossible : la page ne contient aucun échantillon. Connectez d’abord un robot ou ouvrez un enregistrement.</translation>
     </message>
 </context>
 <context>

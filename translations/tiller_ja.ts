@@ -2023,6 +2023,14 @@
         <source>Move %1 to the bottom</source>
         <translation>%1 を下へ移動</translation>
     </message>
+    <message>
+        <source>Play or stop the playback</source>
+        <translation>再生の開始または停止</translation>
+    </message>
+    <message>
+        <source>Moves cursor A in real time through the recording or the paused plots. The Layout menu contains other speeds.</source>
+        <translation>カーソル A を記録または一時停止中のプロットの中で実時間で動かします。「配置」メニューで他の速度を選べます。</translation>
+    </message>
 </context>
 <context>
     <name>PlotMenu</name>
@@ -4971,8 +4979,8 @@
         <translation>制御プログラムがロボットで停止されました。もう一度制御を取得してください。</translation>
     </message>
     <message>
-        <source>The control program does not respond. Take control again.</source>
-        <translation>制御プログラムが応答しません。もう一度制御を取得してください。</translation>
+        <source>The control program was replaced or does not respond. Take control again.</source>
+        <translation>制御プログラムが置き換えられたか、応答していません。もう一度制御を取得してください。</translation>
     </message>
     <message>
         <source>The connection was lost. Take control again.</source>
@@ -8889,6 +8897,22 @@ Press “Measure…” to measure the payload with the arm.</source>
     <message>
         <source>File name: %1…</source>
         <translation>ファイル名：%1…</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>再生</translation>
+    </message>
+    <message>
+        <source>%1 × real time</source>
+        <translation>実時間の %1 倍</translation>
+    </message>
+    <message>
+        <source>Stop playback</source>
+        <translation>再生を停止</translation>
+    </message>
+    <message>
+        <source>Cannot play: the page has no samples. Connect to a robot or open a recording first.</source>
+        <translation>再生できません：ページにサンプルがありません。先にロボットに接続するか、記録を開いてください。</translation>
     </message>
 </context>
 <context>

@@ -2023,6 +2023,14 @@
         <source>Move %1 to the bottom</source>
         <translation>将 %1 移到底部</translation>
     </message>
+    <message>
+        <source>Play or stop the playback</source>
+        <translation>开始或停止播放</translation>
+    </message>
+    <message>
+        <source>Moves cursor A in real time through the recording or the paused plots. The Layout menu contains other speeds.</source>
+        <translation>使光标 A 在记录或暂停的曲线中实时移动。“布局”菜单中有其他速度。</translation>
+    </message>
 </context>
 <context>
     <name>PlotMenu</name>
@@ -4971,8 +4979,8 @@
         <translation>控制程序在机器人上被停止。请再次获取控制。</translation>
     </message>
     <message>
-        <source>The control program does not respond. Take control again.</source>
-        <translation>控制程序不应答。请再次获取控制。</translation>
+        <source>The control program was replaced or does not respond. Take control again.</source>
+        <translation>控制程序已被替换或不应答。请再次获取控制。</translation>
     </message>
     <message>
         <source>The connection was lost. Take control again.</source>
@@ -8889,6 +8897,22 @@ Press “Measure…” to measure the payload with the arm.</source>
     <message>
         <source>File name: %1…</source>
         <translation>文件名：%1…</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>播放</translation>
+    </message>
+    <message>
+        <source>%1 × real time</source>
+        <translation>实时的 %1 倍</translation>
+    </message>
+    <message>
+        <source>Stop playback</source>
+        <translation>停止播放</translation>
+    </message>
+    <message>
+        <source>Cannot play: the page has no samples. Connect to a robot or open a recording first.</source>
+        <translation>无法播放：该页没有样本。请先连接机器人或打开记录。</translation>
     </message>
 </context>
 <context>

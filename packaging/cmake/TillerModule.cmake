@@ -131,14 +131,14 @@ function(tiller_test_surroundings name timeout)
         math(EXPR timeout "${timeout} * 8")
     endif()
     # Timeout of Qt Test for one function [ms]. The default of five minutes is too short for a busy computer.
-    set(patience "QTEST_FUNCTION_TIMEOUT=${timeout}000;")
+    set(function_timeout "QTEST_FUNCTION_TIMEOUT=${timeout}000;")
     set(support ${CMAKE_SOURCE_DIR}/tests/support)
     # Tests with a long timeout start first, so that the last minutes are not spent on a single test.
     math(EXPR cost "${timeout} / 10")
     set_tests_properties(${name} PROPERTIES TIMEOUT ${timeout} COST ${cost} PROCESSORS 4
         ENVIRONMENT "TILLER_TEST_DATA=${CMAKE_SOURCE_DIR}/tests/data;LC_ALL=C.UTF-8;QT_QPA_PLATFORM=offscreen;\
 TSAN_OPTIONS=suppressions=${support}/tsan.supp die_after_fork=0;\
-LSAN_OPTIONS=suppressions=${support}/lsan.supp;${patience}${ARGN}")
+LSAN_OPTIONS=suppressions=${support}/lsan.supp;${function_timeout}${ARGN}")
 endfunction()
 
 # tiller_test_moc(<name> <sources...>)

@@ -59,7 +59,7 @@ def packages_of(places):
                 owner.setdefault(os.path.realpath(path), listed.stem.partition(":")[0])
     lost = [place for place in places if place not in owner]
     if lost:
-        sys.exit(f"No package has {', '.join(lost)}: whose licence it is under cannot be told")
+        sys.exit(f"No installed package contains {', '.join(lost)}, so the licence is unknown")
     version = dict(line.split("\t") for line in
                    said("dpkg-query", "-W", "-f", "${Package}\t${Version}\n", *sorted(set(owner.values()))).splitlines())
     return {place: (owner[place], version[owner[place]]) for place in places}

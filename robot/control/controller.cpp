@@ -251,13 +251,13 @@ Result<std::uint64_t> Controller::Private::sendSection(const QString& section, c
 }
 
 Result<MotionId> Controller::Private::beginSection(std::uint64_t epoch, Holding holding,
-                                                   std::chrono::milliseconds silence,
+                                                   std::chrono::milliseconds heartbeatTimeout,
                                                    const QString& context) {
     MotionCommand command;
     command.kind = MotionCommand::Kind::Program;
     command.program = static_cast<std::int32_t>(ScriptCommand::Section);
     command.held = holding == Holding::Held;
-    command.silence = silence;
+    command.heartbeatTimeout = heartbeatTimeout;
     const MotionId id = mailbox.startAfter(epoch, command, now());
     if (id == kNoMotion) {
         return stoppedBefore(context);
@@ -270,11 +270,12 @@ Result<MotionId> Controller::Private::beginSection(std::uint64_t epoch, Holding 
 }
 
 Result<MotionId> Controller::Private::startSection(const QString& section, const QString& name,
-                                                   Holding holding, std::chrono::milliseconds silence,
+                                                   Holding holding,
+                                                   std::chrono::milliseconds heartbeatTimeout,
                                                    std::uint64_t stops, const Deadline& deadline,
                                                    const QString& context) {
     const auto epoch = sendSection(section, name, stops, deadline, context);
-    return epoch ? beginSection(*epoch, holding, silence, context) : Result<MotionId>(epoch.error());
+    return epoch ? beginSection(*epoch, holding, heartbeatTimeout, context) : Result<MotionId>(epoch.error());
 }
 
 std::uint64_t Controller::stop(StopCause cause) {

@@ -61,7 +61,7 @@ struct ControllerOptions {
     /// Model used by the limiter until the controller has reported the dimensions of the arm.
     RobotModelId model = RobotModelId::UR5e;
     /// Maximum age of the data and maximum response time. If either is exceeded, the active motion ends; a
-    /// move with a longer timeout (MoveParameters::silence) ends after that timeout. While the data are too
+    /// move with a longer timeout (MoveParameters::heartbeatTimeout) ends after that timeout. While the data are too
     /// old, status() reports no control. The robot always ends a motion after 100 ms without a heartbeat, or
     /// after the timeout of the move. Without hold-to-run operation, a larger value may be used to tolerate
     /// short delays of this PC that do not affect the heartbeat.
@@ -69,7 +69,7 @@ struct ControllerOptions {
     /// If no data arrive for this time, the connection is closed and control is lost (ControlLoss::LinkLost).
     /// The controller does not wait for a TCP error, because there is none after a power failure or if the
     /// peer has discarded the connection. The effective timeout is at least `dataTimeout`, the timeout of the
-    /// active move (MoveParameters::silence), and 2 s while a control program is being sent (takeControl(),
+    /// active move (MoveParameters::heartbeatTimeout), and 2 s while a control program is being sent (takeControl(),
     /// paths, functions). 0: no timeout.
     std::chrono::milliseconds connectionTimeout{450};
     /// True: a paused control program may be resumed (joinProgram()); earlier commands are discarded. If

@@ -25,12 +25,12 @@ inline constexpr std::chrono::milliseconds kHoldTime{100};
 /// deceleration of a joint never exceeds kJointAccelerationLimit, which is sufficient up to 4.4 rad/s.
 /// Stopping takes longer if the drives or the load do not permit the deceleration.
 inline constexpr std::chrono::milliseconds kStandstillTime{210};
-/// Maximum of MoveParameters::silence. The control program ends after 5 s without a heartbeat.
+/// Maximum of MoveParameters::heartbeatTimeout. The control program ends after 5 s without a heartbeat.
 inline constexpr std::chrono::milliseconds kMaxHeartbeatTimeout{4'000};
 
 /// Held: ends if it is not refreshed for 100 ms. Free: needs no refresh. A Free motion ends when it is
 /// complete, when it is stopped, or when the robot has received no heartbeat of this PC for 100 ms (for a
-/// move with a target: MoveParameters::silence).
+/// move with a target: MoveParameters::heartbeatTimeout).
 enum class Holding : std::uint8_t { Held, Free };
 
 /// Determines whether the arm may move without supervision by a client.

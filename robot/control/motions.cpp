@@ -46,15 +46,15 @@ Error inEntry(std::size_t index, Error error) {
     return error;
 }
 
-ArgumentCheck& checkHeartbeatTimeout(ArgumentCheck& check, milliseconds silence) {
+ArgumentCheck& checkHeartbeatTimeout(ArgumentCheck& check, milliseconds heartbeatTimeout) {
     using Seconds = std::chrono::duration<double>;
-    return check.range("silence", Seconds(silence).count(), Seconds(kHoldTime).count(),
+    return check.range("heartbeatTimeout", Seconds(heartbeatTimeout).count(), Seconds(kHoldTime).count(),
                        Seconds(kMaxHeartbeatTimeout).count(), "s");
 }
 
 /// Heartbeat timeout of a command; 0: default.
-milliseconds effectiveHeartbeatTimeout(Holding holding, milliseconds silence) {
-    return holding == Holding::Free && silence > kHoldTime ? silence : milliseconds(0);
+milliseconds effectiveHeartbeatTimeout(Holding holding, milliseconds heartbeatTimeout) {
+    return holding == Holding::Free && heartbeatTimeout > kHoldTime ? heartbeatTimeout : milliseconds(0);
 }
 
 /// Speed and acceleration of a move, with defaults applied.
@@ -81,7 +81,7 @@ ArgumentCheck jointMove(const char* context, const MoveParameters& parameters, c
     ArgumentCheck check(context);
     check.positive("speed", given.speed, highestJointSpeed(arm), "rad/s", "deg/s")
         .positive("acceleration", given.acceleration, kJointAccelerationLimit, "rad/s2", "deg/s2");
-    return checkHeartbeatTimeout(check, parameters.silence);
+    return checkHeartbeatTimeout(check, parameters.heartbeatTimeout);
 }
 
 ArgumentCheck toolMove(const char* context, const MoveParameters& parameters, double cap) {
@@ -89,7 +89,7 @@ ArgumentCheck toolMove(const char* context, const MoveParameters& parameters, do
     ArgumentCheck check(context);
     check.toolSpeed("speed", given.speed, cap)
         .positive("acceleration", given.acceleration, kHighestToolAcceleration, "m/s2", "mm/s2");
-    return checkHeartbeatTimeout(check, parameters.silence);
+    return checkHeartbeatTimeout(check, parameters.heartbeatTimeout);
 }
 
 LimiterKind kindOf(kinematics::SpeedLimit limit) {
@@ -140,7 +140,7 @@ struct Beginning {
                           const MotionPlan& plan, double acceleration) const {
         MotionCommand command;
         command.held = parameters.holding == Holding::Held;
-        command.silence = effectiveHeartbeatTimeout(parameters.holding, parameters.silence);
+        command.heartbeatTimeout = effectiveHeartbeatTimeout(parameters.holding, parameters.heartbeatTimeout);
         command.target = target;
         command.speed = plan.speed;
         command.acceleration = acceleration;
@@ -303,13 +303,13 @@ Result<Motion> Motions::moveLToJoints(const JointPositions& target, const MovePa
 }
 
 Result<Motion> Motions::movePath(const MotionPath& path, const Deadline& start, Holding holding,
-                                 milliseconds silence) {
+                                 milliseconds heartbeatTimeout) {
     ArgumentCheck check("start a path");
-    if (!checkHeartbeatTimeout(check, silence).ok()) {
+    if (!checkHeartbeatTimeout(check, heartbeatTimeout).ok()) {
         return check.error();
     }
     const auto prepared = preparePath(path, start);
-    return prepared ? startPath(*prepared, holding, silence) : Result<Motion>(prepared.error());
+    return prepared ? startPath(*prepared, holding, heartbeatTimeout) : Result<Motion>(prepared.error());
 }
 
 Result<PreparedPath> Motions::preparePath(const MotionPath& path, const Deadline& start) {
@@ -342,13 +342,13 @@ Result<PreparedPath> Motions::preparePath(const MotionPath& path, const Deadline
     return prepared;
 }
 
-Result<Motion> Motions::startPath(const PreparedPath& path, Holding holding, milliseconds silence) {
+Result<Motion> Motions::startPath(const PreparedPath& path, Holding holding, milliseconds heartbeatTimeout) {
     ArgumentCheck check("start a path");
-    if (!checkHeartbeatTimeout(check, silence).ok()) {
+    if (!checkHeartbeatTimeout(check, heartbeatTimeout).ok()) {
         return check.error();
     }
     auto& d = ControllerAccess::of(*controller_);
-    const auto id = d.beginSection(path.epoch_, holding, effectiveHeartbeatTimeout(holding, silence),
+    const auto id = d.beginSection(path.epoch_, holding, effectiveHeartbeatTimeout(holding, heartbeatTimeout),
                                    QStringLiteral("start a path"));
     return id ? MotionAccess::path(*controller_, *id, path.waypoints_) : Result<Motion>(id.error());
 }

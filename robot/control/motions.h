@@ -11,7 +11,7 @@
 //
 // A command ends the active motion; nothing is queued. Each motion ends as follows:
 //
-//   moveJ, moveL and the like   at the target; without a heartbeat for MoveParameters::silence
+//   moveJ, moveL and the like   at the target; without a heartbeat for MoveParameters::heartbeatTimeout
 //   movePath                    at the last target; without a heartbeat as above
 //   moveUntilContact            at the contact; 100 ms without refresh(), unless Free
 //   startJog                    100 ms without refresh(), unless Free; at a limit; at its contactForce
@@ -50,7 +50,7 @@ struct MoveParameters {
     /// Maximum time for which a Free move continues without a heartbeat of this PC, e.g. during high CPU load
     /// or while a cable is replugged: 100 ms ... 4 s. The arm moves unsupervised during this time. The robot
     /// then ends the move. A Held move always ends after 100 ms.
-    std::chrono::milliseconds silence = kHoldTime;
+    std::chrono::milliseconds heartbeatTimeout = kHoldTime;
 };
 
 /// Contacts that end moveUntilContact().
@@ -103,17 +103,17 @@ public:
     /// Follows the whole path to its last target. The control program is sent again together with the path. The
     /// arm must be at standstill.
     /// start    time limit for sending; use the handle to wait for the end of the path
-    /// silence  as MoveParameters::silence
+    /// heartbeatTimeout  as MoveParameters::heartbeatTimeout
     /// Errors   also Timeout, Cancelled, ScriptError (with line and text)
     Result<Motion> movePath(const MotionPath& path, const Deadline& start, Holding holding = Holding::Free,
-                            std::chrono::milliseconds silence = kHoldTime);
+                            std::chrono::milliseconds heartbeatTimeout = kHoldTime);
     /// First part of movePath(): sends the path without moving. For hold-to-run operation from a thread that
     /// must not block.
     Result<PreparedPath> preparePath(const MotionPath& path, const Deadline& start);
     /// Second part of movePath(): starts the path. Blocks: never
     /// Errors   also Stopped if any motion or stop has occurred since the preparation
     Result<Motion> startPath(const PreparedPath& path, Holding holding = Holding::Free,
-                             std::chrono::milliseconds silence = kHoldTime);
+                             std::chrono::milliseconds heartbeatTimeout = kHoldTime);
 
     /// Moves the tool until contact, and then back to the pose of the first contact. If parameters.holding is
     /// Held (the default), call Motion::refresh() at least every 100 ms, or the arm stops.

@@ -301,7 +301,7 @@ Result<void> Programs::runScript(const Text& program, const Deadline& deadline, 
         d.loop.abandonTaking();
         return outcome;
     }
-    const bool regains = terms.regainsAfterSilence || outcome || outcome.error().code != ErrorCode::LinkLost;
+    const bool regains = terms.regainsAfterDataGap || outcome || outcome.error().code != ErrorCode::LinkLost;
     if (auto back = bringBack(d, hasEnded, regains); !back) {
         if (outcome) {
             return back;

@@ -37,7 +37,7 @@ struct ScriptTerms {
     /// taken again, e.g. because the script was stopped on the robot.
     std::function<bool()> regainsControl = {};
     /// If false, control is lost when the script ended because data or heartbeats did not arrive (LinkLost).
-    bool regainsAfterSilence = true;
+    bool regainsAfterDataGap = true;
 };
 
 /// Errors   of every call: NotInControl, UnsafeState, LinkLost, Timeout, Cancelled, ConnectionRefused,

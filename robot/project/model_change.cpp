@@ -27,7 +27,7 @@ public:
         if (!place) {
             return true;  // the user interface shows the missing frame
         }
-        if (point.ruling == TargetKind::Joints) {
+        if (point.priority == TargetKind::Joints) {
             setPlace(point, *place, frames_);
         }
         return solve(point, *place);
@@ -89,7 +89,7 @@ private:
         const auto q = kinematics::inverseNearest(to_.dh, T_base_tcp, point.tcpOffset, point.joints);
         point.joints = q.value_or(point.joints);
         if (!q) {
-            point.ruling = TargetKind::Pose;
+            point.priority = TargetKind::Pose;
         }
         return q.has_value();
     }

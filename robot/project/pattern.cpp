@@ -53,7 +53,7 @@ Waypoint waypointAt(const Pattern& pattern, const PatternPlace& place, const Rob
     Waypoint point = pattern.first;
     point.id = QUuid::createUuid();
     point.name = nameAt(pattern, place);
-    point.ruling = TargetKind::Pose;
+    point.priority = TargetKind::Pose;
     point.pose = poseAt(pattern, place);
     point.place = place;
     point.history = {};
@@ -75,7 +75,7 @@ std::vector<Waypoint> waypointsOf(const Pattern& pattern, const RobotModel& mode
 }
 
 bool isWhereLaid(const Waypoint& waypoint, const Pattern& pattern) {
-    return waypoint.place.pattern == pattern.id && waypoint.ruling == TargetKind::Pose &&
+    return waypoint.place.pattern == pattern.id && waypoint.priority == TargetKind::Pose &&
            waypoint.frame == pattern.first.frame && waypoint.pose == poseAt(pattern, waypoint.place);
 }
 

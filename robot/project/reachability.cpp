@@ -47,7 +47,7 @@ std::optional<JointPositions> followLine(const DhParameters& dh, const Pose& sta
 
 Reach reach(const RobotModel& model, const Waypoint& waypoint, const FrameList& frames) {
     Reach result;
-    if (waypoint.ruling == TargetKind::Joints) {
+    if (waypoint.priority == TargetKind::Joints) {
         result.q = waypoint.joints;
         result.obstacle =
             insideJointRange(waypoint.joints) ? Reach::Obstacle::None : Reach::Obstacle::JointLimit;

@@ -8,7 +8,7 @@
 namespace tiller::project {
 
 std::optional<Pose> placeOf(const Waypoint& waypoint, const RobotModel& model, const FrameList& frames) {
-    return waypoint.ruling == TargetKind::Joints
+    return waypoint.priority == TargetKind::Joints
                ? std::optional(kinematics::forwardTcp(model.dh, waypoint.joints, waypoint.tcpOffset))
                : poseInBase(waypoint, frames);
 }
@@ -54,7 +54,7 @@ Result<std::vector<Waypoint>> movedBy(const std::vector<Waypoint>& waypoints, co
         }
         const Pose target = movedPose(*place, move, *T_base_frame);
         const auto q = kinematics::inverseNearest(model.dh, target, point.tcpOffset, point.joints);
-        if (!q && point.ruling == TargetKind::Joints) {
+        if (!q && point.priority == TargetKind::Joints) {
             outOfReach << point.name;
             continue;
         }

@@ -52,7 +52,7 @@ struct Waypoint {
     QUuid id;
     QString name;
     MoveKind move = MoveKind::Joint;
-    TargetKind ruling = TargetKind::Joints;
+    TargetKind priority = TargetKind::Joints;
     QUuid frame;     ///< reference frame of `pose`; null: base frame
     Pose tcpOffset;  ///< flange to TCP during teaching [m, rad]
     JointPositions joints;

@@ -91,7 +91,7 @@ std::optional<Waypoint> givenIn(Waypoint waypoint, const QUuid& frame, const Fra
 }
 
 bool movesWith(const Waypoint& waypoint, const QUuid& frame) {
-    return waypoint.ruling == TargetKind::Pose && waypoint.frame == frame;
+    return waypoint.priority == TargetKind::Pose && waypoint.frame == frame;
 }
 
 PoseDifference poseDifference(const Pose& a, const Pose& b) {

@@ -23,7 +23,7 @@ using std::chrono::steady_clock;
 /// After this time without work, a thread for turns that may block ends.
 constexpr std::chrono::seconds kIdleTime{5};
 /// If a turn has waited for this time, all threads for blocking turns are busy, and another thread is started.
-constexpr std::chrono::milliseconds kPatience{50};
+constexpr std::chrono::milliseconds kBlockingTimeout{50};
 
 enum class TurnEnd { Wait, AtOnce, Ended };
 
@@ -144,7 +144,7 @@ struct Publisher::Worker {
         if (blocking.empty()) {
             return std::nullopt;
         }
-        if (others.empty() || now - blocking.front()->handedOver >= kPatience) {
+        if (others.empty() || now - blocking.front()->handedOver >= kBlockingTimeout) {
             blocking.front()->handedOver = now;
             try {
                 others.emplace_back([this] { runOther(); });
@@ -153,7 +153,7 @@ struct Publisher::Worker {
                 // attempt.
             }
         }
-        return blocking.front()->handedOver + kPatience;
+        return blocking.front()->handedOver + kBlockingTimeout;
     }
 
     /// The entry whose turn is due first; null if none is due yet. Moves `at` to an earlier turn.

@@ -372,42 +372,42 @@ MotionPath pathOf(const std::vector<PathRow>& rows, double speedCap) {
 }
 
 void defineMotions(ControllerClass& cls) {
-    const auto parameters = [](std::optional<double> speed, double acceleration, double silence) {
+    const auto parameters = [](std::optional<double> speed, double acceleration, double heartbeatTimeout) {
         return MoveParameters{.speed = speed,
                               .acceleration = acceleration,
                               .holding = Holding::Free,
-                              .silence = milliseconds(silence)};
+                              .heartbeatTimeout = milliseconds(heartbeatTimeout)};
     };
     cls.def("move_j", [parameters](const SharedController& self, const Six& q, double speed,
-                                   double acceleration, double silence) {
-        return handle(
-            self,
-            Motions(self->controller).moveJ(JointPositions(q), parameters(speed, acceleration, silence)));
+                                   double acceleration, double heartbeatTimeout) {
+        return handle(self, Motions(self->controller)
+                                .moveJ(JointPositions(q), parameters(speed, acceleration, heartbeatTimeout)));
     });
     cls.def("move_j_to_pose", [parameters](const SharedController& self, const Six& pose, double speed,
-                                           double acceleration, double silence) {
-        return handle(self,
-                      Motions(self->controller)
-                          .moveJToPose(Pose::fromArray(pose), parameters(speed, acceleration, silence)));
+                                           double acceleration, double heartbeatTimeout) {
+        return handle(
+            self, Motions(self->controller)
+                      .moveJToPose(Pose::fromArray(pose), parameters(speed, acceleration, heartbeatTimeout)));
     });
     cls.def("move_l", [parameters](const SharedController& self, const Six& pose, std::optional<double> speed,
-                                   double acceleration, double silence) {
-        return handle(
-            self,
-            Motions(self->controller).moveL(Pose::fromArray(pose), parameters(speed, acceleration, silence)));
+                                   double acceleration, double heartbeatTimeout) {
+        return handle(self,
+                      Motions(self->controller)
+                          .moveL(Pose::fromArray(pose), parameters(speed, acceleration, heartbeatTimeout)));
     });
     cls.def("move_l_to_joints", [parameters](const SharedController& self, const Six& q,
                                              std::optional<double> speed, double acceleration,
-                                             double silence) {
-        return handle(self, Motions(self->controller)
-                                .moveLToJoints(JointPositions(q), parameters(speed, acceleration, silence)));
+                                             double heartbeatTimeout) {
+        return handle(
+            self, Motions(self->controller)
+                      .moveLToJoints(JointPositions(q), parameters(speed, acceleration, heartbeatTimeout)));
     });
     cls.def("move_path", [](const SharedController& self, const std::vector<PathRow>& rows,
-                            const Seconds& seconds, double silence) {
+                            const Seconds& seconds, double heartbeatTimeout) {
         const MotionPath path = pathOf(rows, self->controller.limits().tcpSpeed);
         return handle(self, waited(seconds, [&](const Deadline& deadline) {
                           return Motions(self->controller)
-                              .movePath(path, deadline, Holding::Free, milliseconds(silence));
+                              .movePath(path, deadline, Holding::Free, milliseconds(heartbeatTimeout));
                       }));
     });
     cls.def("move_until_contact", [](const SharedController& self, const Six& twist, const Six& direction,

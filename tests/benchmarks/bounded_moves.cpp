@@ -51,7 +51,8 @@ void measure(const QString& host, const Row& row, double seconds) {
             robot.takeControl(Deadline::after(20s)).value();
         }
         target[5] += moves % 2 == 0 ? 0.5 : -0.5;
-        const auto move = robot.motions().moveJ(target, {.speed = 1.0, .silence = row.heartbeatTimeout});
+        const auto move =
+            robot.motions().moveJ(target, {.speed = 1.0, .heartbeatTimeout = row.heartbeatTimeout});
         if (!move) {  // refused during a gap that has ended the previous move
             std::this_thread::sleep_for(10ms);
             continue;

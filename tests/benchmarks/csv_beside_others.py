@@ -67,7 +67,7 @@ def measure(command, environment=None):
     return used.ru_utime + used.ru_stime, used.ru_maxrss / 1024
 
 
-def watch(command, environment, least, patience=900):
+def watch(command, environment, least, timeout=900):
     """Like measure(), for a program with a window. The program is finished when it has used `least` memory [MB], which it
     needs to read the file, and its processor time has not increased for 10 s. Returns None if it has not read the file."""
     process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
@@ -75,7 +75,7 @@ def watch(command, environment, least, patience=900):
     spent, most, still = 0.0, 0.0, time.monotonic()
     begin = still
     try:
-        while process.poll() is None and time.monotonic() - begin < (patience if most > least else 120):
+        while process.poll() is None and time.monotonic() - begin < (timeout if most > least else 120):
             if most > least and time.monotonic() - still > 10:
                 break
             time.sleep(0.5)

@@ -71,7 +71,7 @@ int main(int argc, char** argv) {
         point.group = QStringLiteral("group %1").arg(i % 17);
         point.note = QStringLiteral("a note of some length about the place with the number %1").arg(i * 7);
         point.joints = JointPositions(-1.6 + 0.001 * i, -1.7, -2.2, -0.8, 1.6, 0);
-        point.ruling = i % 2 == 0 ? project::TargetKind::Pose : project::TargetKind::Joints;
+        point.priority = i % 2 == 0 ? project::TargetKind::Pose : project::TargetKind::Joints;
         point.pose = kinematics::forwardTcp(model.dh, point.joints);
         cell.waypoints.append(point);
     }

@@ -304,17 +304,18 @@ QString DesktopCell::surroundingsText() {
 
 Place DesktopCell::place(const QString& name) {
     Place place;
-    const QJsonObject told = QJsonDocument::fromJson(ask("widget " + name)).object();
-    place.found = !told.isEmpty();
-    place.visible = told["visible"].toBool();
-    place.enabled = told["enabled"].toBool();
-    place.active = told["active"].toBool();
-    place.shaped = told["shaped"].toBool();
-    place.focus = told["focus"].toBool();
-    place.text = told["text"].toString();
-    place.toolTip = told["toolTip"].toString();
-    place.area = {told["x"].toInt(), told["y"].toInt(), told["width"].toInt(), told["height"].toInt()};
-    place.window = XHand::WindowId(told["window"].toInteger());
+    const QJsonObject reported = QJsonDocument::fromJson(ask("widget " + name)).object();
+    place.found = !reported.isEmpty();
+    place.visible = reported["visible"].toBool();
+    place.enabled = reported["enabled"].toBool();
+    place.active = reported["active"].toBool();
+    place.shaped = reported["shaped"].toBool();
+    place.focus = reported["focus"].toBool();
+    place.text = reported["text"].toString();
+    place.toolTip = reported["toolTip"].toString();
+    place.area = {reported["x"].toInt(), reported["y"].toInt(), reported["width"].toInt(),
+                  reported["height"].toInt()};
+    place.window = XHand::WindowId(reported["window"].toInteger());
     return place;
 }
 

@@ -214,9 +214,9 @@ QList<MatrixCell> everyPair() {
     return chosen;
 }
 
-// ---- MatrixTrial
+// ---- KeyMatrixRun
 
-bool MatrixTrial::makeReady(int layout) {
+bool KeyMatrixRun::makeReady(int layout) {
     if (!cell_) {
         cell_ = std::make_unique<DesktopCell>();
         layout_ = -1;
@@ -248,7 +248,7 @@ bool MatrixTrial::makeReady(int layout) {
     return true;
 }
 
-bool MatrixTrial::prepare(const QString& preparation) {
+bool KeyMatrixRun::prepare(const QString& preparation) {
     XHand& hand = cell_->hand();
     ArmWatch& arm = cell_->arm();
     // A busy computer may end a motion early. The motion is then started again.
@@ -279,7 +279,7 @@ bool MatrixTrial::prepare(const QString& preparation) {
     return true;
 }
 
-QList<Typed> MatrixTrial::strokes(const HeldKey& key) {
+QList<Typed> KeyMatrixRun::strokes(const HeldKey& key) {
     QList<Typed> strokes;
     for (const int code : key.codes) {
         strokes.append({code, false});
@@ -303,7 +303,7 @@ QList<Typed> MatrixTrial::strokes(const HeldKey& key) {
     return strokes;
 }
 
-QString MatrixTrial::put(const HeldKey& key, const QList<Typed>& strokes, bool shiftHeld) {
+QString KeyMatrixRun::put(const HeldKey& key, const QList<Typed>& strokes, bool shiftHeld) {
     XHand& hand = cell_->hand();
     QString other;
     bool shift = false;
@@ -325,7 +325,7 @@ QString MatrixTrial::put(const HeldKey& key, const QList<Typed>& strokes, bool s
     return other;
 }
 
-CellOutcome MatrixTrial::judge(const Standstill& stop) {
+CellOutcome KeyMatrixRun::judge(const Standstill& stop) {
     CellOutcome outcome;
     outcome.seconds = stop.seconds;
     outcome.kind = stop.verdict == Standstill::Verdict::Stood   ? CellOutcome::Kind::Stood
@@ -335,7 +335,7 @@ CellOutcome MatrixTrial::judge(const Standstill& stop) {
     return outcome;
 }
 
-CellOutcome MatrixTrial::run(const MatrixCell& cell) {
+CellOutcome KeyMatrixRun::run(const MatrixCell& cell) {
     if (!makeReady(cell.layout)) {
         return {CellOutcome::Kind::Broken, 0, what_};
     }

@@ -68,7 +68,7 @@ struct CellOutcome {
 QString nameOf(CellOutcome::Kind kind);
 
 /// Runs cells one after the other in a workplace that is created again if necessary.
-class MatrixTrial {
+class KeyMatrixRun {
 public:
     CellOutcome run(const MatrixCell& cell);
     /// The reason why there is no workplace.

@@ -113,7 +113,7 @@ int runAll(const QString& layout, const QString& key, const QString& path) {
             }
         }
     }
-    MatrixTrial trial;
+    KeyMatrixRun trial;
     Tally tally;
     int failures = 0;
     for (const MatrixCell& cell : wholeMatrix()) {
@@ -128,11 +128,11 @@ int runAll(const QString& layout, const QString& key, const QString& path) {
                 out << line(cell, outcome) << "\tonce more" << Qt::endl;
                 outcome = trial.run(cell);
             }
-            const QString told = line(cell, outcome);
-            out << told << Qt::endl;
-            known[name] = told.split('\t');
+            const QString reported = line(cell, outcome);
+            out << reported << Qt::endl;
+            known[name] = reported.split('\t');
             if (file.isOpen()) {
-                file.write(told.toUtf8() + '\n');
+                file.write(reported.toUtf8() + '\n');
                 file.flush();
             }
             failures += isFailure(outcome) ? 1 : 0;
@@ -151,7 +151,7 @@ class TestKeyMatrix : public QObject {
 private Q_SLOTS:
     void releaseStopsTheArmWhateverElseIsPressed() {
         const QList<MatrixCell> cells = everyPair();
-        MatrixTrial trial;
+        KeyMatrixRun trial;
         Tally tally;
         QStringList failures;
         QElapsedTimer time;

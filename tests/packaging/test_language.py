@@ -25,7 +25,7 @@ WORDS = {
     r"lies in": "is in",
     r"room for": "space for",
     r"witness(?:es)?": "key-state check",
-    r"patience": "timeout",
+    r"testTimeout": "timeout",
     r"figures?": "value, number",
     r"beside": "next to",
 }
@@ -50,7 +50,7 @@ DOCUMENTS = ["README.md", "CHANGELOG.md", "packaging/reference/contributing.md",
 
 # Documents and contexts in which a listed word is correct, with the reason.
 ALLOWED = {
-    "CHANGELOG.md": {"patience"},  # the earlier name of an option
+    "CHANGELOG.md": {"testTimeout"},  # the earlier name of an option
 }
 
 # Commit subjects in which a listed word is correct. Only commits after the one that added this line are checked.

@@ -13,28 +13,28 @@
 #include <iostream>
 #include <string>
 
-#include "tests/integration/ur_rtde/face_cell.h"
+#include "tests/integration/ur_rtde/ur_rtde_cell.h"
 
 namespace {
 
-double untilStill(tiller::test::FaceCell& cell) {
-    double told = cell.robot.truth().timestamp;
+double untilStill(tiller::test::UrRtdeCell& cell) {
+    double reported = cell.robot.truth().timestamp;
     std::uint64_t packages = cell.robot.inputPackages();
-    double moved = told;
+    double moved = reported;
     const auto stands = [&](const tiller::simulator::SimulatedState& truth) {
         if (cell.robot.inputPackages() != packages) {
             packages = cell.robot.inputPackages();
-            told = truth.timestamp;
+            reported = truth.timestamp;
         }
         const bool still = truth.qd.values.cwiseAbs().maxCoeff() < 2e-3;
         moved = still ? moved : truth.timestamp;
         return still;
     };
     constexpr double kNever = 1e6;
-    return cell.until(stands) ? std::max(moved - told, 0.0) * 1000 : kNever;
+    return cell.until(stands) ? std::max(moved - reported, 0.0) * 1000 : kNever;
 }
 
-std::string watch(tiller::test::FaceCell& cell) {
+std::string watch(tiller::test::UrRtdeCell& cell) {
     constexpr double kSeconds = 1.0;
     tiller::simulator::SimulatedState heard = cell.robot.truth();
     const double begin = heard.timestamp;
@@ -63,7 +63,7 @@ std::string watch(tiller::test::FaceCell& cell) {
 int main(int argc, char** argv) {
     QCoreApplication app(argc, argv);
     const QStringList arguments = app.arguments();
-    tiller::test::FaceCell cell([&arguments](tiller::simulator::SimulatorOptions& options) {
+    tiller::test::UrRtdeCell cell([&arguments](tiller::simulator::SimulatorOptions& options) {
         const bool real = arguments.contains(QLatin1String("real"));
         options.time = real ? tiller::simulator::Time::Real : tiller::simulator::Time::Virtual;
         if (arguments.contains(QLatin1String("torque"))) {

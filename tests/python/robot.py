@@ -24,9 +24,9 @@ class Robot:
         self._process.stdout.close()
 
 
-def until(condition, patience=30.0):
+def until(condition, timeout=30.0):
     """Waits for a condition; the timeout is only for hanging tests."""
-    end = time.monotonic() + patience
+    end = time.monotonic() + timeout
     while time.monotonic() < end:
         if condition():
             return True

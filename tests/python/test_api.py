@@ -27,7 +27,7 @@ class TestArguments(unittest.TestCase):
         robot, simulator = self.robot, self.simulator
         q = robot.state.q
         calls = {
-            "speed": lambda: robot.move_j(q, speed="fast"), "silence": lambda: robot.move_j(q, silence=None),
+            "speed": lambda: robot.move_j(q, speed="fast"), "heartbeat_timeout": lambda: robot.move_j(q, heartbeat_timeout=None),
             "mass": lambda: robot.set_payload("x"), "metres_per_second": lambda: setattr(robot, "speed_cap", "x"),
             "acceleration": lambda: robot.move_until_contact([0, 0, -0.05, 0, 0, 0], acceleration="x"),
             "lookahead": lambda: robot.servo_j(lookahead="x"), "timeout": lambda: robot.move_j(q).wait("x"),
@@ -109,8 +109,8 @@ class TestLink(unittest.TestCase):
     def test_a_move_that_ended_for_late_data_names_the_measured_times(self):
         with tiller.Simulator(virtual=True) as simulator, simulator.robot(timeout=LIMIT) as robot:
             robot.take_control(LIMIT)
-            for silence, limit in ((0.1, 100), (0.3, 300)):
-                move = robot.move_j(robot.state.q + [1, 0, 0, 0, 0, 0], silence=silence)
+            for timeout, limit in ((0.1, 100), (0.3, 300)):
+                move = robot.move_j(robot.state.q + [1, 0, 0, 0, 0, 0], heartbeat_timeout=timeout)
                 simulator.step(0.5)
                 simulator.fault("silence on")
                 with self.assertRaises(errors.LinkLost) as raised:
@@ -120,7 +120,7 @@ class TestLink(unittest.TestCase):
                 measured = re.match(rf"no data from the robot for (\d+) ms \(limit {limit} ms\): ", text)
                 self.assertTrue(measured, text)
                 self.assertTrue(limit < int(measured[1]) < 450, text)
-                self.assertIn("silence", text)
+                self.assertIn("heartbeat timeout", text)
                 self.assertTrue(robot.until(lambda sample: robot.in_control).wait(LIMIT))
 
     def test_a_refused_connection_fails_immediately(self):

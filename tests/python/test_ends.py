@@ -22,7 +22,7 @@ from robot import Robot
 BRAKES_MS = 250
 AT_ONCE = 8
 ATTEMPTS = 3
-PATIENCE = 60  # [s]; only for hanging tests
+TEST_TIMEOUT = 60  # [s]; only for hanging tests
 START = [-1.57, -1.2, -2.3, -1.2, 1.57, 0.0]
 TABLE = pathlib.Path(os.environ["TILLER_SOURCE"], "robot/ENDS.md")
 HELPERS = pathlib.Path(os.environ["TILLER_HELPERS"])
@@ -74,7 +74,7 @@ NATIVE = [
     Row("C++", "Programs::runScript, `Supervision::Unattended`", "unattended script", unattended=SCRIPT_ENDS),
 ]
 
-FACE = [
+UR_RTDE = [
     Row("ur_rtde C++", "moveJ, asynchronous", "moveJ"),
     Row("ur_rtde C++", "moveJ, default speed", "moveJ, default speed", turning=1.04),
     Row("ur_rtde C++", "moveJ, 3 rad/s", "moveJ, fast", turning=2.95),
@@ -154,7 +154,7 @@ def loop(cycle):
         time.sleep(0.004)
 """
 
-FACE_PROGRAM = PREAMBLE + """
+UR_RTDE_PROGRAM = PREAMBLE + """
 import tempfile
 from rtde_control import RTDEControlInterface, Path, PathEntry
 c = RTDEControlInterface(sys.argv[1])
@@ -193,7 +193,7 @@ except Ended:
         time.sleep(1)
 """
 
-PYTHON_FACE = [
+PYTHON_UR_RTDE = [
     Row("ur_rtde Python", "moveJ, asynchronous", "c.moveJ(turned(1.5), 0.4, 1.4, True)"),
     Row("ur_rtde Python", "moveJ, default speed", "endless(lambda back: c.moveJ(turned(0 if back else 4.5)))", turning=1.04),
     Row("ur_rtde Python", "moveJ, 3 rad/s", "endless(lambda back: c.moveJ(turned(0 if back else 4.5), 3.0, 5.0))",
@@ -270,7 +270,7 @@ PYTHON_NATIVE = [
         unattended=("SIGTERM", "SIGHUP", "SIGKILL", "lost link")),
 ]
 
-ROWS = NATIVE + C + PYTHON_NATIVE + FACE + PYTHON_FACE
+ROWS = NATIVE + C + PYTHON_NATIVE + UR_RTDE + PYTHON_UR_RTDE
 
 #: Additional ends, each tested with a move and with a script. "leave" requests that a move continues.
 FURTHER = [
@@ -310,15 +310,15 @@ class Mover:
         elif row.api == "C":
             command = [HELPERS / "tiller_c_mover", host, row.program]
         elif row.api == "ur_rtde C++":
-            command = [HELPERS / "face_mover", host, row.program]
+            command = [HELPERS / "ur_rtde_mover", host, row.program]
         else:
-            template = FACE_PROGRAM if row.api.startswith("ur_rtde") else ROBOT_PROGRAM
+            template = UR_RTDE_PROGRAM if row.api.startswith("ur_rtde") else ROBOT_PROGRAM
             motion = "\n".join("    " + line for line in row.program.split("\n"))
             command = [sys.executable, "-c", template.format(start=START, motion=motion), host]
-        self._face = row.api == "ur_rtde C++"
+        self._is_ur_rtde = row.api == "ur_rtde C++"
         self.process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                                         text=True)
-        if self._face:
+        if self._is_ur_rtde:
             self.process.stdout.readline()
             self.tell("begin")
 
@@ -333,7 +333,7 @@ class Mover:
             self.process.send_signal(SIGNALS[how])
         elif self._python:
             self.process.send_signal(ORDERS[how])
-        elif how == "object" and self._face:
+        elif how == "object" and self._is_ur_rtde:
             self.tell("disconnect")
         else:
             self.tell(how)
@@ -354,11 +354,11 @@ def attempt(row, end):
     robot = Robot("real", "low", *row.robot)
     mover = Mover(row, robot.host)
     try:
-        patience = time.monotonic() + PATIENCE
+        deadline = time.monotonic() + TEST_TIMEOUT
         moving_since = None
         word, fast = ("turning", row.turning) if row.turning else ("speed", row.fast)
         while float(robot.tell(word)) < fast:
-            if time.monotonic() > patience or mover.process.poll() is not None:
+            if time.monotonic() > deadline or mover.process.poll() is not None:
                 return None
             if row.hand:
                 # Apply the force only now, because a force at the start of freedrive causes a protective stop.

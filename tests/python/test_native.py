@@ -21,7 +21,7 @@ import tiller
 from tiller import errors
 
 TIMEOUT = 60.0  # only for hanging tests
-PATIENCE = TIMEOUT
+TEST_TIMEOUT = TIMEOUT
 FAR = [1.5, 0, 0, 0, 0, 0]
 SOFT = {"compliant": [False, False, True, False, False, False], "wrench": [0.0] * 6, "limits": [0.1] * 3 + [0.5] * 3}
 
@@ -31,7 +31,7 @@ def stands(simulator):
 
 
 def until(condition):
-    end = time.monotonic() + PATIENCE
+    end = time.monotonic() + TEST_TIMEOUT
     while not condition():
         if time.monotonic() > end:
             return False
@@ -45,11 +45,11 @@ class VirtualCase(unittest.TestCase):
     def setUp(self):
         self.simulator = tiller.Simulator(virtual=True, software=self.software).start()
         self.addCleanup(self.simulator.stop)
-        self.robot = self.simulator.robot(timeout=PATIENCE)
+        self.robot = self.simulator.robot(timeout=TEST_TIMEOUT)
         self.addCleanup(self.robot.close)
 
     def take_control(self):
-        self.robot.take_control(PATIENCE)
+        self.robot.take_control(TEST_TIMEOUT)
 
     def assert_brakes(self):
         """Verifies that the arm stops within the 250 ms of robot time in the jog contract and does not move again."""
@@ -102,7 +102,7 @@ class TestReceive(VirtualCase):
         self.assertEqual((len(q), len(pose)), (6, 6))
 
     def test_no_data_is_never_a_number(self):
-        few = self.simulator.robot(fields=["timestamp"], timeout=PATIENCE)
+        few = self.simulator.robot(fields=["timestamp"], timeout=TEST_TIMEOUT)
         self.addCleanup(few.close)
         self.assertTrue(np.isnan(few.state.q).all())
         self.assertTrue(math.isnan(few.state.speed_slider))
@@ -113,7 +113,7 @@ class TestReceive(VirtualCase):
             self.robot.move_j(few.state.q + 0.1)
 
     def test_every_packet_comes_once(self):
-        samples = self.robot.samples(timeout=PATIENCE)
+        samples = self.robot.samples(timeout=TEST_TIMEOUT)
         self.simulator.step(1.0)
         numbers = [next(samples).sequence for _ in range(500)]
         self.assertEqual(numbers, list(range(numbers[0], numbers[0] + 500)))
@@ -211,8 +211,8 @@ class TestLife(VirtualCase):
         self.assertFalse(os.path.exists("never.csv"))
 
     def test_no_hidden_reference_keeps_a_robot_alive(self):
-        robot = self.simulator.robot(timeout=PATIENCE)
-        robot.outputs.set_digital(1, True, PATIENCE)
+        robot = self.simulator.robot(timeout=TEST_TIMEOUT)
+        robot.outputs.set_digital(1, True, TEST_TIMEOUT)
         gone = weakref.ref(robot)
         gc.disable()
         try:
@@ -225,13 +225,13 @@ class TestLife(VirtualCase):
         self.robot.close()
         kept = []  # a notebook keeps the value of a cell
         for _ in range(3):
-            robot = self.simulator.robot(timeout=PATIENCE)
-            kept.append(robot.take_control(PATIENCE))
+            robot = self.simulator.robot(timeout=TEST_TIMEOUT)
+            kept.append(robot.take_control(TEST_TIMEOUT))
         self.assertEqual([one.in_control for one in kept], [False, False, True])
         move = robot.move_j(robot.state.q + FAR)
         self.simulator.step(0.2)
         with self.assertRaisesRegex(errors.RegisterInUse, "another Robot object of this program"):
-            kept[0].take_control(PATIENCE)
+            kept[0].take_control(TEST_TIMEOUT)
         self.assertTrue(move.active)
         for one in kept:
             one.close()
@@ -240,10 +240,10 @@ class TestLife(VirtualCase):
         self.robot.close()
         for kept in ([], None):
             for _ in range(3):
-                self.simulator.robot(timeout=PATIENCE).close()
+                self.simulator.robot(timeout=TEST_TIMEOUT).close()
             before = resident()
             for _ in range(20):
-                robot = self.simulator.robot(timeout=PATIENCE)
+                robot = self.simulator.robot(timeout=TEST_TIMEOUT)
                 if kept is not None:
                     robot.close()
                     kept.append(robot)
@@ -282,23 +282,23 @@ class TestMotion(VirtualCase):
         target = self.robot.state.q + [0, 0, 0, 0, 0, 0.3]
         move = self.robot.move_j(target)
         self.assertTrue(move.active)
-        move.wait(PATIENCE)
+        move.wait(TEST_TIMEOUT)
         self.assertEqual(move.cause, "Completed")
         self.assertEqual(move.progress.fraction, 1.0)
         self.assertLess(float(np.abs(self.simulator.truth.q - target).max()), 1e-3)
         pose = self.robot.state.tcp_pose
         pose[2] += 0.05
-        self.robot.move_l(pose, 0.1).wait(PATIENCE)
+        self.robot.move_l(pose, 0.1).wait(TEST_TIMEOUT)
         self.assertLess(float(np.abs(self.simulator.truth.tcp_pose[:3] - pose[:3]).max()), 1e-3)
         pose[2] -= 0.05
-        self.robot.move_j_to_pose(pose).wait(PATIENCE)
+        self.robot.move_j_to_pose(pose).wait(TEST_TIMEOUT)
         path = [tiller.PathMove(self.robot.state.q + [0, 0, 0, 0, 0, x]) for x in (0.1, 0.2)]
-        self.robot.move_path(path, PATIENCE).wait(PATIENCE)
+        self.robot.move_path(path, TEST_TIMEOUT).wait(TEST_TIMEOUT)
 
     def test_the_heartbeat_timeout_is_limited(self):
-        for silence in (0.05, 4.5, float("nan"), -1.0):
-            with self.subTest(silence), self.assertRaisesRegex(errors.Error, "silence"):
-                self.robot.move_j(self.robot.state.q, silence=silence)
+        for timeout in (0.05, 4.5, float("nan"), -1.0):
+            with self.subTest(timeout), self.assertRaisesRegex(errors.Error, "heartbeat"):
+                self.robot.move_j(self.robot.state.q, heartbeat_timeout=timeout)
 
     def test_moves_are_awaited(self):
         async def both():
@@ -326,7 +326,7 @@ class TestMotion(VirtualCase):
         self.assertTrue(move.cancel())
         self.assert_brakes()
         with self.assertRaises(errors.Stopped):
-            move.wait(PATIENCE)
+            move.wait(TEST_TIMEOUT)
         self.assertFalse(move.cancel())
 
     def test_stop_brakes(self):
@@ -370,7 +370,7 @@ class TestMotion(VirtualCase):
         move._waiting = contextlib.nullcontext  # time does not advance, so the move cannot complete
         with self.assertRaises(KeyboardInterrupt):
             timer.start()
-            move.wait(PATIENCE)
+            move.wait(TEST_TIMEOUT)
         self.assert_brakes()
 
     def test_the_plan_reports_duration_and_limiter(self):
@@ -435,7 +435,7 @@ class TestMotion(VirtualCase):
 
     def test_the_exception_of_a_block_is_never_replaced(self):
         def force():
-            return self.robot.force_mode(**SOFT, timeout=PATIENCE)
+            return self.robot.force_mode(**SOFT, timeout=TEST_TIMEOUT)
 
         for begin in (self.robot.speed_l, lambda: self.robot.jog([0, 0, 0.05, 0, 0, 0]), force):
             self.take_control()
@@ -448,15 +448,15 @@ class TestMotion(VirtualCase):
         return self.robot.status.force_mode
 
     def test_force_mode_starts_at_the_call(self):
-        mode = self.robot.force_mode(**SOFT, timeout=PATIENCE)
+        mode = self.robot.force_mode(**SOFT, timeout=TEST_TIMEOUT)
         self.assertTrue(self.in_force_mode())
         mode.stop()
         self.assertFalse(self.in_force_mode())
         mode.stop()
-        self.robot.force_mode(**SOFT, timeout=PATIENCE)
+        self.robot.force_mode(**SOFT, timeout=TEST_TIMEOUT)
         gc.collect()
         self.assertTrue(self.in_force_mode())
-        self.robot.end_force_mode(PATIENCE)
+        self.robot.end_force_mode(TEST_TIMEOUT)
         self.assertFalse(self.in_force_mode())
 
     def test_force_modes_nest(self):
@@ -469,12 +469,12 @@ class TestMotion(VirtualCase):
             self.simulator.step(0.3)
             return before - self.simulator.truth.tcp_pose[2] > 1e-4
 
-        with self.robot.force_mode(**down, timeout=PATIENCE):
+        with self.robot.force_mode(**down, timeout=TEST_TIMEOUT):
             self.assertTrue(sinks())
-            with self.robot.force_mode(**rest, timeout=PATIENCE):
+            with self.robot.force_mode(**rest, timeout=TEST_TIMEOUT):
                 self.assertFalse(sinks())
             self.assertTrue(sinks())
-            with self.robot.force_mode(**rest, timeout=PATIENCE):
+            with self.robot.force_mode(**rest, timeout=TEST_TIMEOUT):
                 self.robot.stop()
             self.assertFalse(sinks())
             self.assertFalse(self.in_force_mode())
@@ -488,11 +488,11 @@ class TestMotion(VirtualCase):
             return before - self.simulator.truth.tcp_pose[2]
 
         down, up = [0, 0, -20, 0, 0, 0], [0, 0, 20, 0, 0, 0]
-        with self.robot.force_mode(**dict(SOFT, wrench=down), timeout=PATIENCE) as mode:
+        with self.robot.force_mode(**dict(SOFT, wrench=down), timeout=TEST_TIMEOUT) as mode:
             self.assertGreater(sinks(), 1e-4)
             mode.change(up)
             self.assertLess(sinks(), -1e-4)
-            with self.robot.force_mode(**dict(SOFT, wrench=down), timeout=PATIENCE):
+            with self.robot.force_mode(**dict(SOFT, wrench=down), timeout=TEST_TIMEOUT):
                 mode.change(down)
                 self.assertGreater(sinks(), 1e-4)
                 mode.change(up)
@@ -588,16 +588,16 @@ class TestMotion(VirtualCase):
         start = self.robot.state
         near = start.tcp_pose + [0, 0, 0.05, 0, 0, 0]
         for place in (list(near), np.array(near), near):
-            self.robot.move_path([tiller.PathMove(place, kind="l", speed=0.2)], PATIENCE).wait(PATIENCE)
+            self.robot.move_path([tiller.PathMove(place, kind="l", speed=0.2)], TEST_TIMEOUT).wait(TEST_TIMEOUT)
             self.assertLess(float(np.abs(self.simulator.truth.tcp_pose - near).max()), 1e-3)
-            self.robot.move_path([tiller.PathMove(list(start.q))], PATIENCE).wait(PATIENCE)
+            self.robot.move_path([tiller.PathMove(list(start.q))], TEST_TIMEOUT).wait(TEST_TIMEOUT)
             self.assertLess(float(np.abs(self.simulator.truth.q - start.q).max()), 1e-3)
-        there = self.robot.inverse_kinematics(near, start.q, PATIENCE)
+        there = self.robot.inverse_kinematics(near, start.q, TEST_TIMEOUT)
         for move in (tiller.PathMove(near), tiller.PathMove(list(near), pose=True), tiller.PathMove(there, kind="l"),
                      tiller.PathMove(list(there), kind="l", pose=False)):
-            self.robot.move_path([move], PATIENCE).wait(PATIENCE)
+            self.robot.move_path([move], TEST_TIMEOUT).wait(TEST_TIMEOUT)
             self.assertLess(float(np.abs(self.simulator.truth.tcp_pose - near).max()), 1e-3)
-            self.robot.move_path([tiller.PathMove(list(start.q))], PATIENCE).wait(PATIENCE)
+            self.robot.move_path([tiller.PathMove(list(start.q))], TEST_TIMEOUT).wait(TEST_TIMEOUT)
         for wrong in ({"target": near, "pose": False}, {"target": start.q, "pose": True}, {"target": [0.1] * 5},
                       {"target": start.q, "kind": "c", "pose": False, "via": near}, {"target": start.q, "pose": 1}):
             with self.subTest(wrong), self.assertRaises(errors.InvalidArgument):
@@ -614,8 +614,8 @@ class TestMotion(VirtualCase):
                      lambda: self.robot.move_l_to_joints(pose), lambda: self.robot.servo_j().send(pose),
                      lambda: self.robot.servo_l().send(q), lambda: self.robot.set_tcp(q), lambda: arm.forward(pose),
                      lambda: self.robot.forward_kinematics(pose), lambda: self.robot.inverse_kinematics(q),
-                     lambda: self.robot.packet_loop("servo_l", lambda cycle: cycle.q, timeout=PATIENCE),
-                     lambda: self.robot.packet_loop("servo_j", lambda cycle: cycle.tcp_pose, timeout=PATIENCE)):
+                     lambda: self.robot.packet_loop("servo_l", lambda cycle: cycle.q, timeout=TEST_TIMEOUT),
+                     lambda: self.robot.packet_loop("servo_j", lambda cycle: cycle.tcp_pose, timeout=TEST_TIMEOUT)):
             with self.subTest(call), self.assertRaisesRegex(errors.InvalidArgument, "expected"):
                 call()
         self.simulator.step(0.5)
@@ -626,17 +626,17 @@ class TestMotion(VirtualCase):
         up = pose.copy()
         up += [0, 0, 0.05, 0, 0, 0]
         up[2] -= 0.02
-        self.robot.move_l(up).wait(PATIENCE)
+        self.robot.move_l(up).wait(TEST_TIMEOUT)
         self.assertLess(float(np.abs(self.simulator.truth.tcp_pose - up).max()), 1e-3)
-        self.robot.move_l_to_joints(q).wait(PATIENCE)
+        self.robot.move_l_to_joints(q).wait(TEST_TIMEOUT)
         self.assertLess(float(np.abs(self.simulator.truth.q - q).max()), 1e-3)
 
     def test_defaults_respect_the_speed_cap(self):
         self.robot.speed_cap = 0.1
         pose = self.robot.state.tcp_pose + [0, 0, 0.03, 0, 0, 0]
         self.assertAlmostEqual(self.robot.move_l(pose).plan.speed, 0.1)
-        self.robot.stop_j().wait(PATIENCE)
-        self.robot.move_path([tiller.PathMove(pose, "l")], PATIENCE).wait(PATIENCE)
+        self.robot.stop_j().wait(TEST_TIMEOUT)
+        self.robot.move_path([tiller.PathMove(pose, "l")], TEST_TIMEOUT).wait(TEST_TIMEOUT)
 
     def test_an_exception_in_a_jog_callback_brakes(self):
         calls = []
@@ -678,7 +678,7 @@ class TestMotion(VirtualCase):
         self.assertEqual(queries.tool_contact(timeout=TIMEOUT), 0)
         self.assertLess(float(np.abs(queries.joint_positions_history(1, TIMEOUT) - q).max()), 1e-3)
         self.assertAlmostEqual(queries.step_time(TIMEOUT), 0.002)
-        self.robot.set_tcp([0, 0, 0.1, 0, 0, 0], PATIENCE)
+        self.robot.set_tcp([0, 0, 0.1, 0, 0, 0], TEST_TIMEOUT)
         self.assertAlmostEqual(float(queries.tcp_offset(TIMEOUT)[2]), 0.1)
         self.assertLess(float(np.abs(queries.flange_pose(TIMEOUT) - pose).max()), 1e-3)
         self.assertEqual(queries.freedrive_status(TIMEOUT), 0)
@@ -737,7 +737,7 @@ class TestMotion(VirtualCase):
                 return None
             return q + [0, 0, 0, 0, 0, 0.05 * math.sin(cycle.time)]
 
-        report = self.robot.packet_loop("servo_j", circle, timeout=PATIENCE)
+        report = self.robot.packet_loop("servo_j", circle, timeout=TEST_TIMEOUT)
         self.assertEqual(report.cycles, len(seen))
         self.assertGreater(report.cycles, 400)
         self.assert_brakes()
@@ -770,10 +770,10 @@ class TestMotion(VirtualCase):
             return [0.3, 0, 0, 0, 0, 0]
 
         with self.assertRaisesRegex(ValueError, "mine"):
-            self.robot.packet_loop("speed_j", callback, timeout=PATIENCE)
+            self.robot.packet_loop("speed_j", callback, timeout=TEST_TIMEOUT)
         self.assert_brakes()
         with self.assertRaisesRegex(errors.InvalidArgument, "callback"):
-            self.robot.packet_loop("speed_j", lambda cycle: [1, 2], timeout=PATIENCE)
+            self.robot.packet_loop("speed_j", lambda cycle: [1, 2], timeout=TEST_TIMEOUT)
 
     def test_a_packet_loop_in_a_packet_loop_is_refused(self):
         def inner(cycle):
@@ -790,7 +790,7 @@ class TestMotion(VirtualCase):
                     wait()
             return None
 
-        self.robot.packet_loop("speed_j", callback, timeout=PATIENCE)
+        self.robot.packet_loop("speed_j", callback, timeout=TEST_TIMEOUT)
         self.assertTrue(self.robot.in_control)
 
     def test_a_second_packet_loop_is_refused(self):
@@ -798,7 +798,7 @@ class TestMotion(VirtualCase):
 
         def other():
             try:
-                self.robot.packet_loop("speed_j", lambda cycle: None, timeout=PATIENCE)
+                self.robot.packet_loop("speed_j", lambda cycle: None, timeout=TEST_TIMEOUT)
             except errors.InvalidArgument as error:
                 refused.append(error)
 
@@ -809,7 +809,7 @@ class TestMotion(VirtualCase):
                 thread.join()
             return None if cycle.time > 0.3 else [0.1, 0, 0, 0, 0, 0]
 
-        report = self.robot.packet_loop("speed_j", callback, timeout=PATIENCE)
+        report = self.robot.packet_loop("speed_j", callback, timeout=TEST_TIMEOUT)
         self.assertEqual(len(refused), 1)
         self.assertGreater(report.cycles, 100)
 
@@ -817,21 +817,21 @@ class TestMotion(VirtualCase):
         for body in ("end\ndef other():\n  sync()", "if True:\n  sync()", "sync() end", 'x = "if" end',
                      "thread other():\n sync()"):
             with self.subTest(body), self.assertRaisesRegex(errors.InvalidArgument, "end"):
-                self.robot.run_function(body, timeout=PATIENCE)
+                self.robot.run_function(body, timeout=TEST_TIMEOUT)
         self.robot.run_function('# the end\nif True:\n  textmsg("end")\nend\nset_standard_digital_out(3, True)\nsync()',
-                                timeout=PATIENCE).wait(PATIENCE)
+                                timeout=TEST_TIMEOUT).wait(TEST_TIMEOUT)
         self.assertTrue(self.simulator.truth.digital_outputs & 8)
 
     def test_queries_settings_and_functions(self):
-        pose = self.robot.forward_kinematics(self.robot.state.q, PATIENCE)
-        near = self.robot.inverse_kinematics(pose, self.robot.state.q, PATIENCE)
+        pose = self.robot.forward_kinematics(self.robot.state.q, TEST_TIMEOUT)
+        near = self.robot.inverse_kinematics(pose, self.robot.state.q, TEST_TIMEOUT)
         self.assertLess(float(np.abs(near - self.robot.state.q).max()), 1e-3)
-        self.robot.set_payload(0.5, [0, 0, 0.02], PATIENCE)
-        self.robot.set_tcp([0, 0, 0.1, 0, 0, 0], PATIENCE)
-        self.robot.run_function("set_standard_digital_out(2, True)\nsync()", timeout=PATIENCE).wait(PATIENCE)
+        self.robot.set_payload(0.5, [0, 0, 0.02], TEST_TIMEOUT)
+        self.robot.set_tcp([0, 0, 0.1, 0, 0, 0], TEST_TIMEOUT)
+        self.robot.run_function("set_standard_digital_out(2, True)\nsync()", timeout=TEST_TIMEOUT).wait(TEST_TIMEOUT)
         self.assertTrue(self.simulator.truth.digital_outputs & 4)
         with self.assertRaises(errors.ScriptError):
-            self.robot.run_function("b = = 2", timeout=PATIENCE)
+            self.robot.run_function("b = = 2", timeout=TEST_TIMEOUT)
 
 
 class TestTorque(VirtualCase):
@@ -877,7 +877,7 @@ class TestTorque(VirtualCase):
             return None if cycle.time > 0.3 else [40 * (0.2 - cycle.qd[0]), 0, 0, 0, 0, 0]
 
         q = self.robot.state.q
-        self.robot.packet_loop("torque", steady, timeout=PATIENCE)
+        self.robot.packet_loop("torque", steady, timeout=TEST_TIMEOUT)
         self.assert_brakes()
         self.assertGreater(self.simulator.truth.q[0] - q[0], 0.01)
 
@@ -894,9 +894,9 @@ class TestNoTorque(VirtualCase):
 
 class TestServices(VirtualCase):
     def test_outputs_are_confirmed(self):
-        self.robot.outputs.set_digital(3, True, PATIENCE)
+        self.robot.outputs.set_digital(3, True, TEST_TIMEOUT)
         self.assertTrue(self.simulator.truth.digital_outputs & 8)
-        self.robot.outputs.set_speed_slider(0.5, PATIENCE)
+        self.robot.outputs.set_speed_slider(0.5, TEST_TIMEOUT)
         self.assertEqual(self.simulator.truth.speed_slider, 0.5)
 
     def test_recovery_needs_consent(self):
@@ -904,11 +904,11 @@ class TestServices(VirtualCase):
         self.simulator.step(0.1)
         self.assertEqual(self.robot.state.safety_mode, "PROTECTIVE_STOP")
         with self.assertRaises(errors.Rejected):
-            self.robot.recover(tiller.Consent(), PATIENCE)
+            self.robot.recover(tiller.Consent(), TEST_TIMEOUT)
         self.simulator.step(0.1)
         self.assertEqual(self.robot.state.safety_mode, "PROTECTIVE_STOP")
         steps = []
-        self.robot.recover(tiller.Consent(cause_inspected=True, power_on=True, release_brakes=True), PATIENCE, steps.append)
+        self.robot.recover(tiller.Consent(cause_inspected=True, power_on=True, release_brakes=True), TEST_TIMEOUT, steps.append)
         self.assertIn("Unlock", steps)
         self.simulator.step(0.1)
         self.assertEqual(self.robot.state.safety_mode, "NORMAL")
@@ -934,13 +934,13 @@ class TestWithoutARobot(unittest.TestCase):
 
     def test_the_doctor_checks_the_robot(self):
         with tiller.Simulator() as simulator:
-            report = tiller.examine(simulator.address, timeout=PATIENCE)
+            report = tiller.examine(simulator.address, timeout=TEST_TIMEOUT)
         self.assertEqual(len(report), 19)
         self.assertEqual({finding.condition: finding.verdict for finding in report}["protocol"], "good")
         self.assertIn("good", str(report))
 
     def test_every_object_has_a_repr(self):
-        with tiller.Simulator(virtual=True) as simulator, simulator.robot(timeout=PATIENCE) as robot:
+        with tiller.Simulator(virtual=True) as simulator, simulator.robot(timeout=TEST_TIMEOUT) as robot:
             self.assertIn(simulator.address, repr(simulator))
             self.assertIn("not in control", repr(robot))
             self.assertIn("tiller.Sample", repr(robot.state))
@@ -972,7 +972,7 @@ SILENT = """
 import sys, tiller
 with tiller.Robot(sys.argv[1], timeout=60) as robot:
     robot.take_control(60)
-    move = robot.move_j(robot.state.q + [1.5, 0, 0, 0, 0, 0], 0.4, 1.0, silence=3.0)
+    move = robot.move_j(robot.state.q + [1.5, 0, 0, 0, 0, 0], 0.4, 1.0, heartbeat_timeout=3.0)
     print("moving", flush=True)
     move.wait(60)
     print(move.cause, flush=True)
@@ -991,10 +991,10 @@ class TestSlowLoops(unittest.TestCase):
             work()
             return None if cycle.time > 1.0 else [0] * 6
 
-        with tiller.Simulator() as simulator, simulator.robot(timeout=PATIENCE) as robot:
-            robot.take_control(PATIENCE)
+        with tiller.Simulator() as simulator, simulator.robot(timeout=TEST_TIMEOUT) as robot:
+            robot.take_control(TEST_TIMEOUT)
             try:
-                report = robot.packet_loop("speed_j", callback, timeout=PATIENCE)
+                report = robot.packet_loop("speed_j", callback, timeout=TEST_TIMEOUT)
             except errors.Stopped as stopped:  # on a busy computer, a call took even longer
                 self.assertRegex(str(stopped), "one call of the callback took [0-9.]+ ms")
                 report = None
@@ -1032,10 +1032,10 @@ class TestSlowLoops(unittest.TestCase):
             self.assertGreater(report.longest_wait, 0.002)
 
     def test_a_hanging_callback_is_reported(self):
-        with tiller.Simulator() as simulator, simulator.robot(timeout=PATIENCE) as robot:
-            robot.take_control(PATIENCE)
+        with tiller.Simulator() as simulator, simulator.robot(timeout=TEST_TIMEOUT) as robot:
+            robot.take_control(TEST_TIMEOUT)
             with self.assertRaisesRegex(errors.Stopped, "one call of the callback took [0-9]{3,}"):
-                robot.packet_loop("speed_j", lambda cycle: time.sleep(0.3) or [0] * 6, timeout=PATIENCE)
+                robot.packet_loop("speed_j", lambda cycle: time.sleep(0.3) or [0] * 6, timeout=TEST_TIMEOUT)
 
 
 class TestEnds(unittest.TestCase):
@@ -1049,7 +1049,7 @@ class TestEnds(unittest.TestCase):
                 self.assertEqual(process.stdout.readline().strip(), "moving")
                 self.assertTrue(until(lambda: not stands(simulator)))
                 process.send_signal(how)
-                process.wait(PATIENCE)
+                process.wait(TEST_TIMEOUT)
                 self.assertTrue(until(lambda: stands(simulator)))
                 q = simulator.truth.q
                 then = simulator.truth.timestamp

@@ -30,7 +30,7 @@ public:
         const auto echo = [first](int at) { return "output_int_register_" + std::to_string(first + at); };
         options.request.outputs = {"timestamp", "actual_TCP_speed", "actual_qd", echo(0),
                                    echo(2),     "actual_TCP_pose"};
-        auto opened = rtde::Connection::open(options, Deadline::after(kPatience));
+        auto opened = rtde::Connection::open(options, Deadline::after(kTestTimeout));
         if (!opened) {
             qFatal("%s", qPrintable(opened.error().toString()));
         }
@@ -40,7 +40,7 @@ public:
 
     /// Reads the next package. Returns false if none arrived.
     bool look() {
-        if (connection_->readPackage(values_, kPatience) != rtde::Connection::Read::Package) {
+        if (connection_->readPackage(values_, kTestTimeout) != rtde::Connection::Read::Package) {
             return false;
         }
         time = values_[0];
@@ -80,7 +80,7 @@ public:
     control::ScriptState heardIn = control::ScriptState::Ready;  ///< state of the script at `heardAt`
 
 private:
-    static constexpr std::chrono::seconds kPatience{20};
+    static constexpr std::chrono::seconds kTestTimeout{20};
     std::unique_ptr<rtde::Connection> connection_;
     std::vector<double> values_;
     double heard_ = 0;

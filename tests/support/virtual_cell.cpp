@@ -21,7 +21,7 @@ constexpr int kPumpMs = 20;
 /// test's processor time.
 constexpr int kRefreshesPerPaint = 5;
 /// Real time that a peer thread may take before the test fails. A working computer never reaches this limit.
-constexpr std::chrono::seconds kPatience{20};
+constexpr std::chrono::seconds kTestTimeout{20};
 
 }  // namespace
 
@@ -98,9 +98,9 @@ bool VirtualCell::connect() {
         }
     });
     session.connectTo({QStringLiteral("Virtual UR5e"), robot.listenAddress(), portOffset_, true});
-    QElapsedTimer patience;
-    patience.start();
-    const auto within = [&] { return std::chrono::milliseconds(patience.elapsed()) < kPatience; };
+    QElapsedTimer testTimeout;
+    testTimeout.start();
+    const auto within = [&] { return std::chrono::milliseconds(testTimeout.elapsed()) < kTestTimeout; };
     while (session.state().link != LinkState::Live && within()) {
         advanceMs(kRefreshMs);
     }
@@ -115,11 +115,11 @@ bool VirtualCell::bringUp() {
     if (!connect()) {
         return false;
     }
-    QElapsedTimer patience;
-    patience.start();
+    QElapsedTimer testTimeout;
+    testTimeout.start();
     session.takeControl();
     while (session.state().control == ControlState::Taking &&
-           std::chrono::milliseconds(patience.elapsed()) < kPatience) {
+           std::chrono::milliseconds(testTimeout.elapsed()) < kTestTimeout) {
         advanceMs(kRefreshMs);
     }
     if (!session.state().canMove()) {
@@ -150,11 +150,11 @@ void VirtualCell::tick() {
     };
     robot.step();
 
-    QElapsedTimer patience;
-    patience.start();
-    const auto stillPatient = [&] { return std::chrono::milliseconds(patience.elapsed()) < kPatience; };
+    QElapsedTimer testTimeout;
+    testTimeout.start();
+    const auto stillPatient = [&] { return std::chrono::milliseconds(testTimeout.elapsed()) < kTestTimeout; };
     while (receiving && !isTakenIn() && receiver->state() == receive::ReceiverState::Receiving &&
-           patience.elapsed() < 500) {
+           testTimeout.elapsed() < 500) {
         std::this_thread::yield();
     }
     awaitFirstAnswers(inputs);

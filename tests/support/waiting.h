@@ -11,7 +11,7 @@
 namespace tiller::test {
 
 /// Timeout that exceeds the time of any operation on a working computer. Reaching it is a failure.
-inline Deadline patience() {
+inline Deadline testTimeout() {
     return Deadline::after(std::chrono::seconds(60));
 }
 

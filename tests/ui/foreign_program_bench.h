@@ -26,7 +26,7 @@ namespace tiller::test {
 /// deceleration.
 inline constexpr int kAtOnceMs = 20;
 inline constexpr int kBrakingMs = 1000;
-inline constexpr int kForeignPatienceMs = 20'000;
+inline constexpr int kForeignTimeoutMs = 20'000;
 
 struct Pad : InputDevice {
     explicit Pad(DeviceReading& r) : reading(r) {}
@@ -80,11 +80,11 @@ struct ForeignProgramBench : WindowBench {
                           "movej([-1.6, -1.7, -2.2, -0.8, 1.6, 0], a=2, v=1)\n") {
         pendant = std::make_unique<script::ScriptClient>(
             cell.robot.listenAddress(), script::kPrimaryPort + cell.robot.options().portOffset);
-        return pendant->connect(patience()).ok() &&
+        return pendant->connect(testTimeout()).ok() &&
                pendant
                    ->send(QStringLiteral("def others():\nwhile True:\n%1sync()\nend\nend\n")
                               .arg(QLatin1String(body)),
-                          patience())
+                          testTimeout())
                    .ok() &&
                within([this] { return runs() && state().runtimeState == RuntimeState::Playing; });
     }
@@ -97,9 +97,9 @@ struct ForeignProgramBench : WindowBench {
     /// Advances robot and window together until the condition is true. Each step also waits in real time,
     /// because the other clients run in real time.
     bool within(const std::function<bool()>& condition) {
-        QElapsedTimer patience;
-        patience.start();
-        while (!condition() && patience.elapsed() < kForeignPatienceMs) {
+        QElapsedTimer testTimeout;
+        testTimeout.start();
+        while (!condition() && testTimeout.elapsed() < kForeignTimeoutMs) {
             cell.advanceMs(16);
         }
         return condition();

@@ -47,7 +47,7 @@ QRect placeIn(const QWidget& window, const QWidget& control) {
     return {control.mapTo(&window, QPoint(0, 0)), control.size()};
 }
 
-QString told(const QRect& rect) {
+QString reported(const QRect& rect) {
     return QStringLiteral("%1,%2 %3x%4").arg(rect.x()).arg(rect.y()).arg(rect.width()).arg(rect.height());
 }
 
@@ -185,7 +185,7 @@ QStringList PlacesWatch::moved() const {
         }
         if (place.seen || (isNear(now) && !place.control->visibleRegion().isEmpty())) {
             found << QStringLiteral("%1 moved from %2 to %3, %4 ms after a click at %5,%6")
-                         .arg(nameOf(*place.control), told(place.rect), told(now))
+                         .arg(nameOf(*place.control), reported(place.rect), reported(now))
                          .arg(sincePress_.elapsed())
                          .arg(at_.x())
                          .arg(at_.y());

@@ -144,11 +144,11 @@ private Q_SLOTS:
                 }
             }
         }
-        QStringList told;
+        QStringList reported;
         for (auto step = slow.cbegin(); step != slow.cend(); ++step) {
-            told << QStringLiteral("%1: blocked for %2 ms").arg(step.key()).arg(step.value(), 0, 'f', 1);
+            reported << QStringLiteral("%1: blocked for %2 ms").arg(step.key()).arg(step.value(), 0, 'f', 1);
         }
-        QVERIFY2(told.isEmpty(), qPrintable(told.join('\n')));
+        QVERIFY2(reported.isEmpty(), qPrintable(reported.join('\n')));
     }
 };
 

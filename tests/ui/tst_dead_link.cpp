@@ -97,9 +97,9 @@ struct DeadLinkBench : WindowBench {
     }
     /// Waits for the threads without advancing time.
     bool waitStill(const std::function<bool()>& condition) {
-        QElapsedTimer patience;
-        patience.start();
-        while (!condition() && patience.elapsed() < kWaitTimeoutMs) {
+        QElapsedTimer testTimeout;
+        testTimeout.start();
+        while (!condition() && testTimeout.elapsed() < kWaitTimeoutMs) {
             frame();
             QTest::qWait(1);
         }
@@ -107,9 +107,9 @@ struct DeadLinkBench : WindowBench {
     }
     /// Advances time until the condition is true.
     bool within(const std::function<bool()>& condition) {
-        QElapsedTimer patience;
-        patience.start();
-        while (!condition() && patience.elapsed() < kWaitTimeoutMs) {
+        QElapsedTimer testTimeout;
+        testTimeout.start();
+        while (!condition() && testTimeout.elapsed() < kWaitTimeoutMs) {
             goOn(kFrameMs, 1);
         }
         return condition();
@@ -128,20 +128,20 @@ struct DeadLinkBench : WindowBench {
     /// Starts a program of another client that rotates the base back and forth.
     bool startForeignProgram() {
         pendant = std::make_unique<script::ScriptClient>(cell.robot.listenAddress(), script::kPrimaryPort);
-        return pendant->connect(patience()).ok() &&
+        return pendant->connect(testTimeout()).ok() &&
                pendant
                    ->send(QStringLiteral("def others():\nwhile True:\n"
                                          "movej([1.0, -1.7, -2.2, -0.8, 1.6, 0], a=2, v=1)\n"
                                          "movej([-1.6, -1.7, -2.2, -0.8, 1.6, 0], a=2, v=1)\n"
                                          "sync()\nend\nend\n"),
-                          patience())
+                          testTimeout())
                    .ok() &&
                waitUntilMoving();
     }
     bool waitUntilMoving() {
-        QElapsedTimer patience;
-        patience.start();
-        while (tcpSpeed(cell) < 0.2 && patience.elapsed() < kWaitTimeoutMs) {
+        QElapsedTimer testTimeout;
+        testTimeout.start();
+        while (tcpSpeed(cell) < 0.2 && testTimeout.elapsed() < kWaitTimeoutMs) {
             cell.robot.drainSockets();
             goOn(kPeriodMs);
         }

@@ -210,7 +210,7 @@ private Q_SLOTS:
         }
         QVERIFY(bench.startMoving());
         if (paused) {
-            QVERIFY(bench.pendant->send(QStringLiteral("pause program\n"), patience()).ok());
+            QVERIFY(bench.pendant->send(QStringLiteral("pause program\n"), testTimeout()).ok());
         }
         const RuntimeState before = paused ? RuntimeState::Paused : RuntimeState::Playing;
         QVERIFY(bench.within([&] { return bench.state().runtimeState == before; }));
@@ -420,17 +420,17 @@ private Q_SLOTS:
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         bench.pendant = std::make_unique<script::ScriptClient>(bench.cell.robot.listenAddress());
-        QVERIFY(bench.pendant->connect(patience()).ok());
+        QVERIFY(bench.pendant->connect(testTimeout()).ok());
         QVERIFY(
             bench.pendant
                 ->send(QStringLiteral("def others():\nwhile True:\nmovej([1.0, -1.7, -2.2, -0.8, 1.6, 0], "
                                       "a=2, v=1)\nmovej([-1.6, -1.7, -2.2, -0.8, 1.6, 0], a=2, v=1)\n"
                                       "sync()\nend\nend\n"),
-                       patience())
+                       testTimeout())
                 .ok());
         QElapsedTimer real;
         real.start();
-        while (tcpSpeed(bench.cell) < 0.05 && real.elapsed() < kForeignPatienceMs) {
+        while (tcpSpeed(bench.cell) < 0.05 && real.elapsed() < kForeignTimeoutMs) {
             bench.cell.robot.drainSockets();
             bench.cell.advanceMs(2);
         }
@@ -454,7 +454,7 @@ private Q_SLOTS:
         Bench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         QVERIFY(bench.startMoving());
-        QVERIFY(bench.pendant->send(QStringLiteral("pause program\n"), patience()).ok());
+        QVERIFY(bench.pendant->send(QStringLiteral("pause program\n"), testTimeout()).ok());
         const auto paused = [&] { return bench.state().runtimeState == RuntimeState::Paused; };
         QVERIFY(bench.within(paused));
         bench.cell.advanceMs(1100);

@@ -560,7 +560,7 @@ private Q_SLOTS:
     void unreachableWaypointsAreNotStarted() {
         teach({0.2, 0.4}, 0);
         project::Waypoint far = document().waypoints().at(1);
-        far.ruling = project::TargetKind::Pose;
+        far.priority = project::TargetKind::Pose;
         far.pose.position = Eigen::Vector3d(3, 0, 0);
         document().changeWaypoint(1, far, "far");
         drive();

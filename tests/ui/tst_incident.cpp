@@ -62,9 +62,9 @@ struct Bench : WindowBench {
 
     /// Advances virtual time until the condition is true.
     bool within(const std::function<bool()>& condition) {
-        QElapsedTimer patience;
-        patience.start();
-        while (!condition() && patience.elapsed() < kWaitTimeoutMs) {
+        QElapsedTimer testTimeout;
+        testTimeout.start();
+        while (!condition() && testTimeout.elapsed() < kWaitTimeoutMs) {
             cell.advanceMs(16);
             QTest::qWait(1);
         }
@@ -73,9 +73,9 @@ struct Bench : WindowBench {
     /// Advances virtual time until the black box has received this number of packets. The thread of the black
     /// box can lag behind virtual time.
     bool hasKept(std::uint64_t packets) {
-        QElapsedTimer patience;
-        patience.start();
-        while (watch().packets() < packets && patience.elapsed() < kWaitTimeoutMs) {
+        QElapsedTimer testTimeout;
+        testTimeout.start();
+        while (watch().packets() < packets && testTimeout.elapsed() < kWaitTimeoutMs) {
             const std::uint64_t before = watch().packets();
             cell.advanceMs(100);
             static_cast<void>(
@@ -87,13 +87,13 @@ struct Bench : WindowBench {
     bool move(double by) {
         pendant = std::make_unique<script::ScriptClient>(
             cell.robot.listenAddress(), script::kPrimaryPort + cell.robot.options().portOffset);
-        const auto patience = [] { return Deadline::after(std::chrono::seconds(20)); };
-        return pendant->connect(patience()).ok() &&
+        const auto testTimeout = [] { return Deadline::after(std::chrono::seconds(20)); };
+        return pendant->connect(testTimeout()).ok() &&
                pendant
                    ->send(QStringLiteral("def others():\nq = get_actual_joint_positions()\nq[0] = q[0] + %1\n"
                                          "movej(q, a=2, v=0.5)\nend\n")
                               .arg(by),
-                          patience())
+                          testTimeout())
                    .ok() &&
                within([this] { return state().moving; });
     }
@@ -269,10 +269,10 @@ void TestIncident::theScrubberMovesAllViewsTogether() {
     const QString atFirst = textAtCursor();
 
     // Arrow keys also move the cursor. Move it until the input is on.
-    QElapsedTimer patience;
-    patience.start();
+    QElapsedTimer testTimeout;
+    testTimeout.start();
     view.setFocus();
-    while (bench.io().input(2)->state() != IoChannel::State::On && patience.elapsed() < kWaitTimeoutMs) {
+    while (bench.io().input(2)->state() != IoChannel::State::On && testTimeout.elapsed() < kWaitTimeoutMs) {
         QTest::keyClick(&view, Qt::Key_Right);
     }
     QCOMPARE(bench.valueAtA({}, "actual_digital_input_bits"), 4.0);

@@ -239,16 +239,17 @@ private Q_SLOTS:
         QVERIFY(!standsStill(cell));
 
         cell.robot.closeClients();
-        QElapsedTimer patience;
-        patience.start();
-        while (window.session().state().control == ControlState::InControl && patience.elapsed() < 20'000) {
+        QElapsedTimer testTimeout;
+        testTimeout.start();
+        while (window.session().state().control == ControlState::InControl &&
+               testTimeout.elapsed() < 20'000) {
             cell.clock.advanceNs(2 * kNsPerMs);
             cell.robot.step();
             window.session().refresh();
             QTest::qWait(1);
         }
         QVERIFY(window.session().state().control != ControlState::InControl);
-        while (window.session().state().link != LinkState::Live && patience.elapsed() < 30'000) {
+        while (window.session().state().link != LinkState::Live && testTimeout.elapsed() < 30'000) {
             cell.clock.advanceNs(2 * kNsPerMs);
             cell.robot.step();
             window.session().refresh();

@@ -158,11 +158,11 @@ struct Board {
         joints.setJoints(state.q, false, state.hasData(), false);
     }
     QStringList lies(bool standing = true) {
-        QStringList told;
+        QStringList reported;
         for (const Lie& lie : check.lies(truth, standing)) {
-            told << lie.text;
+            reported << lie.text;
         }
-        return told;
+        return reported;
     }
 };
 

@@ -333,9 +333,9 @@ private Q_SLOTS:
         cell().advanceMs(200);
         QVERIFY((cell().truth().q.values - points.back().joints.values).cwiseAbs().maxCoeff() < 1e-3);
         QVERIFY(window().jogColumn().retracePath().size() > 10);
-        int told = 0;
+        int reported = 0;
         const QObject context;
-        connect(&window().jogColumn(), &JogColumn::retracePathChanged, &context, [&told] { ++told; });
+        connect(&window().jogColumn(), &JogColumn::retracePathChanged, &context, [&reported] { ++reported; });
 
         press(key("backKey"));
         QVERIFY(key("backKey").isHolding());
@@ -353,7 +353,7 @@ private Q_SLOTS:
         QVERIFY2((cell().truth().q.values - start.values).cwiseAbs().maxCoeff() < 0.01,
                  "Back did not return to the start of the motion");
         QVERIFY2(furthest < 0.010, qPrintable(QString::number(furthest)));
-        QVERIFY2(told > 3, "the view was not updated with the remaining path");
+        QVERIFY2(reported > 3, "the view was not updated with the remaining path");
         QVERIFY(window().jogColumn().retracePath().size() <= 2);
     }
 };

@@ -161,10 +161,10 @@ private Q_SLOTS:
             qPrintable(bench.robotsInTheMenu()));
         const QStringList kept = QDir(bench.folder.path()).entryList({"settings-before-import_*.json"});
         QCOMPARE(kept.size(), 1);
-        const bool told = std::any_of(said.begin(), said.end(), [&kept](const JournalEvent& message) {
+        const bool reported = std::any_of(said.begin(), said.end(), [&kept](const JournalEvent& message) {
             return message.text.contains(kept.first());
         });
-        QVERIFY2(told, "no message names the file of the backup");
+        QVERIFY2(reported, "no message names the file of the backup");
 
         // The settings are the same at the next start, and the backup restores the previous state.
         VirtualClock clock;

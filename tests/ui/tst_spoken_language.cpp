@@ -238,7 +238,7 @@ private Q_SLOTS:
         bench.show();
         SettingsPage& page = bench.settings();
         auto* language = page.findChild<QComboBox*>("settings.language");
-        auto* anew = page.findChild<QPushButton*>("settings.windowAnew");
+        auto* reopen = page.findChild<QPushButton*>("settings.reopenWindow");
         const auto* note = page.findChild<QLabel*>("settings.languageNote");
         QCOMPARE(language->count(), static_cast<int>(languages().size()) + 1);
         language->setFocus(Qt::TabFocusReason);
@@ -247,10 +247,10 @@ private Q_SLOTS:
         QCOMPARE(language->currentText(), QString("Deutsch"));
         QVERIFY2(note->text().contains("restarted"), qPrintable(note->text()));
         QCOMPARE(Settings(bench.file).preferences().language, QString("de"));
-        QVERIFY(anew->isEnabled());
+        QVERIFY(reopen->isEnabled());
 
         QSignalSpy closed(&bench.window, &MainWindow::closedForNewWindow);
-        QTest::mouseClick(anew, Qt::LeftButton);
+        QTest::mouseClick(reopen, Qt::LeftButton);
         QCOMPARE(closed.size(), 1);
         QVERIFY(!bench.window.isVisible());
 
@@ -275,7 +275,7 @@ private Q_SLOTS:
         language->setFocus(Qt::TabFocusReason);
         QTest::keyClick(language, Qt::Key_End);
         QSignalSpy closed(&bench.window, &MainWindow::closedForNewWindow);
-        QTest::mouseClick(page.findChild<QPushButton*>("settings.windowAnew"), Qt::LeftButton);
+        QTest::mouseClick(page.findChild<QPushButton*>("settings.reopenWindow"), Qt::LeftButton);
         QCOMPARE(closed.size(), 0);
         QVERIFY(bench.window.isVisible());
         const QString why = page.findChild<QLabel*>("settings.languageNote")->text();

@@ -133,7 +133,7 @@ private Q_SLOTS:
         const QString path = QStringLiteral("all.") + format;
         QString file;
         double recorded = 0;  // robot time [s]
-        std::uint64_t told = 0;
+        std::uint64_t reported = 0;
         {
             Bench bench;
             QVERIFY2(bench.bringUp(), qPrintable(bench.state().linkReason + bench.state().controlReason));
@@ -161,7 +161,7 @@ private Q_SLOTS:
             QTest::mouseClick(&key, Qt::LeftButton);
             QVERIFY(QTest::qWaitFor([&] { return !bench.state().recording.active; }, kWaitTimeoutMs));
             QVERIFY2(bench.state().recording.error.isEmpty(), qPrintable(bench.state().recording.error));
-            told = bench.state().recording.lost;
+            reported = bench.state().recording.lost;
             qInfo("%.1f s recorded, %d jogs", recorded, bench.jogs);
         }
         const auto remove = qScopeGuard([&] { QDir(QFileInfo(file).path()).removeRecursively(); });
@@ -189,7 +189,7 @@ private Q_SLOTS:
             marked += lost > 0 ? 1 : 0;
         }
         QVERIFY(stamps.back() - stamps.front() >= recorded - 1);
-        QCOMPARE(told, missing);
+        QCOMPARE(reported, missing);
         QCOMPARE(gaps.size(), static_cast<std::size_t>(marked));
         const double share = static_cast<double>(missing) / static_cast<double>(stamps.size() + missing);
         qInfo("%zu rows, %.1f s, %llu packets missing (%.2f %%) in %zu gaps", stamps.size(),

@@ -111,7 +111,7 @@ bool AxisRange::fit(double low, double high, double seconds) {
         return false;
     }
     tooWideFor_ += seconds;
-    return tooWideFor_ >= kPatience ? set(narrower) : false;
+    return tooWideFor_ >= kShrinkDelay ? set(narrower) : false;
 }
 
 }  // namespace tiller

@@ -17,7 +17,7 @@ public:
 
     /// Adapts the scale to curves in the range low ... high. If low > high, there is no curve and the scale
     /// does not change.
-    /// seconds  time since the last call; the scale shrinks only after it was too large for kPatience seconds
+    /// seconds  time since the last call; the scale shrinks only after it was too large for kShrinkDelay seconds
     /// Returns  true if the scale changed
     bool fit(double low, double high, double seconds);
     /// Sets the best scale for low ... high immediately.
@@ -35,7 +35,7 @@ public:
     /// Sets the maximum number of grid lines, at least 2. The next change of the scale uses it.
     void setMostLines(int lines);
 
-    static constexpr double kPatience = 3.0;  ///< [s]
+    static constexpr double kShrinkDelay = 3.0;  ///< [s]
 
 private:
     struct Scale {

@@ -96,11 +96,11 @@ void PlotComparison::run(const QString& recording, std::optional<RobotModelId> m
         worker_.post(this, [this, recording, choice, cancel, number = entry.run,
                             path = file->path()](const CancelToken& ending) {
             auto mine = choice;
-            int told = -1;
+            int reported = -1;
             mine.progress = [&](double done) {
                 constexpr double kSteps = 50;
-                if (const int now = static_cast<int>(done * kSteps); now != told) {
-                    told = now;
+                if (const int now = static_cast<int>(done * kSteps); now != reported) {
+                    reported = now;
                     QMetaObject::invokeMethod(
                         this, [=, this] { progress(recording, number, done); }, Qt::QueuedConnection);
                 }

@@ -51,6 +51,7 @@
 #include "widgets/plots/plot_pages.h"
 #include "widgets/plots/plot_pane.h"
 #include "widgets/plots/plot_picture.h"
+#include "widgets/plots/plot_playback.h"
 #include "widgets/plots/plot_replay.h"
 #include "widgets/plots/plot_values.h"
 #include "widgets/plots/plot_view.h"
@@ -189,6 +190,7 @@ PlotDock::PlotDock(RobotSession& session, LiveHistory& live, QWidget* parent)
     splitter->setSizes({kUsualSide, kUsualSide * 5});
     setContent(splitter);
     replay_ = std::make_unique<PlotReplay>(store_, *pages_);
+    playback_ = std::make_unique<PlotPlayback>(store_, *pages_);
     comparison_ = std::make_unique<PlotComparison>(
         PlotComparison::Place{store_, *pages_, *marks_, *replay_, session_, *comparisonBand_});
     buildHeader();
@@ -439,6 +441,19 @@ void PlotDock::buildPagesMenu() {
     add(menu, "plots.layout.compare", tr("Compare with the arm model…"), [this] {
         compareWithModel();
     })->setEnabled(isRecordingInFront());
+    QMenu* speeds = menu->addMenu(tr("Play"));
+    speeds->setObjectName(QStringLiteral("plots.layout.play"));
+    for (const double speed : PlotPlayback::kSpeeds) {
+        QAction* action =
+            add(speeds, "plots.layout.play.speed", tr("%1 × real time").arg(QLocale().toString(speed, 'g')),
+                [this, speed] { play(speed); });
+        action->setCheckable(true);
+        action->setChecked(playback_->isRunning() && playback_->speed() == speed);
+        action->setData(speed);
+    }
+    add(speeds, "plots.layout.play.stop", tr("Stop playback"), [this] {
+        stopPlayback();
+    })->setEnabled(playback_->isRunning());
     menu->addSeparator();
     add(menu, "plots.layout.copy", tr("Copy plots as image"), [this] { copyPicture(); });
     menu->addSeparator();
@@ -456,6 +471,22 @@ void PlotDock::buildPagesMenu() {
         action->setChecked(bytes == budget());
         action->setData(megabytes);
     }
+}
+
+void PlotDock::play(double speed) {
+    if (!playback_->start(speed)) {
+        session_.journal().add(
+            Severity::Warning,
+            tr("Cannot play: the page has no samples. Connect to a robot or open a recording first."));
+    }
+}
+
+void PlotDock::stopPlayback() {
+    playback_->stop();
+}
+
+bool PlotDock::isPlaying() const {
+    return playback_->isRunning();
 }
 
 bool PlotDock::isValuesShown() const {

@@ -34,6 +34,7 @@ class PlotComparison;
 class LiveHistory;
 class PlotMarks;
 class PlotPages;
+class PlotPlayback;
 class PlotReplay;
 class PlotValues;
 class PlotView;
@@ -87,6 +88,7 @@ public:
     /// Shows the page of the standard plots, or reports why it cannot be shown.
     void showStandard();
     bool isValuesShown() const;
+    bool isPlaying() const;
     bool isAnalysisShown() const;
     bool isRecordingInFront() const;  ///< true if the displayed page shows a recording
     /// Saves the arrangement to a separate file. Shows no messages to the user.
@@ -133,6 +135,9 @@ public Q_SLOTS:
     /// Prompts for the parameters and starts the comparison of the current recording with the model of its
     /// arm.
     void compareWithModel();
+    /// Starts the playback of the current page, or reports that there are no samples; see PlotPlayback::start().
+    void play(double speed);
+    void stopPlayback();
     /// Ends a replay: removes cursor A and shows the newest samples.
     void endReplay();
 
@@ -190,6 +195,7 @@ private:
     SignalStore& store_;
     std::unique_ptr<PlotMarks> marks_;
     std::unique_ptr<PlotReplay> replay_;
+    std::unique_ptr<PlotPlayback> playback_;
     ComparisonBand* comparisonBand_ = nullptr;
     std::unique_ptr<PlotComparison> comparison_;
     /// stop time of the opened incidents on the time axis of the plots [s]

@@ -157,8 +157,8 @@ void SceneBodies::addReplay(const BodyColors& colors) {
 
 QRect SceneBodies::update(const Camera& camera, const QSize& size, double scale, const Theme& theme) {
     const Camera::Eye eye = camera.eye();
-    const bool anew = size != size_ || scale != scale_ || !(eye == eye_) || scheme_ != theme.scheme;
-    if (!anew && !changed_) {
+    const bool isOutdated = size != size_ || scale != scale_ || !(eye == eye_) || scheme_ != theme.scheme;
+    if (!isOutdated && !changed_) {
         return {};
     }
     changed_ = false;
@@ -186,7 +186,7 @@ QRect SceneBodies::update(const Camera& camera, const QSize& size, double scale,
     }
     const QRect before = std::exchange(covered_, raster_->covered());
     picture_ = &raster_->render(before | covered_);
-    if (anew) {
+    if (isOutdated) {
         return {QPoint(0, 0), size};
     }
     const QRectF part(before | covered_);

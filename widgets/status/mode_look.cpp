@@ -122,16 +122,16 @@ ModeLook runtimeLook(RuntimeState state) {
 
 ModeLook controlLook(const SessionState& state) {
     const QString dot = QStringLiteral(" · ");
-    QStringList told;
+    QStringList parts;
     if (state.controlPlaceKnown) {
-        told << (state.remoteControl ? ModeLookText::tr("Remote") : ModeLookText::tr("Local"));
+        parts << (state.remoteControl ? ModeLookText::tr("Remote") : ModeLookText::tr("Local"));
     }
     if (state.operationalMode == QLatin1String("MANUAL")) {
-        told << ModeLookText::tr("Manual");
+        parts << ModeLookText::tr("Manual");
     } else if (state.operationalMode == QLatin1String("AUTOMATIC")) {
-        told << ModeLookText::tr("Automatic");
+        parts << ModeLookText::tr("Automatic");
     }
-    const QString place = told.join(dot);
+    const QString place = parts.join(dot);
     if (state.link == LinkState::Lost) {
         // The control and program states in the session are outdated.
         return {ModeLookText::tr("NO DATA"), Shape::None, Emphasis::Muted, state.linkReason};
@@ -173,11 +173,11 @@ ModeLook controlLook(const SessionState& state) {
         if (!state.programNode.isEmpty()) {
             name += QStringLiteral(" › ") + state.programNode;
         }
-        return {(told << program.text).join(dot), program.shape, program.emphasis, program.advice + name,
+        return {(parts << program.text).join(dot), program.shape, program.emphasis, program.advice + name,
                 program.mark};
     }
     return {state.remoteControl ? ModeLookText::tr("Not in control")
-                                : (told << ModeLookText::tr("Monitoring")).join(dot),
+                                : (parts << ModeLookText::tr("Monitoring")).join(dot),
             Shape::None, Emphasis::Muted, state.controlReason};
 }
 
@@ -336,12 +336,12 @@ NextStep nextStep(const SessionState& state) {
     if (state.link != LinkState::Live || state.monitorOnly) {
         return NextStep::None;
     }
-    const bool deaf = !serviceObstacle(state).isEmpty();
+    const bool isUnavailable = !serviceObstacle(state).isEmpty();
     switch (dashboard::nextRecoveryStep(state.safety(), state.robotMode)) {
         case dashboard::RecoveryStep::PowerOn:
-            return deaf ? NextStep::None : NextStep::PowerOn;
+            return isUnavailable ? NextStep::None : NextStep::PowerOn;
         case dashboard::RecoveryStep::ReleaseBrakes:
-            return deaf ? NextStep::None : NextStep::ReleaseBrakes;
+            return isUnavailable ? NextStep::None : NextStep::ReleaseBrakes;
         case dashboard::RecoveryStep::Done:
             return state.control == ControlState::None || state.control == ControlState::Refused
                        ? NextStep::TakeControl

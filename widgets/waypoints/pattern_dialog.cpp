@@ -166,7 +166,7 @@ void PatternDialog::takeCorner(int corner) {
         const QUuid before = pattern_.first.frame;
         pattern_.first = project::taughtAt(point, point.joints, *place, point.tcpOffset, document_.frames())
                              .value_or(point);
-        pattern_.first.ruling = project::TargetKind::Pose;
+        pattern_.first.priority = project::TargetKind::Pose;
         pattern_.first.history = {};
         pattern_.first.place = {};
         if (before != pattern_.first.frame) {

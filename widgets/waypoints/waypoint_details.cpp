@@ -204,7 +204,7 @@ void WaypointDetails::refresh() {
         return;
     }
     const project::Waypoint& point = document_.waypoints().at(row_);
-    const bool joints = point.ruling == project::TargetKind::Joints;
+    const bool joints = point.priority == project::TargetKind::Joints;
     // With a joint target, the position results from the joint positions and the current arm model. The
     // stored pose is not used.
     const std::optional<Pose> place =

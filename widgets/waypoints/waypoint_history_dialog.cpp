@@ -94,12 +94,12 @@ QStringList WaypointHistoryDialog::differences(const project::Waypoint& before, 
     }
     const auto frameText = [&](const project::Waypoint& point) {
         const project::Frame* frame = document.frames().find(point.frame);
-        return point.ruling == project::TargetKind::Joints ? tr("none (joints have priority)")
-               : point.frame.isNull()                      ? tr("Base")
-               : frame != nullptr                          ? frame->name
-                                                           : tr("a deleted frame");
+        return point.priority == project::TargetKind::Joints ? tr("none (joints have priority)")
+               : point.frame.isNull()                        ? tr("Base")
+               : frame != nullptr                            ? frame->name
+                                                             : tr("a deleted frame");
     };
-    if (before.ruling != now.ruling || before.frame != now.frame) {
+    if (before.priority != now.priority || before.frame != now.frame) {
         lines << tr("Frame: %1 → %2").arg(frameText(before), frameText(now));
     }
     if (before.move != now.move) {

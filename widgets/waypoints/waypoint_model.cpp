@@ -144,7 +144,7 @@ QString WaypointModel::display(const project::Waypoint& point, int row, int colu
         case Move:
             return point.move == project::MoveKind::Joint ? QStringLiteral("J") : QStringLiteral("L");
         case Frame: {
-            if (point.ruling == project::TargetKind::Joints) {
+            if (point.priority == project::TargetKind::Joints) {
                 return QStringLiteral("—");
             }
             const project::Frame* frame = document_.frames().find(point.frame);
@@ -186,7 +186,7 @@ QString WaypointModel::toolTip(const project::Waypoint& point, int row, int colu
             return point.move == project::MoveKind::Joint ? tr("MoveJ: all joints start and stop together")
                                                           : tr("MoveL: the TCP moves along a straight line");
         case Frame:
-            return point.ruling == project::TargetKind::Joints
+            return point.priority == project::TargetKind::Joints
                        ? tr("Joints have priority: the arm returns to the same configuration")
                        : tr("The pose has priority: the waypoint moves with its frame");
         case ReachColumn:
@@ -351,7 +351,7 @@ void WaypointModel::setPose(int row, const Pose& pose) {
         return;
     }
     project::Waypoint point = waypointAt(row);
-    const bool joints = point.ruling == project::TargetKind::Joints;
+    const bool joints = point.priority == project::TargetKind::Joints;
     std::optional<Pose> place = pose;
     if (!joints) {
         point.pose = pose;
@@ -394,7 +394,7 @@ bool WaypointModel::setFrame(int row, const QString& text) {
         if (document_.reach(row).ok()) {
             point.joints = document_.reach(row).q;
         }
-        point.ruling = project::TargetKind::Joints;
+        point.priority = project::TargetKind::Joints;
         document_.changeWaypoint(row, point, tr("Use joint positions for “%1”").arg(point.name));
         return true;
     }
@@ -405,10 +405,10 @@ bool WaypointModel::setFrame(int row, const QString& text) {
     }
     // Keep the position in the base frame.
     const std::optional<Pose> place =
-        point.ruling == project::TargetKind::Joints
+        point.priority == project::TargetKind::Joints
             ? std::optional(kinematics::forwardTcp(document_.robot().dh, point.joints, point.tcpOffset))
             : project::poseInBase(point, document_.frames());
-    point.ruling = project::TargetKind::Pose;
+    point.priority = project::TargetKind::Pose;
     point.frame = frame == nullptr ? QUuid() : frame->id;
     if (place) {
         point = *project::taughtAt(point, point.joints, *place, point.tcpOffset, document_.frames());

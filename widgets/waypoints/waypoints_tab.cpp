@@ -432,7 +432,7 @@ std::vector<WaypointMark> WaypointsTab::marks() const {
     for (int row = 0; row < model_->rowCount(); ++row) {
         const project::Waypoint& point = document_.waypoints().at(row);
         std::optional<Pose> pose = project::poseInBase(point, document_.frames());
-        if (point.ruling == project::TargetKind::Joints) {
+        if (point.priority == project::TargetKind::Joints) {
             pose = kinematics::forwardTcp(document_.robot().dh, point.joints, point.tcpOffset);
         }
         if (pose) {

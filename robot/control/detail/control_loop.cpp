@@ -523,7 +523,7 @@ void ControlLoop::compose(const Feedback& data, Command& command) {
         followedTcp_ = data.tcpOffset;
         followedForce_ = data.tcpForce.value_or(Eigen::Vector3d::Zero());
         pressed_ = 0;
-        followedTimeoutNs_ = std::chrono::nanoseconds(motion->silence).count();
+        followedTimeoutNs_ = std::chrono::nanoseconds(motion->heartbeatTimeout).count();
         status_.limiter = motion->limiter;
         // The measured motion was replaced before it reached standstill.
         meter_.cancel();
@@ -573,7 +573,7 @@ void ControlLoop::composeProgram(const MotionCommand& motion, const Feedback& da
     command.acceleration = from->acceleration;
     command.rotationAcceleration = from->rotationAcceleration;
     command.rotation = from->rotation;
-    command.silenceMs = static_cast<std::int32_t>(from->silence.count());
+    command.heartbeatTimeoutMs = static_cast<std::int32_t>(from->heartbeatTimeout.count());
 }
 
 bool ControlLoop::feelsContact(const JogTarget& target, const Feedback& data) {

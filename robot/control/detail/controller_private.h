@@ -70,12 +70,12 @@ struct Controller::Private {
     Result<std::uint64_t> sendSection(const QString& section, const QString& name, std::uint64_t stops,
                                       const Deadline& deadline, const QString& context);
     /// Starts the last section sent, unless a stop or another motion has occurred since this epoch.
-    /// silence  maximum time without a heartbeat; 0: default
-    Result<MotionId> beginSection(std::uint64_t epoch, Holding holding, std::chrono::milliseconds silence,
-                                  const QString& context);
+    /// heartbeatTimeout  maximum time without a heartbeat; 0: default
+    Result<MotionId> beginSection(std::uint64_t epoch, Holding holding,
+                                  std::chrono::milliseconds heartbeatTimeout, const QString& context);
     /// Sends and starts the section.
     Result<MotionId> startSection(const QString& section, const QString& name, Holding holding,
-                                  std::chrono::milliseconds silence, std::uint64_t stops,
+                                  std::chrono::milliseconds heartbeatTimeout, std::uint64_t stops,
                                   const Deadline& deadline, const QString& context);
     /// Reason why no motion may start; code None if motions may start.
     Error obstacle(const QString& context) const;

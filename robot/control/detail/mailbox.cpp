@@ -90,7 +90,7 @@ bool Mailbox::replace(MotionId motion, const MotionCommand& values, std::int64_t
     changed.held = last_.held;
     changed.program = last_.program;
     changed.limiter = last_.limiter;
-    changed.silence = last_.silence;
+    changed.heartbeatTimeout = last_.heartbeatTimeout;
     publish(changed);
     return epoch_.isActive(motion);
 }

@@ -40,7 +40,7 @@ struct MotionCommand {
     std::array<double, 3> rotation{};  ///< only for Program: rotation vector of the custom frame
     Limiter limiter;                   ///< for a move: the limit that reduces the requested speed
     /// Maximum time without a heartbeat for a Free move or path; 0: default.
-    std::chrono::milliseconds silence{0};
+    std::chrono::milliseconds heartbeatTimeout{0};
 };
 
 /// Sets the step gate of a Script.

@@ -16,11 +16,10 @@ QString inWholeMs(std::int64_t ns) {
 QString MotionDelay::text() const {
     const QString measured = inWholeMs(measuredNs);
     const QString limit = inWholeMs(limitNs);
-    const QString silence =
-        QStringLiteral("a longer timeout for moves to a target (parameter silence, at most 4 s)");
+    const QString timeout = QStringLiteral("a longer heartbeat timeout for moves to a target (at most 4 s)");
     const QString busy =
-        QStringLiteral("Use real-time priority, reduce the load on this computer, or use %1").arg(silence);
-    const QString network = QStringLiteral("Check the network, or use %1").arg(silence);
+        QStringLiteral("Use real-time priority, reduce the load on this computer, or use %1").arg(timeout);
+    const QString network = QStringLiteral("Check the network, or use %1").arg(timeout);
     switch (kind) {
         case Kind::None:
             break;

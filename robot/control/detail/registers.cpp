@@ -168,7 +168,7 @@ std::array<double, kCommandSize> encode(const Command& command) {
     *at++ = command.request.number;
     *at++ = static_cast<double>(command.request.kind);
     *at++ = command.request.whole;
-    *at++ = (command.forcePermitted ? 1 : 0) + (command.mayFinish ? 2 : 0) + 4 * command.silenceMs;
+    *at++ = (command.forcePermitted ? 1 : 0) + (command.mayFinish ? 2 : 0) + 4 * command.heartbeatTimeoutMs;
     *at++ = std::round(command.speedFraction * 1000);
     at = std::copy(command.values.begin(), command.values.end(), at);
     *at++ = command.speed;

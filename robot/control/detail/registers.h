@@ -137,10 +137,10 @@ struct Command {
     double rotationAcceleration = 0;   ///< [rad/s2]
     std::array<double, 3> rotation{};  ///< JogFrame::Custom: rotation vector of the frame
     Request request;
-    bool forcePermitted = false;  ///< force mode is permitted
-    double speedFraction = 1;     ///< speed slider value
-    bool mayFinish = false;       ///< a move or path may complete without a heartbeat
-    std::int32_t silenceMs = 0;   ///< maximum time of a move or path without a heartbeat; 0: default
+    bool forcePermitted = false;          ///< force mode is permitted
+    double speedFraction = 1;             ///< speed slider value
+    bool mayFinish = false;               ///< a move or path may complete without a heartbeat
+    std::int32_t heartbeatTimeoutMs = 0;  ///< maximum time of a move or path without a heartbeat; 0: default
 };
 
 /// Values of control.script in its output registers.

@@ -81,7 +81,7 @@ QJsonObject factsOf(const Waypoint& point) {
     QJsonObject object = point.extra;
     object["name"] = point.name;
     object["move"] = QLatin1String(kMoveWords[static_cast<std::size_t>(point.move)]);
-    object["rules"] = QLatin1String(kTargetWords[static_cast<std::size_t>(point.ruling)]);
+    object["rules"] = QLatin1String(kTargetWords[static_cast<std::size_t>(point.priority)]);
     object["frame"] = idOrNull(point.frame);
     object["tcpOffset"] = arrayOf(point.tcpOffset.array());
     object["joints"] = arrayOf(point.joints.array());

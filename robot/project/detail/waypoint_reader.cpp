@@ -19,7 +19,7 @@ Waypoint WaypointReader::facts(const QString& where, const QJsonObject& object, 
     Waypoint point;
     point.name = fields_.text(where, object, "name");
     point.move = static_cast<MoveKind>(fields_.word(where, object, "move", kMoveWords));
-    point.ruling = static_cast<TargetKind>(fields_.word(where, object, "rules", kTargetWords));
+    point.priority = static_cast<TargetKind>(fields_.word(where, object, "rules", kTargetWords));
     point.frame = frames == Frames::MustBeHere ? fields_.frame(where, object, frames_)
                                                : fields_.optionalId(where, object, "frame");
     point.tcpOffset = fields_.pose(where, object, "tcpOffset");

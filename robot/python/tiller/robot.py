@@ -421,42 +421,46 @@ class Robot:
     # All raise immediately: InvalidArgument, LimitExceeded, NoSolution (unreachable), NotInControl, UnsafeState,
     # LinkLost, Stopped; later errors are raised by Move.wait().
 
-    def move_j(self, q: Floats, speed: float = 1.05, acceleration: float = 1.4, silence: float = 0.1) -> Move:
+    def move_j(self, q: Floats, speed: float = 1.05, acceleration: float = 1.4, heartbeat_timeout: float = 0.1) -> Move:
         """Moves linearly in joint space to joint positions [rad]; speed [rad/s] and acceleration [rad/s2] of the
         leading joint. The speed cap also applies: Move.plan contains the resulting speed and the duration. A Pose
         is refused.
 
         Returns immediately; the arm moves to its target even if the handle is discarded. See Move for what ends a
         motion.
-        silence: heartbeat timeout, 0.1 ... 4 [s]: the move continues for this time without a heartbeat from this
-        computer, e.g. while the machine is busy or a cable is replugged. During this time, the arm moves unattended;
-        then the robot ends the move.
+        heartbeat_timeout: 0.1 ... 4 [s]: the move continues for this time without a heartbeat from this computer, e.g.
+        while the machine is busy or a cable is replugged. During this time, the arm moves unattended; then the robot
+        ends the move.
         """
-        return self._move(self._controller.move_j(joint_positions(q, "q", "move_j_to_pose()"), speed, acceleration, silence))
+        return self._move(self._controller.move_j(joint_positions(q, "q", "move_j_to_pose()"), speed, acceleration,
+                                                  heartbeat_timeout))
 
-    def move_j_to_pose(self, pose: Floats, speed: float = 1.05, acceleration: float = 1.4, silence: float = 0.1) -> Move:
+    def move_j_to_pose(self, pose: Floats, speed: float = 1.05, acceleration: float = 1.4,
+                       heartbeat_timeout: float = 0.1) -> Move:
         """Moves linearly in joint space to a pose of the TCP in the base frame [m, rad]; speed [rad/s], acceleration
-        [rad/s2]; silence as in move_j(). Joints are refused."""
+        [rad/s2]; heartbeat_timeout as in move_j(). Joints are refused."""
         return self._move(self._controller.move_j_to_pose(pose_numbers(pose, "pose", "move_j()"), speed, acceleration,
-                                                          silence))
+                                                          heartbeat_timeout))
 
-    def move_l(self, pose: Floats, speed: float | None = None, acceleration: float = 1.2, silence: float = 0.1) -> Move:
+    def move_l(self, pose: Floats, speed: float | None = None, acceleration: float = 1.2,
+               heartbeat_timeout: float = 0.1) -> Move:
         """Moves the TCP on a straight line to a pose in the base frame [m, rad]; speed [m/s], None: 0.25, or the cap if
-        lower; acceleration [m/s2]; silence as in move_j(). Joints are refused. Raises NoSolution if the pose is
+        lower; acceleration [m/s2]; heartbeat_timeout as in move_j(). Joints are refused. Raises NoSolution if the pose is
         unreachable, LimitExceeded for a speed above the cap."""
         return self._move(self._controller.move_l(pose_numbers(pose, "pose", "move_l_to_joints()"), speed, acceleration,
-                                                  silence))
+                                                  heartbeat_timeout))
 
     def move_l_to_joints(self, q: Floats, speed: float | None = None, acceleration: float = 1.2,
-                         silence: float = 0.1) -> Move:
+                         heartbeat_timeout: float = 0.1) -> Move:
         """Moves the TCP on a straight line to the pose of these joint positions [rad]; otherwise like move_l()."""
-        return self._move(self._controller.move_l_to_joints(joint_positions(q, "q", "move_l()"), speed, acceleration, silence))
+        return self._move(self._controller.move_l_to_joints(joint_positions(q, "q", "move_l()"), speed, acceleration,
+                                                            heartbeat_timeout))
 
-    def move_path(self, path: Sequence[PathMove], timeout: float | None = 5.0, silence: float = 0.1) -> Move:
-        """Executes moves as one path; timeout: for the start [s]; silence as in move_j(). The arm must be at
+    def move_path(self, path: Sequence[PathMove], timeout: float | None = 5.0, heartbeat_timeout: float = 0.1) -> Move:
+        """Executes moves as one path; timeout: for the start [s]; heartbeat_timeout as in move_j(). The arm must be at
         standstill."""
         with self._waiting():
-            return self._move(self._controller.move_path([move.row() for move in path], timeout, silence))
+            return self._move(self._controller.move_path([move.row() for move in path], timeout, heartbeat_timeout))
 
     def move_until_contact(self, velocity: Floats, direction: Floats = ZEROS, acceleration: float = 0.5,
                            timeout: float | None = 5.0) -> Move:

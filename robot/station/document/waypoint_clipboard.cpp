@@ -168,7 +168,7 @@ project::Waypoint waypointOf(Line& line, const project::FrameList& frames, const
         line.fail(Rules, WaypointClipboard::tr("“%1” must be “joints” or “pose”").arg(rules));
     }
     const bool poseRules = line.has(Rules) ? rules == QLatin1String("pose") : !hasJoints;
-    point.ruling = poseRules ? project::TargetKind::Pose : project::TargetKind::Joints;
+    point.priority = poseRules ? project::TargetKind::Pose : project::TargetKind::Joints;
     const QString frame = line.text(Frame);
     if (!frame.isEmpty() && frame != QLatin1String("Base")) {
         if (const project::Frame* found = frames.findByName(frame)) {
@@ -262,7 +262,7 @@ QString toText(const std::vector<project::Waypoint>& waypoints, const project::F
         QStringList fields = {
             name.replace(QLatin1Char('\t'), QLatin1Char(' ')).replace(QLatin1Char('\n'), QLatin1Char(' ')),
             joint ? QStringLiteral("J") : QStringLiteral("L"),
-            point.ruling == project::TargetKind::Joints ? QStringLiteral("joints") : QStringLiteral("pose"),
+            point.priority == project::TargetKind::Joints ? QStringLiteral("joints") : QStringLiteral("pose"),
             frame == nullptr ? QStringLiteral("Base") : frame->name,
             figure(joint ? toDegrees(point.jointSpeed) : point.toolSpeed * kMmPerM),
             figure(point.blend * kMmPerM)};

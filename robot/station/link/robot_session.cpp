@@ -503,7 +503,7 @@ Result<RobotSession::MotionId> RobotSession::beginProgram(
                 motion.setGate(shared->gate);  // the gate may have changed since the call
                 return true;
             };
-            terms.regainsAfterSilence = false;  // the window never takes control by itself
+            terms.regainsAfterDataGap = false;  // the window never takes control by itself
             terms.regainsControl = [receiver] { return !wasStoppedOnRobot(*receiver); };
             const Result<void> outcome =
                 control::Programs(*controller).runScript(script, Deadline::never(token), terms);

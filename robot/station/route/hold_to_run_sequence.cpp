@@ -89,11 +89,11 @@ void HoldToRunSequence::end(HoldMotion::Id id, StopCause cause) {
     }
 }
 
-MoveStep::MoveStep(const MotionPort& port, MoveRequest move, std::function<void(int)> told)
-    : port_(port), move_(std::move(move)), told_(std::move(told)) {}
+MoveStep::MoveStep(const MotionPort& port, MoveRequest move, std::function<void(int)> onMove)
+    : port_(port), move_(std::move(move)), onMove_(std::move(onMove)) {}
 
-MoveStep::MoveStep(const MotionPort& port, control::MotionPath path, std::function<void(int)> told)
-    : port_(port), path_(std::move(path)), told_(std::move(told)) {}
+MoveStep::MoveStep(const MotionPort& port, control::MotionPath path, std::function<void(int)> onMove)
+    : port_(port), path_(std::move(path)), onMove_(std::move(onMove)) {}
 
 Result<void> MoveStep::begin(std::uint64_t stops) {
     Result<MotionPort::Id> begun = 0;
@@ -107,7 +107,7 @@ Result<void> MoveStep::begin(std::uint64_t stops) {
         return begun.error();
     }
     id_ = *begun;
-    told_(reportedStep_ = 0);
+    onMove_(reportedStep_ = 0);
     return {};
 }
 
@@ -118,7 +118,7 @@ Result<SequenceStep::State> MoveStep::hold() {
         return progress.error();
     }
     if (const int heading = progress->waypoint - 1; alive && heading > reportedStep_) {
-        told_(reportedStep_ = heading);
+        onMove_(reportedStep_ = heading);
     }
     if (alive) {
         return State::Going;

@@ -66,9 +66,9 @@ private:
 /// One move, or several blended moves.
 class MoveStep : public SequenceStep {
 public:
-    /// told  called with the index of the current move, from 0, when it changes
-    MoveStep(const MotionPort& port, MoveRequest move, std::function<void(int)> told);
-    MoveStep(const MotionPort& port, control::MotionPath path, std::function<void(int)> told);
+    /// onMove  called with the index of the current move, from 0, when it changes
+    MoveStep(const MotionPort& port, MoveRequest move, std::function<void(int)> onMove);
+    MoveStep(const MotionPort& port, control::MotionPath path, std::function<void(int)> onMove);
 
     Result<void> begin(std::uint64_t stops) override;
     Result<State> hold() override;
@@ -78,7 +78,7 @@ private:
     const MotionPort& port_;
     MoveRequest move_;
     control::MotionPath path_;
-    std::function<void(int)> told_;
+    std::function<void(int)> onMove_;
     MotionPort::Id id_ = 0;
     int reportedStep_ = -1;
 };

@@ -375,10 +375,10 @@ Result<std::unique_ptr<SequenceStep>> RouteRunner::nextLeg(Way way) {
     }
     ++legs_;
     leg_ = leg;
-    const auto told = [this, way](int move) { headFor(leg_.at(move), way); };
+    const auto onMove = [this, way](int move) { headFor(leg_.at(move), way); };
     return leg.size() == 1
-               ? std::unique_ptr<SequenceStep>(std::make_unique<MoveStep>(port_, moves->front(), told))
-               : std::make_unique<MoveStep>(port_, pathOf(leg, *moves), told);
+               ? std::unique_ptr<SequenceStep>(std::make_unique<MoveStep>(port_, moves->front(), onMove))
+               : std::make_unique<MoveStep>(port_, pathOf(leg, *moves), onMove);
 }
 
 HoldBounds RouteRunner::bounds(Way way) const {

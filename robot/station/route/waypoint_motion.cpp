@@ -29,7 +29,7 @@ Result<MoveRequest> moveRequestFor(const RobotModel& model, const project::Waypo
     }
     request.kind = MoveRequest::Kind::MoveL;
     request.speed = std::min(waypoint.toolSpeed, limits.tcpSpeed);
-    request.pose = waypoint.ruling == project::TargetKind::Joints
+    request.pose = waypoint.priority == project::TargetKind::Joints
                        ? kinematics::forwardTcp(model.dh, waypoint.joints, tcpOffset)
                        : *project::targetForTcp(waypoint, frames, tcpOffset);
     return request;

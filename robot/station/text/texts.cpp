@@ -280,7 +280,7 @@ QString controlLossText(control::ControlLoss loss) {
         case ControlLoss::ScriptStopped:
             return TextsText::tr("The control program on the robot was stopped. Take control again.");
         case ControlLoss::EchoStalled:
-            return TextsText::tr("The control program does not respond. Take control again.");
+            return TextsText::tr("The control program was replaced or does not respond. Take control again.");
         case ControlLoss::LinkLost:
             return TextsText::tr("The connection was lost. Take control again.");
         case ControlLoss::DataStale:

@@ -16,7 +16,7 @@ namespace {
 
 using std::chrono::milliseconds;
 using std::chrono::seconds;
-using Face = ur_rtde::RTDEControlInterface;
+using ControlInterface = ur_rtde::RTDEControlInterface;
 
 constexpr milliseconds kCustomConnectTime(5000);
 constexpr milliseconds kProgramStart(5000);
@@ -195,7 +195,7 @@ void CustomControl::startProgram(RegisterLink& link) {
         }
         return;
     }
-    if (!options_.has(Face::FLAG_NO_WAIT) && !awaitProgram(link, kCustomManualStart)) {
+    if (!options_.has(ControlInterface::FLAG_NO_WAIT) && !awaitProgram(link, kCustomManualStart)) {
         throw std::logic_error("No program was started on the robot within 60 s");
     }
 }

@@ -13,7 +13,7 @@ namespace tiller::urrtde {
 
 namespace {
 
-using Face = ur_rtde::RTDEControlInterface;
+using ControlInterface = ur_rtde::RTDEControlInterface;
 
 constexpr int kDashboardPort = 29999;
 
@@ -26,7 +26,7 @@ bool isExempt(const std::string& host) {
 }  // namespace
 
 void SessionOptions::say(const std::string& text) const {
-    if (has(Face::FLAG_VERBOSE)) {
+    if (has(ControlInterface::FLAG_VERBOSE)) {
         std::cout << "RTDEControlInterface: " << text << std::endl;
     }
 }
@@ -111,7 +111,7 @@ void Pendant::unlockProtectiveStop() {
 // ---- session --------------------------------------------------------------------------------------------
 
 ControlSession::ControlSession(const SessionOptions& options) : options_(options) {
-    if (options_.has(Face::FLAG_USE_EXT_UR_CAP)) {
+    if (options_.has(ControlInterface::FLAG_USE_EXT_UR_CAP)) {
         server_ = std::make_unique<ProgramServer>(options_.capPort);
     }
     connect();
@@ -154,7 +154,7 @@ void ControlSession::connect() {
 }
 
 std::shared_ptr<ControlBackend> ControlSession::open() {
-    const bool uploads = options_.has(Face::FLAG_UPLOAD_SCRIPT);
+    const bool uploads = options_.has(ControlInterface::FLAG_UPLOAD_SCRIPT);
     if (!isExempt(options_.host) && !server_ && !pendant_.allowsRemoteControl()) {
         throw std::logic_error("The robot at " + options_.host +
                                " is in local control. Switch it to remote control on the teach pendant.");
@@ -168,7 +168,7 @@ std::shared_ptr<ControlBackend> ControlSession::open() {
     // Use the running program, or the next one that is started: a program of Tiller or of an earlier client,
     // otherwise one with ur_rtde's registers.
     std::shared_ptr<ControlBackend> ours;
-    if (!options_.has(Face::FLAG_CUSTOM_SCRIPT)) {
+    if (!options_.has(ControlInterface::FLAG_CUSTOM_SCRIPT)) {
         ours = openNative(true);
     }
     return ours ? ours : openCustom();
@@ -214,7 +214,8 @@ bool ControlSession::reupload() {
     if (!current->isConnected()) {
         return false;
     }
-    const bool none = isForeign() && scriptFile_.empty() && !options_.has(Face::FLAG_CUSTOM_SCRIPT);
+    const bool none =
+        isForeign() && scriptFile_.empty() && !options_.has(ControlInterface::FLAG_CUSTOM_SCRIPT);
     if (!none) {
         return current->reupload();
     }

@@ -14,7 +14,7 @@ namespace {
 using control::Holding;
 using control::StopCause;
 using std::chrono::milliseconds;
-using Face = ur_rtde::RTDEControlInterface;
+using ControlInterface = ur_rtde::RTDEControlInterface;
 using List = std::vector<double>;
 
 constexpr milliseconds kConnectTime(5000);
@@ -152,7 +152,7 @@ NativeControl::NativeControl(const SessionOptions& options, Pendant& pendant, Pr
         wanted.force = kCalmForce;
         wanted.keepPaused = true;  // programs for ur_rtde continue after a pause on the teach pendant
         if (server != nullptr) {
-            wanted.awaitProgram = !options.has(Face::FLAG_NO_WAIT);
+            wanted.awaitProgram = !options.has(ControlInterface::FLAG_NO_WAIT);
             wanted.deliver = [this](const QString& program, const Deadline&) -> Result<void> {
                 const bool again = controller_.version().major > 0 && controller_.status().ticks > 0;
                 server_->setProgram(insideOf(program));

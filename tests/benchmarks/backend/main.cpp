@@ -28,7 +28,7 @@ int main(int argc, char* argv[]) {
     parser.addOptions(
         {{"seconds", "How long the longer of the two circles takes (30 000 cycles: 60).", "s", "60"},
          {"round-trips", "How often the slider is set.", "n", "1000"},
-         {"only", "Only one part: loops, costs, patience or face.", "part"},
+         {"only", "Only one part: loops, costs, timeouts or ur_rtde.", "part"},
          {"decode-only", "Decodes so often and ends: for callgrind.", "n"},
          {"json", "One JSON object instead of a table."}});
     parser.process(application);
@@ -46,11 +46,11 @@ int main(int argc, char* argv[]) {
     if (isWanted("costs")) {
         measureCosts(report);
     }
-    if (isWanted("patience")) {
-        measurePatience(report);
+    if (isWanted("timeouts")) {
+        measureTimeout(report);
     }
-    if (isWanted("face")) {
-        measureFace(report, wishes);
+    if (isWanted("ur_rtde")) {
+        measureUrRtde(report, wishes);
     }
     if (isWanted("loops")) {
         measureLoops(report, wishes);

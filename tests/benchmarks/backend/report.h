@@ -88,9 +88,9 @@ struct Wishes {
 
 void measureLoops(Report& report, const Wishes& wishes);  ///< measures circles, round trips, allocations
 void measureCosts(Report& report);                        ///< measures decoding, control tick, receiving
-void measurePatience(Report& report);                     ///< measures deadlines, cancels, destruction
+void measureTimeout(Report& report);                      ///< measures deadlines, cancels, destruction
 /// measures the servo loop and reactions of the ur_rtde compatibility layer
-void measureFace(Report& report, const Wishes& wishes);
+void measureUrRtde(Report& report, const Wishes& wishes);
 bool decodeOnly(int times);  ///< for runs with callgrind
 
 }  // namespace tiller::benchmark

@@ -36,7 +36,7 @@ struct MuteWorld {
         link.beMute();
     }};
     /// Reads until the buffers of the system are full.
-    RawPeer deaf{[](RawPeer::Link& link) {
+    RawPeer unresponsive{[](RawPeer::Link& link) {
         while (!link.isOver()) {
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         }
@@ -225,7 +225,7 @@ inline std::vector<BlockingCall> blockingCalls() {
         return client->waitForState(d).error();
     });
     add("ScriptClient::send to a peer that is not reading", [](MuteWorld& w, D d) {
-        script::ScriptClient client(w.host(), w.deaf.port());
+        script::ScriptClient client(w.host(), w.unresponsive.port());
         const auto connected = client.connect(Deadline::after(std::chrono::seconds(60)));
         return connected ? client.send(QString(8'000'000, QLatin1Char('x')), d).error() : connected.error();
     });

@@ -196,8 +196,8 @@ public:
     /// Waits until no program is running. A program that was not ended because release() timed out first ends
     /// after 5 s without a heartbeat. Returns false if the program continues.
     bool programEnds() {
-        constexpr double kPatience = 6;  // [s] robot time
-        for (int ticks = static_cast<int>(kPatience / robot.stepTime());
+        constexpr double kTestTimeout = 6;  // [s] robot time
+        for (int ticks = static_cast<int>(kTestTimeout / robot.stepTime());
              ticks > 0 && robot.truth().runtimeState != RuntimeState::Stopped; --ticks) {
             stepAlone();
         }

@@ -15,7 +15,7 @@ constexpr double kSpeed = 0.1;         ///< TCP speed [m/s], as in the jog contr
 constexpr double kAcceleration = 0.5;  ///< [m/s2]
 constexpr double kTurn = 0.3;          ///< joint speed that results in about the same TCP speed [rad/s]
 
-Deadline patience() {
+Deadline testTimeout() {
     return Deadline::after(std::chrono::seconds(30));
 }
 
@@ -90,7 +90,8 @@ void nothing(ContractCell&) {}
 Error section(ContractCell& cell, const char* body) {
     return take(cell, cell.during([&] {
         return Programs(*cell.controller)
-            .startFunction(QStringLiteral("contract"), QString::fromLatin1(body), patience(), Holding::Held);
+            .startFunction(QStringLiteral("contract"), QString::fromLatin1(body), testTimeout(),
+                           Holding::Held);
     }));
 }
 
@@ -100,7 +101,7 @@ Error push(ContractCell& cell) {
         mode.compliant[2] = true;
         mode.wrench.force.z() = 30;
         mode.limits = {0.1, 0.1, kSpeed, 0.5, 0.5, 0.5};
-        return Compliance(*cell.controller).setForceMode(mode, patience());
+        return Compliance(*cell.controller).setForceMode(mode, testTimeout());
     });
     return on ? Error() : on.error();
 }
@@ -148,7 +149,7 @@ const std::vector<ContractMotion>& contractMotions() {
              const PathEntry there{PathEntry::Kind::MoveL, raised(c, 0.25), {}, kSpeed, kAcceleration, 0};
              const PathEntry back{PathEntry::Kind::MoveL, raised(c, 0), {}, kSpeed, kAcceleration, 0};
              return take(c, c.during([&] {
-                 return Motions(*c.controller).movePath({there, back, there}, patience(), Holding::Free);
+                 return Motions(*c.controller).movePath({there, back, there}, testTimeout(), Holding::Free);
              }));
          },
          nothing},
@@ -156,7 +157,7 @@ const std::vector<ContractMotion>& contractMotions() {
          [](ContractCell& c) {
              return take(c, c.during([&] {
                  return Motions(*c.controller)
-                     .moveUntilContact(up().twist, patience(),
+                     .moveUntilContact(up().twist, testTimeout(),
                                        {.acceleration = kAcceleration, .holding = Holding::Free});
              }));
          },
@@ -271,7 +272,7 @@ const std::vector<ContractEvent>& contractEvents() {
              const std::uint64_t packages = c.robot.inputPackages();
              c.clock.pretendToRun(true);
              c.controller->stop(StopCause::Released);
-             const bool sent = c.robot.waitForInputPackages(packages + 1, patience());
+             const bool sent = c.robot.waitForInputPackages(packages + 1, testTimeout());
              c.clock.pretendToRun(false);
              if (!sent) {
                  c.fault = QStringLiteral("no stop was sent");
@@ -420,7 +421,7 @@ void ContractCell::step() {
     step(20'000);
 }
 
-void ContractCell::step(int patienceMs) {
+void ContractCell::step(int testTimeoutMs) {
     clock.advanceNs(static_cast<std::int64_t>(robot.stepTime() * 1e9 + 0.5));
     if (held_ != nullptr && holding && !clock.isFrozen()) {
         held_->hold(*this);
@@ -431,7 +432,7 @@ void ContractCell::step(int patienceMs) {
     }
     if (reachable) {
         // Each package must be answered before time advances.
-        robot.stepAnswered(Deadline::after(milliseconds(patienceMs)));
+        robot.stepAnswered(Deadline::after(milliseconds(testTimeoutMs)));
     } else {
         robot.step();
     }
@@ -518,8 +519,8 @@ ContractOutcome ContractCell::run(const ContractMotion& what, const ContractEven
     if (!isStanding() && outcome.problem.isEmpty()) {
         outcome.problem = QStringLiteral("it moves at the end");
     }
-    const bool told = !clock.isFrozen() && reachable;
-    if (told && outcome.problem.isEmpty() && (motion.isActive() || jog.isActive())) {
+    const bool reported = !clock.isFrozen() && reachable;
+    if (reported && outcome.problem.isEmpty() && (motion.isActive() || jog.isActive())) {
         outcome.problem = QStringLiteral("the motion is said to go on");
     }
     return outcome;

@@ -124,7 +124,7 @@ public:
     }
     /// Runs a function that waits for the robot while time advances.
     template <class Call>
-    auto during(Call call, int patienceMs = 20'000) {
+    auto during(Call call, int testTimeoutMs = 20'000) {
         std::optional<decltype(call())> result;
         std::atomic<bool> done{false};
         std::thread caller([&] {
@@ -132,7 +132,7 @@ public:
             done = true;
         });
         while (!done) {
-            step(patienceMs);
+            step(testTimeoutMs);
         }
         caller.join();
         return *result;
@@ -163,7 +163,7 @@ public:
 
 private:
     double stepTimeMs() const { return 1000 * robot.stepTime(); }
-    void step(int patienceMs);
+    void step(int testTimeoutMs);
     bool takeControl(QString& why);
 
     double slider_;

@@ -79,7 +79,7 @@ Way held(Controller& controller, const std::function<Result<Motion>()>& begin) {
 Way section(Controller& controller, const char* body) {
     return held(controller, [&controller, body] {
         return Programs(controller)
-            .startFunction(QStringLiteral("killed"), QString::fromLatin1(body), patience(), Holding::Held);
+            .startFunction(QStringLiteral("killed"), QString::fromLatin1(body), testTimeout(), Holding::Held);
     });
 }
 
@@ -119,7 +119,7 @@ bool pushUpwards(Controller& controller) {
     mode.compliant[2] = true;
     mode.wrench.force.z() = 30;
     mode.limits = {0.1, 0.1, kSpeed, 0.5, 0.5, 0.5};
-    return well(Compliance(controller).setForceMode(mode, patience()));
+    return well(Compliance(controller).setForceMode(mode, testTimeout()));
 }
 
 /// Starts the motion once, because it needs no refresh.
@@ -169,7 +169,7 @@ void addFreeWays(Controller& c, std::map<QString, Way>& ways) {
         const auto to = [&c](double by) {
             return PathEntry{PathEntry::Kind::MoveL, raised(c.status(), by), {}, kSpeed, kAcceleration, 0};
         };
-        return m.movePath({to(0.2), to(0), to(0.2), to(0)}, patience());
+        return m.movePath({to(0.2), to(0), to(0.2), to(0)}, testTimeout());
     });
     // Moves back and forth at full speed until the process ends.
     const auto endless = [&c, &ways](const QString& name,
@@ -230,7 +230,7 @@ std::map<QString, Way> everyWay(Controller& c) {
     ways["move until contact"] = [&c, motion = Motion()]() mutable {
         if (!motion.isActive()) {
             motion = begun(Motions(c).moveUntilContact(
-                up().twist, patience(), {.acceleration = kAcceleration, .holding = Holding::Free}));
+                up().twist, testTimeout(), {.acceleration = kAcceleration, .holding = Holding::Free}));
         }
     };
 
@@ -239,10 +239,10 @@ std::map<QString, Way> everyWay(Controller& c) {
     ways["pulse"] = [&c, begun = false]() mutable {
         if (!begun) {
             OutputPulses pulses(c);
-            begun =
-                well(pulses.begin(1U << 2, 1U << 2, std::chrono::minutes(10), Holding::Held, patience())) &&
-                well(pulses.begin(1U << 1, 1U << 1, std::chrono::milliseconds(1500), Holding::Free,
-                                  patience()));
+            begun = well(pulses.begin(1U << 2, 1U << 2, std::chrono::minutes(10), Holding::Held,
+                                      testTimeout())) &&
+                    well(pulses.begin(1U << 1, 1U << 1, std::chrono::milliseconds(1500), Holding::Free,
+                                      testTimeout()));
         }
     };
 
@@ -258,7 +258,7 @@ std::map<QString, Way> everyWay(Controller& c) {
         const auto to = [&c](double by) {
             return PathEntry{PathEntry::Kind::MoveL, raised(c.status(), by), {}, kSpeed, kAcceleration, 0};
         };
-        return Motions(c).movePath({to(0.2), to(0), to(0.2), to(0)}, patience(), Holding::Held);
+        return Motions(c).movePath({to(0.2), to(0), to(0.2), to(0)}, testTimeout(), Holding::Held);
     });
 
     ways["servoJ"] = [&c] {
@@ -393,7 +393,7 @@ int main(int argc, char** argv) {
     options.rtdePort = app.arguments().at(3).toInt();
     options.priority = 0;
     auto controller = std::make_unique<Controller>(options);
-    if (!well(controller->takeControl(patience()))) {
+    if (!well(controller->takeControl(testTimeout()))) {
         return 1;
     }
     std::thread([] {

@@ -167,7 +167,7 @@ private Q_SLOTS:
         // No motion may remain.
         QTRY_VERIFY_WITH_TIMEOUT(robot.truth().tcpSpeed.linear.norm() < 0.001, 60'000);
         QTRY_COMPARE_WITH_TIMEOUT(receiver.state(), receive::ReceiverState::Receiving, 60'000);
-        const auto again = controller.takeControl(patience());
+        const auto again = controller.takeControl(testTimeout());
         QVERIFY2(again.ok(), why(again));
     }
 };

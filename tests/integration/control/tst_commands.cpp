@@ -51,7 +51,7 @@ private Q_SLOTS:
             rises = rises && now >= last - 1e-3;
             last = now;
         };
-        const auto ended = cell.during([&] { return move->wait(patience()); });
+        const auto ended = cell.during([&] { return move->wait(testTimeout()); });
         QVERIFY2(ended.ok(), why(ended));
         QVERIFY(rises);
         QCOMPARE(move->progress().fraction, 1.0);
@@ -191,8 +191,8 @@ private Q_SLOTS:
         QString late;
         const auto send = [&](const QString& program) {
             script::ScriptClient client(cell.robot.listenAddress(), cell.robot.ports().primary);
-            const auto connected = client.connect(patience());
-            return connected ? client.send(program, patience()) : connected;
+            const auto connected = client.connect(testTimeout());
+            return connected ? client.send(program, testTimeout()) : connected;
         };
         ControllerOptions options;
         options.host = cell.robot.listenAddress();
@@ -211,7 +211,7 @@ private Q_SLOTS:
         QVERIFY(cell.takeControl().ok());
         fails = true;
         const auto ran = cell.during([&] {
-            return Programs(*cell.controller).runScript("def short():\n  sync()\nend\n", patience());
+            return Programs(*cell.controller).runScript("def short():\n  sync()\nend\n", testTimeout());
         });
         QVERIFY(!ran.ok());
         QVERIFY(!late.isEmpty());
@@ -288,14 +288,14 @@ private Q_SLOTS:
         const Pose there = moved(start, 0.05, 0.02, 0.04);
         const auto ik = motions.moveJToPose(there, {0.5, 1.4, Holding::Free});
         QVERIFY2(ik.ok(), why(ik));
-        QVERIFY(cell.during([&] { return ik->wait(patience()); }).ok());
+        QVERIFY(cell.during([&] { return ik->wait(testTimeout()); }).ok());
         QVERIFY((cell.tcp().position - there.position).norm() < 1e-3);
         const JointPositions q = cell.robot.truth().q;
         const auto back = motions.moveL(start, {0.1, 0.5, Holding::Free});
-        QVERIFY(cell.during([&] { return back->wait(patience()); }).ok());
+        QVERIFY(cell.during([&] { return back->wait(testTimeout()); }).ok());
         const auto fk = motions.moveLToJoints(q, {0.1, 0.5, Holding::Free});
         QVERIFY2(fk.ok(), why(fk));
-        QVERIFY(cell.during([&] { return fk->wait(patience()); }).ok());
+        QVERIFY(cell.during([&] { return fk->wait(testTimeout()); }).ok());
         QVERIFY((cell.tcp().position - there.position).norm() < 1e-3);
         QCOMPARE(motions.moveL(moved(start, 0, 0, 4), {0.1, 0.5}).error().code, ErrorCode::NoSolution);
         QCOMPARE(motions.moveJToPose(moved(start, 0, 0, 4), {0.1, 0.5}).error().code, ErrorCode::NoSolution);
@@ -315,18 +315,19 @@ private Q_SLOTS:
             {Kind::MoveP, moved(start, 0.04, 0, 0.04), {}, 0.1, 0.5, 0.005},
             {Kind::MoveC, end, moved(start, 0.03, 0, 0.06), 0.1, 0.5, 0.02},
         };
-        const auto motion = cell.during([&] { return Motions(*cell.controller).movePath(path, patience()); });
+        const auto motion =
+            cell.during([&] { return Motions(*cell.controller).movePath(path, testTimeout()); });
         QVERIFY2(motion.ok(), why(motion));
         int waypoint = 0;
         cell.everyTick = [&] { waypoint = std::max(waypoint, motion->progress().waypoint); };
-        const auto ended = cell.during([&] { return motion->wait(patience()); });
+        const auto ended = cell.during([&] { return motion->wait(testTimeout()); });
         QVERIFY2(ended.ok(), why(ended));
         QCOMPARE(waypoint, 4);
         QCOMPARE(motion->progress().waypoints, 4);
         QVERIFY((cell.tcp().position - end.position).norm() < 1e-3);
         // A move after the path works as usual.
         const auto move = Motions(*cell.controller).moveL(start, {0.1, 0.5, Holding::Free});
-        QVERIFY(cell.during([&] { return move->wait(patience()); }).ok());
+        QVERIFY(cell.during([&] { return move->wait(testTimeout()); }).ok());
     }
 
     void aStopEndsAPath() {
@@ -334,13 +335,14 @@ private Q_SLOTS:
         QVERIFY(cell.takeControl().ok());
         // The move is slow enough to be still active, even if the call returns late.
         const MotionPath path{{PathEntry::Kind::MoveL, moved(cell.tcp(), 0, 0, 0.2), {}, 0.01, 0.5, 0}};
-        const auto motion = cell.during([&] { return Motions(*cell.controller).movePath(path, patience()); });
+        const auto motion =
+            cell.during([&] { return Motions(*cell.controller).movePath(path, testTimeout()); });
         QVERIFY(motion.ok());
         QVERIFY(cell.stepMs(600));
         QVERIFY(!cell.isStanding());
         cell.controller->stop(StopCause::StopButton);
         QVERIFY(cell.ticksToStandstill(500) >= 0);
-        QCOMPARE(motion->wait(patience()).error().code, ErrorCode::Stopped);
+        QCOMPARE(motion->wait(testTimeout()).error().code, ErrorCode::Stopped);
         const Pose stands = cell.tcp();
         QVERIFY(cell.stepMs(300));
         QVERIFY((cell.tcp().position - stands.position).norm() < 1e-5);
@@ -353,10 +355,10 @@ private Q_SLOTS:
         const auto function = cell.during([&] {
             return programs.startFunction(
                 QStringLiteral("paint"),
-                QStringLiteral("speed = 3\nset_standard_digital_out(2, True)\nsleep(0.1)"), patience());
+                QStringLiteral("speed = 3\nset_standard_digital_out(2, True)\nsleep(0.1)"), testTimeout());
         });
         QVERIFY2(function.ok(), why(function));
-        QVERIFY(cell.during([&] { return function->wait(patience()); }).ok());
+        QVERIFY(cell.during([&] { return function->wait(testTimeout()); }).ok());
         QVERIFY((cell.robot.truth().digitalOutputs & 4U) != 0);
         QVERIFY(cell.controller->status().inControl);
     }
@@ -368,7 +370,7 @@ private Q_SLOTS:
         const Error error =
             cell.during([&] {
                     return programs.startFunction(QStringLiteral("broken"),
-                                                  QStringLiteral("a = 1\nb = = 2\nc = 3"), patience());
+                                                  QStringLiteral("a = 1\nb = = 2\nc = 3"), testTimeout());
                 })
                 .error();
         QCOMPARE(error.code, ErrorCode::ScriptError);
@@ -386,16 +388,16 @@ private Q_SLOTS:
             return programs.startFunction(
                 QStringLiteral("root"),
                 QStringLiteral("while not get_standard_digital_in(0):\n  sync()\nend\nx = sqrt(-1)"),
-                patience());
+                testTimeout());
         });
         QVERIFY2(function.ok(), why(function));
         cell.robot.setDigitalInput(0, true);
-        const Error error = cell.during([&] { return function->wait(patience()); }).error();
+        const Error error = cell.during([&] { return function->wait(testTimeout()); }).error();
         QCOMPARE(error.code, ErrorCode::ScriptError);
         QVERIFY2(error.controllerMessage.contains(QStringLiteral("root line 4")),
                  qPrintable(error.toString()));
         QVERIFY(!cell.controller->status().inControl);
-        const auto back = cell.during([&] { return programs.reupload(patience()); });
+        const auto back = cell.during([&] { return programs.reupload(testTimeout()); });
         QVERIFY2(back.ok(), why(back));
         QVERIFY(cell.controller->status().inControl);
     }
@@ -407,14 +409,14 @@ private Q_SLOTS:
         const auto ran = cell.during([&] {
             return programs.runScript(
                 QStringLiteral("def mine():\n  set_standard_digital_out(1, True)\n  sleep(0.2)\nend\n"),
-                patience());
+                testTimeout());
         });
         QVERIFY2(ran.ok(), why(ran));
         QVERIFY((cell.robot.truth().digitalOutputs & 2U) != 0);
         QVERIFY(cell.controller->status().inControl);
         const Error error =
             cell.during([&] {
-                    return programs.runScript(QStringLiteral("def bad():\n  x = = 1\nend\n"), patience());
+                    return programs.runScript(QStringLiteral("def bad():\n  x = = 1\nend\n"), testTimeout());
                 })
                 .error();
         QCOMPARE(error.code, ErrorCode::ScriptError);
@@ -432,17 +434,17 @@ private Q_SLOTS:
             QStringLiteral(
                 "def cut():\n  sleep(0.1)\n  write_output_integer_register(26, %1)\n  sync()\nend\n")
                 .arg(static_cast<int>(ScriptState::HeartbeatExpired));
-        const auto ran = cell.during([&] { return programs.runScript(script, patience()); });
+        const auto ran = cell.during([&] { return programs.runScript(script, testTimeout()); });
         QCOMPARE(ran.error().code, ErrorCode::LinkLost);
         QVERIFY2(ran.error().controllerMessage.contains(QStringLiteral("heartbeat")),
                  qPrintable(ran.error().toString()));
         QVERIFY(cell.controller->status().inControl);
-        QVERIFY(
-            cell.during([&] { return programs.runScript(QStringLiteral("sleep(0.1)\n"), patience()); }).ok());
+        QVERIFY(cell.during([&] { return programs.runScript(QStringLiteral("sleep(0.1)\n"), testTimeout()); })
+                    .ok());
         // A client that never takes control by itself can give it up instead.
         ScriptTerms terms;
-        terms.regainsAfterSilence = false;
-        const auto lost = cell.during([&] { return programs.runScript(script, patience(), terms); });
+        terms.regainsAfterDataGap = false;
+        const auto lost = cell.during([&] { return programs.runScript(script, testTimeout(), terms); });
         QCOMPARE(lost.error().code, ErrorCode::LinkLost);
         QVERIFY(!cell.controller->status().inControl);
         QVERIFY(cell.takeControl().ok());
@@ -453,9 +455,9 @@ private Q_SLOTS:
         QVERIFY(cell.takeControl().ok());
         Programs programs(*cell.controller);
         const QString script = QStringLiteral("def f():\n  tiller_heartbeat_thread = 1\nend\n");
-        QCOMPARE(programs.runScript(script, patience()).error().code, ErrorCode::InvalidArgument);
+        QCOMPARE(programs.runScript(script, testTimeout()).error().code, ErrorCode::InvalidArgument);
         const auto ran =
-            cell.during([&] { return programs.runScript(script, patience(), Supervision::Unattended); });
+            cell.during([&] { return programs.runScript(script, testTimeout(), Supervision::Unattended); });
         QVERIFY2(ran.ok(), why(ran));
     }
 
@@ -464,11 +466,11 @@ private Q_SLOTS:
         QVERIFY(cell.takeControl().ok());
         Programs programs(*cell.controller);
         QVERIFY(programs.isProgramRunning());
-        QVERIFY(cell.during([&] { return programs.endControlProgram(patience()); }).ok());
+        QVERIFY(cell.during([&] { return programs.endControlProgram(testTimeout()); }).ok());
         QVERIFY(!programs.isProgramRunning());
         QCOMPARE(Motions(*cell.controller).moveJ(cell.robot.truth().q, {0.5, 1}).error().code,
                  ErrorCode::NotInControl);
-        QVERIFY(cell.during([&] { return programs.reupload(patience()); }).ok());
+        QVERIFY(cell.during([&] { return programs.reupload(testTimeout()); }).ok());
         QVERIFY(cell.controller->status().inControl);
     }
 
@@ -477,7 +479,7 @@ private Q_SLOTS:
         QVERIFY(cell.takeControl().ok());
         QVERIFY(cell.stepMs(1000));
         ArmQueries ask(*cell.controller);
-        const auto with = [&](auto call) { return cell.during([&] { return call(patience()); }); };
+        const auto with = [&](auto call) { return cell.during([&] { return call(testTimeout()); }); };
         const JointPositions q = cell.robot.truth().q;
         const Pose pose = cell.tcp();
 
@@ -526,7 +528,7 @@ private Q_SLOTS:
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         ToolSetup setup(*cell.controller);
-        const auto with = [&](auto call) { return cell.during([&] { return call(patience()); }); };
+        const auto with = [&](auto call) { return cell.during([&] { return call(testTimeout()); }); };
         const Pose before = cell.tcp();
         const auto tcp = with([&](const Deadline& d) { return setup.setTcp(Pose(0, 0, 0.1, 0, 0, 0), d); });
         QVERIFY2(tcp.ok(), why(tcp));
@@ -565,7 +567,7 @@ private Q_SLOTS:
                 (void)setup.kickWatchdog();
             }
         };
-        QVERIFY(cell.during([&] { return setup.setWatchdog(10, patience()); }).ok());
+        QVERIFY(cell.during([&] { return setup.setWatchdog(10, testTimeout()); }).ok());
         cell.everyTick = nullptr;
         for (int i = 0; i < 20; ++i) {
             QVERIFY(setup.kickWatchdog().ok());
@@ -581,7 +583,7 @@ private Q_SLOTS:
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         const auto stopped =
-            cell.during([&] { return ToolSetup(*cell.controller).triggerProtectiveStop(patience()); });
+            cell.during([&] { return ToolSetup(*cell.controller).triggerProtectiveStop(testTimeout()); });
         QVERIFY2(stopped.ok(), why(stopped));
         QCOMPARE(cell.controller->status().safetyMode, SafetyMode::ProtectiveStop);
         QCOMPARE(Motions(*cell.controller).startServoJ().error().code != ErrorCode::None, true);
@@ -595,7 +597,7 @@ private Q_SLOTS:
         mode.compliant = {false, false, true, false, false, false};
         mode.wrench.force.z() = 10;
         mode.limits = {0.1, 0.1, 0.05, 0.5, 0.5, 0.5};
-        const auto with = [&](auto call) { return cell.during([&] { return call(patience()); }); };
+        const auto with = [&](auto call) { return cell.during([&] { return call(testTimeout()); }); };
         QVERIFY(with([&](const Deadline& d) { return compliance.setForceDamping(0.1, d); }).ok());
         QVERIFY(with([&](const Deadline& d) { return compliance.setForceGainScaling(0.5, d); }).ok());
         const double low = cell.tcp().position.z();
@@ -682,7 +684,7 @@ private Q_SLOTS:
         ToolSetup s(c);
         Compliance f(c);
         const MoveParameters usual{0.1, 0.5, Holding::Free};
-        const Deadline d = patience();
+        const Deadline d = testTimeout();
         const double nan = std::nan("");
         ForceMode force;
         force.limits = {1, 1, 1, 1, 1, 1};

@@ -92,7 +92,7 @@ Error withoutDescriptors() {
     for (int plug = dup(0); plug >= 0; plug = dup(0)) {
         plugs.push_back(plug);
     }
-    const Error error = connectTcp(kHere, 1, patience()).error();
+    const Error error = connectTcp(kHere, 1, testTimeout()).error();
     for (const int plug : plugs) {
         close(plug);
     }
@@ -113,17 +113,17 @@ Error inControl(Act act) {
 const std::map<ErrorCode, std::function<Error()>>& provocations() {
     static const std::map<ErrorCode, std::function<Error()>> table{
         {ErrorCode::AddressInvalid,
-         [] { return connectTcp(QStringLiteral("no such host"), 1, patience()).error(); }},
+         [] { return connectTcp(QStringLiteral("no such host"), 1, testTimeout()).error(); }},
         {ErrorCode::HostUnreachable,
          [] {
              const FullPort port;
              return openRtde(port.port(), Deadline::after(milliseconds(100)));
          }},
-        {ErrorCode::ConnectionRefused, [] { return openRtde(RawPeer::deadPort(), patience()); }},
+        {ErrorCode::ConnectionRefused, [] { return openRtde(RawPeer::deadPort(), testTimeout()); }},
         {ErrorCode::ConnectionClosed,
          [] {
              RawPeer peer([](RawPeer::Link&) {});
-             return openRtde(peer.port(), patience());
+             return openRtde(peer.port(), testTimeout());
          }},
         {ErrorCode::Timeout,
          [] {
@@ -171,7 +171,7 @@ const std::map<ErrorCode, std::function<Error()>>& provocations() {
                  link.send(QByteArray(64, '\0'));
                  link.beMute();
              });
-             return openRtde(peer.port(), patience());
+             return openRtde(peer.port(), testTimeout());
          }},
         {ErrorCode::VersionUnsupported,
          [] {
@@ -183,7 +183,7 @@ const std::map<ErrorCode, std::function<Error()>>& provocations() {
              RtdePeerOptions robot;
              robot.missing = {"timestamp"};
              RtdePeer peer(robot);
-             return openRtde(peer.port(), patience());
+             return openRtde(peer.port(), testTimeout());
          }},
         {ErrorCode::RegisterInUse,
          [] {
@@ -192,10 +192,10 @@ const std::map<ErrorCode, std::function<Error()>>& provocations() {
              RtdePeer peer(robot);
              rtde::SessionRequest request;
              request.inputs = {{{"input_int_register_24"}, true}};
-             return openRtde(peer.port(), patience(), request);
+             return openRtde(peer.port(), testTimeout(), request);
          }},
         {ErrorCode::NotConnected,
-         [] { return dashboard::DashboardClient(kHere, 1).robotMode(patience()).error(); }},
+         [] { return dashboard::DashboardClient(kHere, 1).robotMode(testTimeout()).error(); }},
         {ErrorCode::NotInControl,
          [] {
              Cell cell;
@@ -229,7 +229,7 @@ const std::map<ErrorCode, std::function<Error()>>& provocations() {
         {ErrorCode::NoSolution,
          [] {
              return inControl([](Controller& c) {
-                 return ArmQueries(c).inverseKinematics({3, 0, 0, 0, 0, 0}, {}, patience()).error();
+                 return ArmQueries(c).inverseKinematics({3, 0, 0, 0, 0, 0}, {}, testTimeout()).error();
              });
          }},
         {ErrorCode::Stopped,
@@ -249,14 +249,14 @@ const std::map<ErrorCode, std::function<Error()>>& provocations() {
                  }
              });
              dashboard::DashboardClient client(kHere, peer.port());
-             const auto connected = client.connect(patience());
-             return connected ? client.powerOn(patience()).error() : connected.error();
+             const auto connected = client.connect(testTimeout());
+             return connected ? client.powerOn(testTimeout()).error() : connected.error();
          }},
         {ErrorCode::ScriptError,
          [] {
              return inControl([](Controller& c) {
                  return Programs(c)
-                     .startFunction(QStringLiteral("broken"), QStringLiteral("b = = 2"), patience())
+                     .startFunction(QStringLiteral("broken"), QStringLiteral("b = = 2"), testTimeout())
                      .error();
              });
          }},

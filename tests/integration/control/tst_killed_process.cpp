@@ -95,12 +95,12 @@ private Q_SLOTS:
         test::ArmWatcher watcher(robot, control::ControllerOptions().registers);
         test::MovingProcess helper(program(), {robot.listenAddress(), QString::number(robot.ports().primary),
                                                QString::number(robot.ports().rtde), way});
-        const double patience = 60;  // [s] robot time
+        const double testTimeout = 60;  // [s] robot time
         QVERIFY(watcher.look());
         const double begin = watcher.time;
         while (watcher.speed < fast) {
             QVERIFY(watcher.look());
-            QVERIFY2(watcher.time - begin < patience, "the helper never moved the arm");
+            QVERIFY2(watcher.time - begin < testTimeout, "the helper never moved the arm");
             // Apply the force only now, because a force at the start of freedrive causes a protective stop.
             if (hand && watcher.state == ScriptState::Executing) {
                 robot.pressHand({{0, 0, 12}, {0, 0, 0}});

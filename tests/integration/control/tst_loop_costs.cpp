@@ -46,7 +46,7 @@ private Q_SLOTS:
         receiver.start().value();
         QVERIFY(cell.takeControl().ok());
         // Wait until connecting is complete, because it allocates.
-        const Deadline connected = patience();
+        const Deadline connected = testTimeout();
         while (receiver.counters().packets < 10) {
             QVERIFY(!connected.hasExpired() && cell.step());
         }

@@ -214,7 +214,7 @@ private Q_SLOTS:
 
     // The robot and this computer receive no data from each other for a limited time.
     void aFreeMoveSurvivesAnOutageWithinItsTimeout_data() {
-        QTest::addColumn<int>("silenceMs");
+        QTest::addColumn<int>("heartbeatTimeoutMs");
         QTest::addColumn<Holding>("holding");
         QTest::addColumn<int>("gapMs");
         QTest::addColumn<bool>("survives");
@@ -233,7 +233,7 @@ private Q_SLOTS:
         QTest::newRow("held") << 800 << Holding::Held << 400 << false << true;
     }
     void aFreeMoveSurvivesAnOutageWithinItsTimeout() {
-        QFETCH(int, silenceMs);
+        QFETCH(int, heartbeatTimeoutMs);
         QFETCH(Holding, holding);
         QFETCH(int, gapMs);
         QFETCH(bool, survives);
@@ -242,7 +242,7 @@ private Q_SLOTS:
         QVERIFY(cell.takeControl().ok());
         const JointPositions target = turned(cell.robot.truth().q, 0, 40 * kDeg);
         const auto move =
-            cell.motions().moveJ(target, {0.5, 1.4, holding, std::chrono::milliseconds(silenceMs)});
+            cell.motions().moveJ(target, {0.5, 1.4, holding, std::chrono::milliseconds(heartbeatTimeoutMs)});
         QVERIFY2(move.ok(), qPrintable(move.error().toString()));
         for (int t = 0; t < 400; t += 20) {
             QVERIFY(move->refresh());
@@ -275,11 +275,12 @@ private Q_SLOTS:
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         for (const int ms : {0, 50, 4001, 60'000}) {
-            const Error error = cell.motions()
-                                    .moveJ(cell.robot.truth().q, {.silence = std::chrono::milliseconds(ms)})
-                                    .error();
+            const Error error =
+                cell.motions()
+                    .moveJ(cell.robot.truth().q, {.heartbeatTimeout = std::chrono::milliseconds(ms)})
+                    .error();
             QCOMPARE(error.code, ErrorCode::LimitExceeded);
-            QVERIFY(error.controllerMessage.contains(QStringLiteral("silence")));
+            QVERIFY(error.controllerMessage.contains(QStringLiteral("heartbeatTimeout")));
         }
     }
 
@@ -484,8 +485,8 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(move->state().cause, StopCause::DataStale, 60'000);
         const Error error = move->wait(Deadline::after(std::chrono::seconds(60))).error();
         QCOMPARE(error.code, ErrorCode::LinkLost);
-        const QRegularExpression measured(
-            QStringLiteral("^no data from the robot for [1-9]\\d\\d ms \\(limit 100 ms\\): .*silence"));
+        const QRegularExpression measured(QStringLiteral(
+            "^no data from the robot for [1-9]\\d\\d ms \\(limit 100 ms\\): .*heartbeat timeout"));
         QVERIFY2(measured.match(error.controllerMessage).hasMatch(), qPrintable(error.controllerMessage));
     }
 

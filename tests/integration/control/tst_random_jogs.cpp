@@ -83,8 +83,8 @@ private Q_SLOTS:
             }
             // Holding the old button must have no effect.
             const double braking = speed / kBraking;
-            const int patience = static_cast<int>((mayStillTake + braking + 0.02) / 0.002);
-            for (int tick = 0; tick < patience && !(cell.isStanding() && tick > 52); ++tick) {
+            const int steps = static_cast<int>((mayStillTake + braking + 0.02) / 0.002);
+            for (int tick = 0; tick < steps && !(cell.isStanding() && tick > 52); ++tick) {
                 QVERIFY(cell.step());
                 if (mayStillTake <= kReaction) {
                     QVERIFY(!jog->refresh(linearJog(0.25, 0, 0)));

@@ -81,7 +81,7 @@ private Q_SLOTS:
         stretched[2] = -3 * kDeg;
         const auto move = Motions(*cell.controller).moveJ(stretched, {0.8, 1.4, Holding::Free});
         QVERIFY(move.ok());
-        QVERIFY(cell.during([&] { return move->wait(patience()); }).ok());
+        QVERIFY(cell.during([&] { return move->wait(testTimeout()); }).ok());
         servo = Motions(*cell.controller).startServoL({}, Holding::Free);
         QVERIFY(servo.ok());
         target = cell.tcp();
@@ -89,7 +89,7 @@ private Q_SLOTS:
         QVERIFY(servo->send(target).ok());
         QVERIFY(cell.stepMs(100));
         QCOMPARE(servo->motion().state().cause, StopCause::Unreachable);
-        QCOMPARE(servo->motion().wait(patience()).error().code, ErrorCode::NoSolution);
+        QCOMPARE(servo->motion().wait(testTimeout()).error().code, ErrorCode::NoSolution);
         QVERIFY(cell.controller->status().inControl);
     }
 
@@ -153,7 +153,7 @@ private Q_SLOTS:
             QVERIFY(cell.step());
         }
         QCOMPARE(servo->motion().state().cause, StopCause::TargetTooFar);
-        QCOMPARE(servo->motion().wait(patience()).error().code, ErrorCode::LimitExceeded);
+        QCOMPARE(servo->motion().wait(testTimeout()).error().code, ErrorCode::LimitExceeded);
         QVERIFY(cell.standsWithinMs(500));
         QVERIFY(cell.controller->status().inControl);
     }
@@ -168,7 +168,7 @@ private Q_SLOTS:
             return target;
         };
         const auto ended =
-            cell.during([&] { return PacketLoop(*cell.controller).servoJ(jump, {}, patience()); });
+            cell.during([&] { return PacketLoop(*cell.controller).servoJ(jump, {}, testTimeout()); });
         QCOMPARE(ended.error().code, ErrorCode::LimitExceeded);
         QVERIFY2(ended.error().controllerMessage.contains(QStringLiteral("Base")), why(ended));
         const auto atOnce = [&](const CycleState& state) -> std::optional<Pose> {
@@ -177,7 +177,7 @@ private Q_SLOTS:
             return target;
         };
         const auto first =
-            cell.during([&] { return PacketLoop(*cell.controller).servoL(atOnce, {}, patience()); });
+            cell.during([&] { return PacketLoop(*cell.controller).servoL(atOnce, {}, testTimeout()); });
         QCOMPARE(first.error().code, ErrorCode::LimitExceeded);
         QVERIFY(cell.stepMs(300));
         QVERIFY((cell.robot.truth().q.values - start.values).norm() < 1e-3);
@@ -200,7 +200,7 @@ private Q_SLOTS:
         const int ticks = cell.ticksToStandstill(2000);
         QVERIFY2(ticks * 2 > 400 && ticks * 2 < 620, qPrintable(QString::number(ticks * 2)));
         // The controller confirms the stop after the arm has settled.
-        QVERIFY(cell.during([&] { return soft->wait(patience()); }).ok());
+        QVERIFY(cell.during([&] { return soft->wait(testTimeout()); }).ok());
 
         auto joints = motions.startSpeedJ({2.0, 0}, Holding::Free);
         QVERIFY(joints.ok());
@@ -212,7 +212,7 @@ private Q_SLOTS:
         const auto stop = motions.stopJ(10);
         QVERIFY(stop.ok());
         QVERIFY(stop->isActive());
-        QVERIFY(cell.during([&] { return stop->wait(patience()); }).ok());
+        QVERIFY(cell.during([&] { return stop->wait(testTimeout()); }).ok());
         // The script confirms at the end of its stopj. The remaining motion of the joint takes a few more
         // periods.
         QVERIFY(cell.standsWithinMs(20));
@@ -228,18 +228,18 @@ private Q_SLOTS:
         QVERIFY(ToolSpeed(*speed).send(up).ok());
         QVERIFY(cell.stepMs(400));
         QVERIFY(!cell.isStanding());
-        QVERIFY(cell.during([&] { return speed->motion().stop(patience()); }).ok());
+        QVERIFY(cell.during([&] { return speed->motion().stop(testTimeout()); }).ok());
         QVERIFY(cell.isStanding());
         QCOMPARE(speed->motion().state().cause, StopCause::ApiCall);
         // A repeated stop, or a stop after other motions, returns immediately.
-        QVERIFY(speed->motion().stop(patience()).ok());
+        QVERIFY(speed->motion().stop(testTimeout()).ok());
         cell.controller->stop();
-        QVERIFY(cell.during([&] { return speed->motion().stop(patience()); }).ok());
+        QVERIFY(cell.during([&] { return speed->motion().stop(testTimeout()); }).ok());
 
         // The call does not wait for another motion, which continues.
         const auto jogged = motions.startSpeedL({0.5, 0}, Holding::Free);
         QVERIFY(jogged.ok());
-        QVERIFY(speed->motion().stop(patience()).ok());
+        QVERIFY(speed->motion().stop(testTimeout()).ok());
         QVERIFY(jogged->isActive());
         // The call also waits for a stop that another call has requested.
         QVERIFY(ToolSpeed(*jogged).send(up).ok());
@@ -247,9 +247,9 @@ private Q_SLOTS:
         cell.controller->stop();
         QCOMPARE(jogged->motion().stop(Deadline::after(std::chrono::milliseconds(0))).error().code,
                  ErrorCode::Timeout);
-        QVERIFY(cell.during([&] { return jogged->motion().stop(patience()); }).ok());
+        QVERIFY(cell.during([&] { return jogged->motion().stop(testTimeout()); }).ok());
         QVERIFY(cell.isStanding());
-        QVERIFY(Motion().stop(patience()).ok());
+        QVERIFY(Motion().stop(testTimeout()).ok());
     }
 
     // Late data alone do not end control. The stop is confirmed when data arrive again.
@@ -266,7 +266,7 @@ private Q_SLOTS:
         QCOMPARE(speed->motion().stop(Deadline::after(std::chrono::milliseconds(0))).error().code,
                  ErrorCode::Timeout);
         cell.robot.silence(false);
-        const Result<void> stopped = cell.during([&] { return speed->motion().stop(patience()); });
+        const Result<void> stopped = cell.during([&] { return speed->motion().stop(testTimeout()); });
         QVERIFY2(stopped.ok(), qPrintable(stopped.error().toString()));
         QVERIFY(cell.isStanding());
     }
@@ -314,7 +314,7 @@ private Q_SLOTS:
         }
         const auto move = motions.moveJ(start, {0.5, 1.4, Holding::Free});
         QVERIFY(move.ok());
-        QVERIFY(cell.during([&] { return move->wait(patience()); }).ok());
+        QVERIFY(cell.during([&] { return move->wait(testTimeout()); }).ok());
         QVERIFY((cell.robot.truth().q.values - start.values).norm() < 1e-3);
         QCOMPARE(servo->motion().state().cause, StopCause::Superseded);
     }
@@ -377,7 +377,7 @@ private Q_SLOTS:
         // The next motion starts from the current position.
         const auto back = motions.moveJ(start, {0.5, 1.4, Holding::Free});
         QVERIFY2(back.ok(), why(back));
-        QVERIFY(cell.during([&] { return back->wait(patience()); }).ok());
+        QVERIFY(cell.during([&] { return back->wait(testTimeout()); }).ok());
         QVERIFY((cell.robot.truth().q.values - start.values).norm() < 1e-3);
     }
 
@@ -410,7 +410,7 @@ private Q_SLOTS:
         }
         QCOMPARE(stream->motion().state().cause, StopCause::LimitReached);
         QCOMPARE(cell.controller->status().limiter.kind, LimiterKind::TcpSpeed);
-        const auto ended = stream->motion().wait(patience());
+        const auto ended = stream->motion().wait(testTimeout());
         QCOMPARE(ended.error().code, ErrorCode::LimitExceeded);
         QVERIFY2(ended.error().controllerMessage.contains(QStringLiteral("setSpeedCap")), why(ended));
         QVERIFY(cell.standsWithinMs(150));
@@ -513,15 +513,15 @@ private Q_SLOTS:
             return state.time < 0.5 ? std::optional(turning(kGain * (0.2 - state.qd[0]))) : std::nullopt;
         };
         CycleReport report;
-        const auto ended =
-            cell.during([&] { return PacketLoop(*cell.controller).torque(steady, {}, patience(), &report); });
+        const auto ended = cell.during(
+            [&] { return PacketLoop(*cell.controller).torque(steady, {}, testTimeout(), &report); });
         QVERIFY2(ended.ok(), why(ended));
         QCOMPARE(report.motion.kind(), MotionKind::Torque);
         QVERIFY(cell.standsWithinMs(200));
         const double turned = cell.robot.truth().q[0] - start[0];
         QVERIFY2(turned > 0.04 && turned < 0.12, qPrintable(QString::number(turned)));
         const auto jump = [](const CycleState&) { return std::optional(turning(200)); };
-        QCOMPARE(cell.during([&] { return PacketLoop(*cell.controller).torque(jump, {}, patience()); })
+        QCOMPARE(cell.during([&] { return PacketLoop(*cell.controller).torque(jump, {}, testTimeout()); })
                      .error()
                      .code,
                  ErrorCode::LimitExceeded);
@@ -545,7 +545,7 @@ private Q_SLOTS:
         Result<void> ended;
         std::atomic<bool> over{false};
         std::thread caller([&] {
-            ended = PacketLoop(*cell.controller).servoJ(circle, {}, patience(), &report);
+            ended = PacketLoop(*cell.controller).servoJ(circle, {}, testTimeout(), &report);
             over = true;
         });
         while (!over && cell.step()) {
@@ -565,7 +565,8 @@ private Q_SLOTS:
             return JointPositions(90, 0, 0, 0, 0, 0);
         };
         const Error error =
-            cell.during([&] { return PacketLoop(*cell.controller).servoJ(wrong, {}, patience()); }).error();
+            cell.during([&] { return PacketLoop(*cell.controller).servoJ(wrong, {}, testTimeout()); })
+                .error();
         QCOMPARE(error.code, ErrorCode::InvalidArgument);
         QVERIFY(error.controllerMessage.contains(QStringLiteral("degrees")));
         QVERIFY(cell.ticksToStandstill(200) >= 0);

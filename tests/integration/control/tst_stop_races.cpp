@@ -103,7 +103,7 @@ private Q_SLOTS:
         cell.robot.changeWorld([](simulator::arm::Environment& world) { world.setConveyorSpeed(0, 1000); });
         QVERIFY(cell.takeControl().ok());
         const auto function = cell.during([&] {
-            return Programs(*cell.controller).startFunction(QStringLiteral("go_on"), body, patience());
+            return Programs(*cell.controller).startFunction(QStringLiteral("go_on"), body, testTimeout());
         });
         QVERIFY2(function.ok(), why(function));
         QVERIFY(cell.stepMs(300));
@@ -112,7 +112,7 @@ private Q_SLOTS:
             cell.controller->stop(StopCause::StopButton);
         } else {
             cell.robot.setDigitalInput(0, true);
-            const auto ended = cell.during([&] { return function->wait(patience()); });
+            const auto ended = cell.during([&] { return function->wait(testTimeout()); });
             QVERIFY2(ended.ok(), why(ended));
         }
         QVERIFY(cell.standsWithinMs(150));
@@ -139,7 +139,7 @@ private Q_SLOTS:
                 .runScript(QStringLiteral("def mine():\n  set_standard_digital_out(1, True)\n"
                                           "  while not get_standard_digital_in(0):\n    sync()\n  end\n"
                                           "  set_standard_digital_out(2, True)\n  sleep(0.1)\nend\n"),
-                           patience());
+                           testTimeout());
         });
         QCOMPARE(ran.error().code, ErrorCode::Stopped);
         cell.robot.setDigitalInput(0, true);
@@ -156,16 +156,16 @@ private Q_SLOTS:
         InverseOptions near;
         const Pose pose = cell.tcp();
         near.near = JointPositions(0, 0, 0, 0, 0, 0);  // initial value in a new program
-        const auto other = cell.during([&] { return ask.inverseKinematics(pose, near, patience()); });
+        const auto other = cell.during([&] { return ask.inverseKinematics(pose, near, testTimeout()); });
         QVERIFY2(other.ok(), why(other));
         near.near = cell.robot.truth().q;
         near.near->values *= -1;
-        const auto first = cell.during([&] { return ask.inverseKinematics(pose, near, patience()); });
+        const auto first = cell.during([&] { return ask.inverseKinematics(pose, near, testTimeout()); });
         QVERIFY2(first.ok(), why(first));
         QVERIFY((first->values - other->values).cwiseAbs().maxCoeff() > 0.1);
         cell.release();
         QVERIFY(cell.takeControl().ok());
-        const auto second = cell.during([&] { return ask.inverseKinematics(pose, near, patience()); });
+        const auto second = cell.during([&] { return ask.inverseKinematics(pose, near, testTimeout()); });
         QVERIFY2(second.ok(), why(second));
         QVERIFY((first->values - second->values).cwiseAbs().maxCoeff() < 1e-6);
     }
@@ -182,7 +182,7 @@ private Q_SLOTS:
                         }
                         return Twist{};
                     },
-                    {}, patience());
+                    {}, testTimeout());
         });
         QCOMPARE(ended.error().code, ErrorCode::Stopped);
         QVERIFY2(ended.error().controllerMessage.contains(QStringLiteral("no more paint")), why(ended));
@@ -192,7 +192,8 @@ private Q_SLOTS:
     void aProtectiveStopNeedsControl() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
-        QVERIFY(cell.during([&] { return Programs(*cell.controller).endControlProgram(patience()); }).ok());
+        QVERIFY(
+            cell.during([&] { return Programs(*cell.controller).endControlProgram(testTimeout()); }).ok());
         QCOMPARE(
             cell.during([&] { return ToolSetup(*cell.controller).triggerProtectiveStop(Deadline::never()); })
                 .error()
@@ -206,7 +207,7 @@ private Q_SLOTS:
         JointPositions q = cell.robot.truth().q;
         q[5] = 8;  // valid for a UR3e but not for a UR5e
         const auto path =
-            Motions(*cell.controller).movePath({{PathEntry::Kind::MoveJ, q, {}, 0.5, 1.4, 0}}, patience());
+            Motions(*cell.controller).movePath({{PathEntry::Kind::MoveJ, q, {}, 0.5, 1.4, 0}}, testTimeout());
         QVERIFY(!path.ok());
         QVERIFY2(path.error().controllerMessage.contains(QStringLiteral("entry 1, target")), why(path));
     }

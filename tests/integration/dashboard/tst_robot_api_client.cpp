@@ -13,7 +13,7 @@ using test::RawPeer;
 
 namespace {
 
-Deadline patience() {
+Deadline testTimeout() {
     return Deadline::after(std::chrono::seconds(60));
 }
 
@@ -66,24 +66,24 @@ private Q_SLOTS:
     void bringsAPoweredOffRobotToRunning() {
         Robot robot;
         auto client = robot.client();
-        QCOMPARE(client.robotMode(patience()).value(), RobotMode::PowerOff);
-        QCOMPARE(client.safetyMode(patience()).value(), SafetyMode::Normal);
-        QVERIFY(client.isInRemoteControl(patience()).value());
-        QCOMPARE(client.programState(patience()).value(), ProgramState::Run::Stopped);
+        QCOMPARE(client.robotMode(testTimeout()).value(), RobotMode::PowerOff);
+        QCOMPARE(client.safetyMode(testTimeout()).value(), SafetyMode::Normal);
+        QVERIFY(client.isInRemoteControl(testTimeout()).value());
+        QCOMPARE(client.programState(testTimeout()).value(), ProgramState::Run::Stopped);
         RecoveryConsent consent;
-        QCOMPARE(recover(client, consent, patience()).error().code, ErrorCode::Rejected);
-        QCOMPARE(client.robotMode(patience()).value(), RobotMode::PowerOff);
+        QCOMPARE(recover(client, consent, testTimeout()).error().code, ErrorCode::Rejected);
+        QCOMPARE(client.robotMode(testTimeout()).value(), RobotMode::PowerOff);
         consent.powerOn = true;
         consent.releaseBrakes = true;
         std::vector<RecoveryStep> steps;
         const auto done =
-            recover(client, consent, patience(), [&](RecoveryStep step) { steps.push_back(step); });
+            recover(client, consent, testTimeout(), [&](RecoveryStep step) { steps.push_back(step); });
         QVERIFY2(done.ok(), qPrintable(done.error().toString()));
         QCOMPARE(robot.controller.truth().robotMode, RobotMode::Running);
         QVERIFY((steps == std::vector{RecoveryStep::Look, RecoveryStep::PowerOn, RecoveryStep::ReleaseBrakes,
                                       RecoveryStep::Done}));
-        QVERIFY(client.powerOff(patience()).ok());
-        QTRY_COMPARE_WITH_TIMEOUT(client.robotMode(patience()).value(), RobotMode::PowerOff, 60'000);
+        QVERIFY(client.powerOff(testTimeout()).ok());
+        QTRY_COMPARE_WITH_TIMEOUT(client.robotMode(testTimeout()).value(), RobotMode::PowerOff, 60'000);
     }
 
     void unlocksOnlyOnceTheCauseWasInspected() {
@@ -92,11 +92,12 @@ private Q_SLOTS:
         Robot robot(options);
         robot.controller.protectiveStop();
         auto client = robot.client();
-        QTRY_COMPARE_WITH_TIMEOUT(client.safetyMode(patience()).value(), SafetyMode::ProtectiveStop, 60'000);
-        QCOMPARE(recover(client, {}, patience()).error().code, ErrorCode::Rejected);
+        QTRY_COMPARE_WITH_TIMEOUT(client.safetyMode(testTimeout()).value(), SafetyMode::ProtectiveStop,
+                                  60'000);
+        QCOMPARE(recover(client, {}, testTimeout()).error().code, ErrorCode::Rejected);
         RecoveryConsent consent;
         consent.causeInspected = true;
-        const auto done = recover(client, consent, patience());
+        const auto done = recover(client, consent, testTimeout());
         QVERIFY2(done.ok(), qPrintable(done.error().toString()));
         QCOMPARE(robot.controller.truth().safetyMode, SafetyMode::Normal);
     }
@@ -108,8 +109,8 @@ private Q_SLOTS:
         options.gateLoopbackClients = true;
         Robot robot(options);
         auto client = robot.client();
-        QVERIFY(!client.isInRemoteControl(patience()).value());
-        const auto refused = client.powerOn(patience());
+        QVERIFY(!client.isInRemoteControl(testTimeout()).value());
+        const auto refused = client.powerOn(testTimeout());
         QCOMPARE(refused.error().code, ErrorCode::RemoteControlRequired);
         QVERIFY(refused.error().controllerMessage.contains(QStringLiteral("403")));
     }
@@ -120,7 +121,7 @@ private Q_SLOTS:
              "Content-Length: 0\r\n\r\n",
              "HTTP/1.1 200 OK\r\nTransfer-Encoding: chunked\r\n\r\n"
              "a\r\n{\"mode\": \"\r\n9\r\nRUNNING\"}\r\n0\r\n\r\n"});
-        QCOMPARE(web.client().robotMode(patience()).value(), RobotMode::Running);
+        QCOMPARE(web.client().robotMode(testTimeout()).value(), RobotMode::Running);
         QVERIFY(
             web.requests()[0].startsWith("GET /universal-robots/robot-api/robotstate/v1/robotmode HTTP/1.1"));
         QVERIFY(web.requests()[1].startsWith("GET /elsewhere/mode HTTP/1.1"));
@@ -151,7 +152,7 @@ private Q_SLOTS:
         QFETCH(QByteArray, reply);
         QFETCH(int, code);
         const Web web({reply});
-        const auto mode = web.client().robotMode(patience());
+        const auto mode = web.client().robotMode(testTimeout());
         QVERIFY2(int(mode.error().code) == code, qPrintable(mode.error().toString()));
     }
 

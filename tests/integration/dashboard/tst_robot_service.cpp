@@ -16,7 +16,7 @@ Q_DECLARE_METATYPE(tiller::SoftwareVersion)
 
 namespace {
 
-Deadline patience() {
+Deadline testTimeout() {
     return Deadline::after(std::chrono::seconds(60));
 }
 
@@ -44,7 +44,7 @@ struct Robot {
         auto opened =
             openService({controller.listenAddress(), x ? test::RawPeer::deadPort() : ports.dashboard,
                          x ? ports.robotApi : test::RawPeer::deadPort()},
-                        patience());
+                        testTimeout());
         if (!opened) {
             qFatal("%s", qPrintable(opened.error().toString()));
         }
@@ -56,7 +56,7 @@ struct Robot {
             qFatal("%s cannot be written", name);
         }
     }
-    Result<void> perform(RobotCommand command) { return service->perform(command, patience()); }
+    Result<void> perform(RobotCommand command) { return service->perform(command, testTimeout()); }
 
     QTemporaryDir programs;
     simulator::Simulator controller;
@@ -101,7 +101,7 @@ private Q_SLOTS:
         Robot robot(software, true);
         const QString name =
             software.isPolyScopeX() ? QStringLiteral("wait.urpx") : QStringLiteral("wait.urp");
-        const auto loaded = robot.service->loadProgram(name, patience());
+        const auto loaded = robot.service->loadProgram(name, testTimeout());
         QVERIFY2(loaded.ok(), qPrintable(loaded.error().toString()));
         const auto reaches = [&](RuntimeState wanted) {
             return QTest::qWaitFor([&] { return robot.controller.truth().runtimeState == wanted; }, 60'000);
@@ -120,7 +120,7 @@ private Q_SLOTS:
     void theProgramsAreListed() {
         QFETCH(SoftwareVersion, software);
         Robot robot(software);
-        const auto names = robot.service->programs(patience());
+        const auto names = robot.service->programs(testTimeout());
         if (software >= SoftwareVersion{10, 12, 0, 0}) {
             QVERIFY2(names.ok(), qPrintable(names.error().toString()));
             QVERIFY2(names->contains("wait"), qPrintable(names->join(", ")));
@@ -132,30 +132,30 @@ private Q_SLOTS:
     void everyServiceReportsItsCapabilities() {
         {
             Robot robot({10, 12, 0, 0});
-            const auto report = robot.service->look(patience());
+            const auto report = robot.service->look(testTimeout());
             QVERIFY(report.ok());
             QCOMPARE(report->remoteControl, std::optional(true));
             QCOMPARE(report->program, QStringLiteral("Default program"));
             QVERIFY(!report->operationalMode.isEmpty());
             robot.controller.setRemoteControl(false);
-            QCOMPARE(robot.service->look(patience())->remoteControl, std::optional(false));
+            QCOMPARE(robot.service->look(testTimeout())->remoteControl, std::optional(false));
         }
         {
             Robot robot({10, 11, 0, 0});
-            const auto report = robot.service->look(patience());
+            const auto report = robot.service->look(testTimeout());
             QVERIFY(report.ok());
             QVERIFY2(!report->remoteControl,
                      "a remote control state is reported although this software cannot be queried for it");
         }
         {
             Robot robot({3, 15, 8, 0});
-            const auto report = robot.service->look(patience());
+            const auto report = robot.service->look(testTimeout());
             QVERIFY(report.ok());
             QVERIFY(!report->remoteControl);
         }
         {
             Robot robot({5, 22, 1, 0});
-            QCOMPARE(robot.service->look(patience())->remoteControl, std::optional(true));
+            QCOMPARE(robot.service->look(testTimeout())->remoteControl, std::optional(true));
         }
     }
 
@@ -176,7 +176,7 @@ private Q_SLOTS:
         // through the Robot API.
         bool unlocked = false;
         QTRY_VERIFY_WITH_TIMEOUT(
-            (unlocked = unlocked || robot.service->unlockProtectiveStop(patience()).ok()), 60'000);
+            (unlocked = unlocked || robot.service->unlockProtectiveStop(testTimeout()).ok()), 60'000);
         QTRY_COMPARE_WITH_TIMEOUT(safety(), SafetyMode::Normal, 60'000);
     }
 };

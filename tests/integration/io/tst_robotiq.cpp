@@ -19,14 +19,14 @@ struct Bench {
     explicit Bench(const simulator::SimulatorOptions& options = VirtualRobot::options())
         : robot(options), client(robot.host(), robot.controller.ports().gripper) {
         robot.controller.step();  // the gripper is powered on or off from here on
-        const Result<void> connected = client.connect(patience());
+        const Result<void> connected = client.connect(testTimeout());
         if (!connected) {
             qFatal("%s", why(connected).constData());
         }
     }
     /// Returns the state. Fails the test if the gripper does not respond.
     RobotiqState look() {
-        const auto found = client.look(patience());
+        const auto found = client.look(testTimeout());
         if (!found || !found->has_value()) {
             qFatal("no state: %s", why(found).constData());
         }
@@ -43,7 +43,7 @@ struct Bench {
         return false;
     }
     void activate() {
-        const Result<void> begun = client.beginActivation(patience());
+        const Result<void> begun = client.beginActivation(testTimeout());
         if (!begun ||
             !until([](const RobotiqState& state) { return state.activation == RobotiqActivation::Active; })) {
             qFatal("not active: %s", why(begun).constData());
@@ -51,7 +51,7 @@ struct Bench {
     }
     /// Waits until the motion is complete.
     RobotiqState move(int position, int speed = 255, int force = 0) {
-        const Result<void> taken = client.move(position, speed, force, patience());
+        const Result<void> taken = client.move(position, speed, force, testTimeout());
         if (!taken ||
             !until([](const RobotiqState& state) { return state.object != RobotiqObject::Moving; })) {
             qFatal("not there: %s", why(taken).constData());
@@ -72,7 +72,7 @@ private Q_SLOTS:
     void gripperCanBeActivatedOpenedClosedAndPositioned() {
         Bench bench;
         QCOMPARE(bench.look().activation, RobotiqActivation::Reset);
-        QVERIFY(bench.client.beginActivation(patience()).ok());
+        QVERIFY(bench.client.beginActivation(testTimeout()).ok());
         QVERIFY(bench.until(
             [](const RobotiqState& state) { return state.activation == RobotiqActivation::Activating; }));
         QVERIFY(bench.until(
@@ -90,7 +90,7 @@ private Q_SLOTS:
 
     void gripperRefusesToMoveBeforeActivation() {
         Bench bench;
-        QVERIFY(bench.client.move(200, 255, 0, patience()).ok());
+        QVERIFY(bench.client.move(200, 255, 0, testTimeout()).ok());
         bench.robot.controller.stepSeconds(0.5);
         const RobotiqState state = bench.look();
         QCOMPARE(state.fault, RobotiqFault::NotActivated);
@@ -131,7 +131,7 @@ private Q_SLOTS:
 
     void gripperStateIsUnknownWithoutArmPower() {
         Bench bench(VirtualRobot::poweredOff());
-        const auto look = bench.client.look(patience());
+        const auto look = bench.client.look(testTimeout());
         QVERIFY2(look.ok(), why(look).constData());
         QVERIFY(!look->has_value());
         QVERIFY(bench.client.isConnected());
@@ -142,8 +142,8 @@ private Q_SLOTS:
         bench.look();  // the reply shows that the controller has accepted the connection
         bench.robot.controller.closeClients();
         bench.robot.controller.step();
-        QCOMPARE(bench.client.look(patience()).error().code, ErrorCode::ConnectionClosed);
-        QVERIFY(bench.client.connect(patience()).ok());
+        QCOMPARE(bench.client.look(testTimeout()).error().code, ErrorCode::ConnectionClosed);
+        QVERIFY(bench.client.connect(testTimeout()).ok());
         QCOMPARE(bench.look().activation, RobotiqActivation::Reset);
     }
 
@@ -156,7 +156,7 @@ private Q_SLOTS:
         QVERIFY(!bench.client.isConnected());
         bench.robot.controller.silence(false);
         bench.robot.controller.step();
-        QVERIFY(bench.client.connect(patience()).ok());
+        QVERIFY(bench.client.connect(testTimeout()).ok());
         QCOMPARE(bench.look().activation, RobotiqActivation::Reset);
     }
 };

@@ -69,7 +69,7 @@ public:
     explicit Viewer(std::uint16_t port) {
         QObject::connect(&socket, &QWebSocket::textMessageReceived, &socket, [this](const QString& text) {
             const QJsonObject message = QJsonDocument::fromJson(text.toUtf8()).object();
-            told << message;
+            reported << message;
             for (const QJsonValue& channel : message["channels"].toArray()) {
                 channels[channel["topic"].toString()] = channel.toObject();
             }
@@ -89,7 +89,7 @@ public:
     }
     QStringList statuses() const {
         QStringList out;
-        for (const QJsonObject& message : told) {
+        for (const QJsonObject& message : reported) {
             if (message["op"].toString() == "status") {
                 out << message["message"].toString();
             }
@@ -97,7 +97,7 @@ public:
         return out;
     }
     QWebSocket socket;
-    QList<QJsonObject> told;
+    QList<QJsonObject> reported;
     QHash<QString, QJsonObject> channels;
     QList<QByteArray> messages;
 };
@@ -124,7 +124,7 @@ void TestLive::aViewerGetsEveryPackage() {
     Viewer viewer(bench.output.port());
     TRY_VERIFY(viewer.channels.contains("/robot_state"));
     QCOMPARE(viewer.socket.subprotocol(), QStringLiteral("foxglove.sdk.v1"));
-    QCOMPARE(viewer.told.front()["op"].toString(), QStringLiteral("serverInfo"));
+    QCOMPARE(viewer.reported.front()["op"].toString(), QStringLiteral("serverInfo"));
     const QJsonObject channel = viewer.channels["/robot_state"];
     QCOMPARE(channel["encoding"].toString(), QStringLiteral("cdr"));
     QCOMPARE(channel["schemaEncoding"].toString(), QStringLiteral("ros2msg"));

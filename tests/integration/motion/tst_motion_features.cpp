@@ -238,19 +238,19 @@ private Q_SLOTS:
         phase(true, true);
         QCOMPARE(now().value[0], 10.0);
         Watched pulses(*robot_, "encoder0_raw");
-        Watched told(*robot_, "encoder1_raw");
-        QVERIFY(pulses.ready && told.ready);
+        Watched reported(*robot_, "encoder1_raw");
+        QVERIFY(pulses.ready && reported.ready);
         QCOMPARE(pulses.now(), 10);
-        QCOMPARE(told.now(), 0);
+        QCOMPARE(reported.now(), 0);
         // A count set by a program wraps around as configured.
         robot_->send(
-            "def told():\n  encoder_enable_set_tick_count(1, 2)\n"
+            "def counts():\n  encoder_enable_set_tick_count(1, 2)\n"
             "  encoder_set_tick_count(1, 65530)\n  encoder_set_tick_count(1, 65540)\n"
             "  write_output_float_register(1, encoder_get_tick_count(1))\n"
             "  write_output_integer_register(0, 2)\n  sync()\nend\n");
         QVERIFY(robot_->until([this] { return now().mark == 2; }, 2));
         QCOMPARE(now().value[1], 4.0);
-        QCOMPARE(told.now(), 4);
+        QCOMPARE(reported.now(), 4);
     }
 
     void aScrewdriverPressesAlongItsTool() {

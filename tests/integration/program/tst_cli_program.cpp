@@ -200,7 +200,7 @@ private Q_SLOTS:
         folded.name = "folded";
         folded.joints.values[2] = -2.9;
         folded.pose = kinematics::forwardTcp(robotModel(RobotModelId::UR5e).dh, folded.joints);
-        folded.ruling = project::TargetKind::Joints;
+        folded.priority = project::TargetKind::Joints;
         project.waypoints.append(folded);
         project.programs.append(makeProgram(
             "risky",
@@ -260,8 +260,9 @@ private Q_SLOTS:
     // The check begins at the position at which the command stops the arm.
     void runsAfterTheMotionOfAnotherClient() {
         script::ScriptClient other(simulator_->listenAddress(), simulator_->ports().primary);
-        QVERIFY(other.connect(test::patience()).ok());
-        QVERIFY(other.send("movej([-1.6, -1.7, -2.2, -0.8, 1.6, 3], a=2, v=0.5)\n", test::patience()).ok());
+        QVERIFY(other.connect(test::testTimeout()).ok());
+        QVERIFY(
+            other.send("movej([-1.6, -1.7, -2.2, -0.8, 1.6, 3], a=2, v=0.5)\n", test::testTimeout()).ok());
         QTRY_VERIFY_WITH_TIMEOUT(simulator_->truth().qd.values.cwiseAbs().maxCoeff() > 0.4,
                                  kProcessTimeoutMs);
         const Answer answer = run({"run", path(), "--robot", address_, "--program", "short"});
@@ -274,8 +275,8 @@ private Q_SLOTS:
                       {"run", path(), "--robot", address_, "--program", "to and fro"});
         QTRY_VERIFY_WITH_TIMEOUT(simulator_->truth().tcpSpeed.linear.norm() > 0.1, kProcessTimeoutMs);
         script::ScriptClient pendant(simulator_->listenAddress(), simulator_->ports().primary);
-        QVERIFY(pendant.connect(test::patience()).ok());
-        QVERIFY(pendant.send("stop program\n", test::patience()).ok());
+        QVERIFY(pendant.connect(test::testTimeout()).ok());
+        QVERIFY(pendant.send("stop program\n", test::testTimeout()).ok());
         const Answer answer = finished(process);
         QCOMPARE(answer.code, 1);
         QVERIFY2(answer.err.contains("ended on the robot"), qPrintable(answer.err));

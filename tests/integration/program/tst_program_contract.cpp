@@ -314,7 +314,7 @@ public:
         cell.motion = motion_;
         const std::uint64_t started = 1U << kStartedOutput;
         // The thread that sends the program needs real time.
-        const Deadline limit = patience();
+        const Deadline limit = testTimeout();
         while ((cell.robot.truth().digitalOutputs & started) == 0 && !isEnded_ && !limit.hasExpired()) {
             (void)motion_.refresh();
             cell.stepMs(1);

@@ -88,10 +88,10 @@ struct ExecutionBench {
         if (const auto started = receiver.start(); !started) {
             return started;
         }
-        if (const auto first = receiver.waitForData(patience()); !first) {
+        if (const auto first = receiver.waitForData(testTimeout()); !first) {
             return first.error();
         }
-        return controller.takeControl(patience());
+        return controller.takeControl(testTimeout());
     }
     CheckedProgram check(PreviewOptions preview = {}) const {
         return checkForRobot(project, program, {}, preview, receiver.latest());
@@ -159,27 +159,27 @@ private Q_SLOTS:
         for (const auto& [name, text, reason] :
              {std::tuple("count", "2.5", "not a whole number"), std::tuple("depth", "deep", "not a number"),
               std::tuple("label", "b", "Only numbers"), std::tuple("none", "1", "no variable")}) {
-            const auto refused = execution->changeVariable(name, text, patience());
+            const auto refused = execution->changeVariable(name, text, testTimeout());
             QVERIFY(!refused.ok() && refused.error().code == ErrorCode::InvalidArgument);
             QVERIFY2(refused.error().toString().contains(reason), why(refused).constData());
         }
         const JointPositions q = bench.robot.truth().q;
-        const auto changed = execution->changeVariable("count", "7", patience());
+        const auto changed = execution->changeVariable("count", "7", testTimeout());
         QVERIFY2(changed.ok(), why(changed).constData());
         QCOMPARE(shown(*execution).at(0), QStringLiteral("count 7"));
-        const auto again = execution->changeVariable("depth", "-2.5", patience());
+        const auto again = execution->changeVariable("depth", "-2.5", testTimeout());
         QVERIFY2(again.ok(), why(again).constData());
         QVERIFY(isWaiting(*execution) && bench.isAt(q));
 
         execution->resume();
         QTRY_VERIFY_WITH_TIMEOUT(bench.isMoving(), 60'000);
-        const auto running = execution->changeVariable("count", "8", patience());
+        const auto running = execution->changeVariable("count", "8", testTimeout());
         QVERIFY2(running.error().toString().contains("Pause the program first."), why(running).constData());
-        const auto ended = execution->wait(patience());
+        const auto ended = execution->wait(testTimeout());
         QVERIFY2(ended.ok(), why(ended).constData());
         QVERIFY((bench.robot.truth().digitalOutputs & 2U) != 0);
         QCOMPARE(shown(*execution), (QStringList{"count 7", "depth -2.5", "label \"a\""}));
-        const auto late = execution->changeVariable("count", "8", patience());
+        const auto late = execution->changeVariable("count", "8", testTimeout());
         QVERIFY2(late.error().toString().contains("No program is running."), why(late).constData());
     }
 
@@ -200,7 +200,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(isWaiting(*execution) && shown(*execution).size() == 3, 60'000);
         const JointPositions q = bench.robot.truth().q;
         script::ScriptClient pendant(bench.robot.listenAddress(), bench.robot.ports().primary);
-        QVERIFY(pendant.connect(patience()).ok());
+        QVERIFY(pendant.connect(testTimeout()).ok());
         bool isFirst = true;
         const Result<void> changed = execution->changeVariable(
             "count", "7", during([&] {
@@ -210,7 +210,7 @@ private Q_SLOTS:
                 if (event == "stop") {
                     execution->stop();
                 } else if (event == "other client") {
-                    (void)pendant.send("stop program\n", patience());
+                    (void)pendant.send("stop program\n", testTimeout());
                 } else if (event != "cancelled") {
                     (void)bench.robot.inject(event == "cut link" ? "link lost" : "emergency-stop on");
                 }
@@ -225,7 +225,7 @@ private Q_SLOTS:
         }
         QVERIFY(isWaiting(*execution) || event != "cancelled");
         execution->stop();
-        QVERIFY(!execution->wait(patience()).ok());
+        QVERIFY(!execution->wait(testTimeout()).ok());
         QVERIFY(bench.isAt(q));
         QVERIFY((bench.robot.truth().digitalOutputs & 2U) == 0);
     }
@@ -240,7 +240,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(isWaiting(*execution) && shown(*execution).size() == 3, 60'000);
         const Result<void> changed = execution->changeVariable(
             "depth", "7", during([&] {
-                const auto second = execution->changeVariable("count", "7", patience());
+                const auto second = execution->changeVariable("count", "7", testTimeout());
                 if (second.ok() || !second.error().toString().contains("another variable")) {
                     qWarning("%s", why(second).constData());
                 }
@@ -249,7 +249,7 @@ private Q_SLOTS:
             }));
         QVERIFY(!changed.ok());
         QCOMPARE(changed.error().code, ErrorCode::Stopped);
-        const auto ended = execution->wait(patience());
+        const auto ended = execution->wait(testTimeout());
         QVERIFY2(ended.ok(), why(ended).constData());
         QVERIFY((bench.robot.truth().digitalOutputs & 2U) == 0);
     }
@@ -265,11 +265,11 @@ private Q_SLOTS:
         moved.values[0] += 0.05;
         auto move = control::Motions(bench.controller).moveJ(moved, {});
         QVERIFY2(move.ok(), why(move).constData());
-        const auto there = move->wait(patience());
+        const auto there = move->wait(testTimeout());
         QVERIFY2(there.ok(), why(there).constData());
 
         ProgramExecution execution(bench.controller, bench.receiver.subscribe(), checked);
-        const Result<void> ended = execution.wait(patience());
+        const Result<void> ended = execution.wait(testTimeout());
         QVERIFY(!ended.ok());
         QCOMPARE(ended.error().code, ErrorCode::Stopped);
         QVERIFY2(ended.error().toString().contains("Move the arm to the start position first."),
@@ -310,9 +310,9 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(bench.isMoving() && execution.status().lastStep > 0, 60'000);
         bench.receiver.stop();
         script::ScriptClient pendant(bench.robot.listenAddress(), bench.robot.ports().primary);
-        QVERIFY(pendant.connect(patience()).ok());
-        QVERIFY(pendant.send("stop program\n", patience()).ok());
-        const Result<void> ended = execution.wait(patience());
+        QVERIFY(pendant.connect(testTimeout()).ok());
+        QVERIFY(pendant.send("stop program\n", testTimeout()).ok());
+        const Result<void> ended = execution.wait(testTimeout());
         QVERIFY(!ended.ok());
         QVERIFY2(ended.error().toString().contains("unknown whether"), why(ended).constData());
         QVERIFY(execution.status().state == ProgramExecution::State::Stopped);
@@ -327,7 +327,7 @@ private Q_SLOTS:
         const JointPositions q = bench.robot.truth().q;
         bench.receiver.stop();
         ProgramExecution execution(bench.controller, bench.receiver.subscribe(), checked);
-        const Result<void> ended = execution.wait(patience());
+        const Result<void> ended = execution.wait(testTimeout());
         QVERIFY(!ended.ok());
         QVERIFY2(ended.error().toString().contains("position of the arm"), why(ended).constData());
         QVERIFY(bench.isAt(q));

@@ -72,7 +72,7 @@ private Q_SLOTS:
         cell.waypoints.append(waypoint("pick", 0));
         cell.waypoints.append(waypoint("place", 1.5708));
         project::Waypoint far = waypoint("far", 0);
-        far.ruling = project::TargetKind::Pose;
+        far.priority = project::TargetKind::Pose;
         far.pose.position.x() = 3;
         cell.waypoints.append(far);
         project::CellBox crate;

@@ -23,11 +23,11 @@ using namespace std::chrono_literals;
 namespace {
 
 // Only a failing test reaches this timeout.
-constexpr auto kPatience = 60s;
+constexpr auto kTestTimeout = 60s;
 
 template <class Condition>
 bool eventually(Condition condition) {
-    const Deadline deadline = Deadline::after(kPatience);
+    const Deadline deadline = Deadline::after(kTestTimeout);
     while (!condition()) {
         if (deadline.hasExpired()) {
             return false;
@@ -119,7 +119,7 @@ void TestReceiveSimulator::everyCatalogueFieldIsAnsweredWithItsType() {
             } else {
                 options.request.inputs.push_back({names, true});
             }
-            const auto connection = rtde::Connection::open(options, Deadline::after(kPatience));
+            const auto connection = rtde::Connection::open(options, Deadline::after(kTestTimeout));
             QVERIFY2(connection.ok(), qPrintable(connection.error().toString()));
             const rtde::Recipe& recipe =
                 direction == rtde::Direction::Output ? (*connection)->outputs() : (*connection)->inputs()[0];
@@ -282,7 +282,7 @@ void TestReceiveSimulator::outputsAreSetAndConfirmed() {
     to.host = QStringLiteral("127.0.0.1");
     to.port = cell.robot.ports().rtde;
     io::Outputs outputs(to, io::OutputFeedback::fromReceiver(*cell.receiver));
-    QVERIFY(outputs.connect(Deadline::after(kPatience)).ok());
+    QVERIFY(outputs.connect(Deadline::after(kTestTimeout)).ok());
     // A separate thread makes the call and waits while time is advanced here.
     const auto carryOut = [&](auto call) {
         auto done = std::async(std::launch::async, call);
@@ -293,25 +293,25 @@ void TestReceiveSimulator::outputsAreSetAndConfirmed() {
         }
         return done.get();
     };
-    const auto patience = [] { return Deadline::after(kPatience); };
+    const auto testTimeout = [] { return Deadline::after(kTestTimeout); };
     for (const int output : {0, 7, 8, 15, 16, 17}) {
-        auto set = carryOut([&] { return outputs.setDigitalOutput(output, true, patience()); });
+        auto set = carryOut([&] { return outputs.setDigitalOutput(output, true, testTimeout()); });
         QVERIFY2(set.ok(), qPrintable(set.error().toString()));
         QVERIFY(cell.robot.truth().digitalOutputs & (std::uint64_t(1) << output));
     }
-    QVERIFY(carryOut([&] { return outputs.setDigitalOutput(8, false, patience()); }).ok());
+    QVERIFY(carryOut([&] { return outputs.setDigitalOutput(8, false, testTimeout()); }).ok());
     QCOMPARE(cell.robot.truth().digitalOutputs, std::uint64_t(0x38081));
-    QVERIFY(carryOut([&] { return outputs.setSpeedSlider(0.37, patience()); }).ok());
+    QVERIFY(carryOut([&] { return outputs.setSpeedSlider(0.37, testTimeout()); }).ok());
     QVERIFY(std::abs(cell.robot.truth().speedSlider - 0.37) < 1e-9);
     // A request for standstill must not make the arm creep.
     for (const double creep : {0.0, -0.5, 0.0001, 0.0199}) {
-        const auto refused = carryOut([&] { return outputs.setSpeedSlider(creep, patience()); });
+        const auto refused = carryOut([&] { return outputs.setSpeedSlider(creep, testTimeout()); });
         QCOMPARE(refused.error().code, ErrorCode::InvalidArgument);
         QVERIFY2(refused.error().context.contains(QLatin1String("0.02 to 1")),
                  qPrintable(refused.error().toString()));
         QVERIFY(std::abs(cell.robot.truth().speedSlider - 0.37) < 1e-9);
     }
-    QVERIFY(carryOut([&] { return outputs.setSpeedSlider(0.02, patience()); }).ok());
+    QVERIFY(carryOut([&] { return outputs.setSpeedSlider(0.02, testTimeout()); }).ok());
     QVERIFY(std::abs(cell.robot.truth().speedSlider - 0.02) < 1e-9);
 }
 
@@ -322,16 +322,17 @@ void TestReceiveSimulator::secondOwnerLearnsWhichInputsAreInUse() {
     to.port = cell.robot.ports().rtde;
     io::Outputs first(to, io::OutputFeedback::fromReceiver(*cell.receiver));
     io::Outputs second(to, io::OutputFeedback::fromReceiver(*cell.receiver));
-    QVERIFY(first.connect(Deadline::after(kPatience)).ok());
-    QVERIFY(second.connect(Deadline::after(kPatience)).ok());
+    QVERIFY(first.connect(Deadline::after(kTestTimeout)).ok());
+    QVERIFY(second.connect(Deadline::after(kTestTimeout)).ok());
     QVERIFY(first.canSetSpeedSlider().ok());
     QCOMPARE(second.canSetSpeedSlider().error().code, ErrorCode::RegisterInUse);
     QVERIFY(second.canSetSpeedSlider().error().context.contains(QLatin1String("speed_slider_mask")));
     QCOMPARE(second.canSetDigitalOutput(17).error().code, ErrorCode::RegisterInUse);
     // The register is free when the first client disconnects.
     first.disconnect();
-    QVERIFY(eventually(
-        [&] { return second.connect(Deadline::after(kPatience)).ok() && second.canSetSpeedSlider().ok(); }));
+    QVERIFY(eventually([&] {
+        return second.connect(Deadline::after(kTestTimeout)).ok() && second.canSetSpeedSlider().ok();
+    }));
 }
 
 void TestReceiveSimulator::reconnectsWhenTheControllerClosesItsClients() {

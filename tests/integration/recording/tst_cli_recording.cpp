@@ -84,9 +84,9 @@ void TestCliRecording::recordsForATimeAndDescribesTheFile() {
     QCOMPARE(recorded.err, QString());
     QCOMPARE(recorded.code, 0);
     QVERIFY2(recorded.out.contains("rows"), qPrintable(recorded.out));
-    const Answer told = run({"info", path("a.mcap"), "--json"});
-    QCOMPARE(told.code, 0);
-    const QJsonObject info = QJsonDocument::fromJson(told.out.toUtf8()).object();
+    const Answer reported = run({"info", path("a.mcap"), "--json"});
+    QCOMPARE(reported.code, 0);
+    const QJsonObject info = QJsonDocument::fromJson(reported.out.toUtf8()).object();
     QCOMPARE(info["format"].toString(), QStringLiteral("MCAP"));
     QVERIFY(info["rows"].toInt() > 0);
     QCOMPARE(info["period"].toDouble(), 0.002);
@@ -234,10 +234,10 @@ void TestCliRecording::findsThePushThatCausedAStop() {
     QVERIFY(push != forces.end() && stop != modes.end());
     QVERIFY(push - forces.begin() < stop - modes.begin());
 
-    const Answer told = run({"divergence", path("pushed.mcap"), "--json"});
-    QCOMPARE(told.err, QString());
-    QCOMPARE(told.code, 1);
-    const QJsonObject first = QJsonDocument::fromJson(told.out.toUtf8()).object()["first"].toObject();
+    const Answer reported = run({"divergence", path("pushed.mcap"), "--json"});
+    QCOMPARE(reported.err, QString());
+    QCOMPARE(reported.code, 1);
+    const QJsonObject first = QJsonDocument::fromJson(reported.out.toUtf8()).object()["first"].toObject();
     QCOMPARE(first["row"].toInt(), static_cast<int>(push - forces.begin()));
     const QString seconds = QString::number(first["seconds"].toDouble() - 0.01);
     QCOMPARE(run({"divergence", path("pushed.mcap"), "--until", seconds}).code, 0);
@@ -263,9 +263,9 @@ void TestCliRecording::tablesOfOtherProgramsNeedOptions() {
     }
     const QStringList options{"--time-column",     "tick", "--time-unit",     "ms",
                               "--table-separator", "|",    "--table-decimal", ","};
-    const Answer told = run(QStringList{"info", "--json", file.fileName()} + options);
-    QCOMPARE(told.code, 0);
-    const QJsonObject info = QJsonDocument::fromJson(told.out.toUtf8()).object();
+    const Answer reported = run(QStringList{"info", "--json", file.fileName()} + options);
+    QCOMPARE(reported.code, 0);
+    const QJsonObject info = QJsonDocument::fromJson(reported.out.toUtf8()).object();
     QCOMPARE(info["period"].toDouble(), 0.02);
     QCOMPARE(info["time_column"].toString(), QStringLiteral("tick"));
     QCOMPARE(run(QStringList{"export", "--out", path("foreign_out.csv"), "--columns", "F", file.fileName()} +

@@ -103,7 +103,7 @@ private Q_SLOTS:
             const bool mayPower = dashboard.ask("power on") == "Powering on\n";
             RawPrimary listener(address, 30001);
             QSet<int> refused;
-            int told = 0;
+            int reported = 0;
             for (const int port : {30001, 30002, 30003}) {
                 RawClient sender(address, static_cast<quint16>(port));
                 sender.send("sec p():\n  textmsg(\"ran " + QByteArray::number(port) + "\")\nend\n");
@@ -115,16 +115,17 @@ private Q_SLOTS:
                     }
                     return heard.contains("ran " + QByteArray::number(port)) || heard.contains("read-only");
                 };
-                QElapsedTimer patience;
-                patience.start();
-                while (!isTold() && patience.elapsed() < kWaitTimeoutMs) {
+                QElapsedTimer testTimeout;
+                testTimeout.start();
+                while (!isTold() && testTimeout.elapsed() < kWaitTimeoutMs) {
                 }
-                told += heard.contains("ran") || heard.contains("read-only") ? 1 : 0;
+                reported += heard.contains("ran") || heard.contains("read-only") ? 1 : 0;
                 if (!heard.contains("ran")) {
                     refused << port;
                 }
             }
-            return told == 3 && mayPower == refused.isEmpty() && (refused.isEmpty() || refused.size() == 3)
+            return reported == 3 && mayPower == refused.isEmpty() &&
+                           (refused.isEmpty() || refused.size() == 3)
                        ? std::optional(mayPower)
                        : std::nullopt;
         };

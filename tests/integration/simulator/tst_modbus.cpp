@@ -11,7 +11,7 @@ namespace {
 
 /// A robot whose programs report their results.
 struct Cell {
-    QByteArrayList told(const QByteArray& body, double seconds = 0.3) {
+    QByteArrayList reported(const QByteArray& body, double seconds = 0.3) {
         const Heard heard = run(robot, primary, "def m():\n" + body + "\nend\n", seconds);
         error = heard.exceptions.empty() ? QByteArray() : heard.exceptions.back().mid(8);
         return heard.texts;
@@ -63,10 +63,10 @@ private Q_SLOTS:
         QFETCH(QByteArray, after);
         Cell cell;
         const QByteArray say = "textmsg(to_str(modbus_get_signal_status(\"s\")))\n";
-        QCOMPARE(cell.told(kAdd + signal + '\n' + say), QByteArrayList{before});
+        QCOMPARE(cell.reported(kAdd + signal + '\n' + say), QByteArrayList{before});
         QCOMPARE(cell.fault("modbus-signal s " + values), QString());
         cell.robot.controller.stepSeconds(0.2);  // the device is polled ten times per second
-        QCOMPARE(cell.told("textmsg(to_str(modbus_get_signal_status(\"s\", False)))\n"),
+        QCOMPARE(cell.reported("textmsg(to_str(modbus_get_signal_status(\"s\", False)))\n"),
                  QByteArrayList{after});
         QCOMPARE(cell.error, QByteArray());
     }
@@ -74,27 +74,27 @@ private Q_SLOTS:
     void aSignalOf24RegistersIsAListOf24Values() {
         Cell cell;
         QCOMPARE(
-            cell.told(kAdd + "0, 2, \"many\", False, 24)\nl = modbus_get_signal_status(\"many\", False)\n"
-                             "textmsg(get_list_length(l))"),
+            cell.reported(kAdd + "0, 2, \"many\", False, 24)\nl = modbus_get_signal_status(\"many\", False)\n"
+                                 "textmsg(get_list_length(l))"),
             QByteArrayList{"24"});
     }
 
     void writtenValuesAreReadBackByOtherSignals() {
         Cell cell;
-        QCOMPARE(cell.told(kAdd + "5, 16, \"out\", False, 4)\n" + kAdd +
-                               "6, 3, \"one\")\nmodbus_set_output_register(\"out\", [10, 20, 30, 40])\n"
-                               "modbus_set_output_register(\"out\", [11, 21], False)\nsleep(0.15)\n"
-                               "textmsg(to_str(modbus_get_signal_status(\"out\")))\n"
-                               "textmsg(modbus_get_signal_status(\"one\"))\n" +
-                               kAdd +
-                               "0, 1, \"coil\")\nmodbus_set_output_signal(\"coil\", True, False)\n"
-                               "textmsg(modbus_get_signal_status(\"coil\"))",
-                           0.5),
+        QCOMPARE(cell.reported(kAdd + "5, 16, \"out\", False, 4)\n" + kAdd +
+                                   "6, 3, \"one\")\nmodbus_set_output_register(\"out\", [10, 20, 30, 40])\n"
+                                   "modbus_set_output_register(\"out\", [11, 21], False)\nsleep(0.15)\n"
+                                   "textmsg(to_str(modbus_get_signal_status(\"out\")))\n"
+                                   "textmsg(modbus_get_signal_status(\"one\"))\n" +
+                                   kAdd +
+                                   "0, 1, \"coil\")\nmodbus_set_output_signal(\"coil\", True, False)\n"
+                                   "textmsg(modbus_get_signal_status(\"coil\"))",
+                               0.5),
                  (QByteArrayList{"[11, 21, 30, 40]", "21", "True"}));
         QCOMPARE(cell.error, QByteArray());
         // Signals remain after the end of the program until they are deleted.
-        QCOMPARE(cell.told("textmsg(modbus_get_signal_status(\"one\"))\nmodbus_delete_signal(\"one\")\n"
-                           "textmsg(modbus_get_signal_status(\"one\"))"),
+        QCOMPARE(cell.reported("textmsg(modbus_get_signal_status(\"one\"))\nmodbus_delete_signal(\"one\")\n"
+                               "textmsg(modbus_get_signal_status(\"one\"))"),
                  QByteArrayList{"21"});
         QCOMPARE(cell.error, QByteArray("Modbus signal 'one' does not exist"));
     }
@@ -102,15 +102,16 @@ private Q_SLOTS:
     void aSignalMayReadAndWriteDifferentAddresses() {
         Cell cell;
         QCOMPARE(cell.fault("modbus-memory register 5 1 2 3"), QString());
-        QCOMPARE(cell.told("modbus_add_rw_signal(\"192.168.0.5\", 255, 5, 3, 15, 2, \"rw\")\n"
-                           "textmsg(to_str(modbus_get_signal_status(\"rw\")))\n"
-                           "modbus_set_output_register(\"rw\", [8, 9])\n" +
-                               kAdd +
-                               "15, 3, \"w\", False, 2)\ntextmsg(to_str(modbus_get_signal_status(\"w\")))\n" +
-                               "modbus_send_custom_command(\"192.168.0.5\", 255, 6, [0,5,1,0])\nsleep(0.2)\n"
-                               "textmsg(to_str(modbus_get_signal_status(\"rw\")))",
-                           0.5),
-                 (QByteArrayList{"[1, 2, 3]", "[8, 9]", "[256, 2, 3]"}));
+        QCOMPARE(
+            cell.reported("modbus_add_rw_signal(\"192.168.0.5\", 255, 5, 3, 15, 2, \"rw\")\n"
+                          "textmsg(to_str(modbus_get_signal_status(\"rw\")))\n"
+                          "modbus_set_output_register(\"rw\", [8, 9])\n" +
+                              kAdd +
+                              "15, 3, \"w\", False, 2)\ntextmsg(to_str(modbus_get_signal_status(\"w\")))\n" +
+                              "modbus_send_custom_command(\"192.168.0.5\", 255, 6, [0,5,1,0])\nsleep(0.2)\n"
+                              "textmsg(to_str(modbus_get_signal_status(\"rw\")))",
+                          0.5),
+            (QByteArrayList{"[1, 2, 3]", "[8, 9]", "[256, 2, 3]"}));
     }
 
     void deviceErrorsAreReported() {
@@ -118,20 +119,20 @@ private Q_SLOTS:
         const QByteArray errors =
             "textmsg(modbus_get_error(\"s\"))\ntextmsg(modbus_get_error(\"s\", 1))\n"
             "textmsg(modbus_get_error(\"s\", 2))";
-        QCOMPARE(cell.told(kAdd + "1, 0, \"s\")\n" + errors), (QByteArrayList{"0", "0", "0"}));
+        QCOMPARE(cell.reported(kAdd + "1, 0, \"s\")\n" + errors), (QByteArrayList{"0", "0", "0"}));
         QCOMPARE(cell.fault("modbus-error s 4"), QString());
-        QCOMPARE(cell.told(errors), (QByteArrayList{"4", "4", "0"}));
+        QCOMPARE(cell.reported(errors), (QByteArrayList{"4", "4", "0"}));
         QCOMPARE(cell.fault("modbus-link off"), QString());
-        QCOMPARE(cell.told(errors), (QByteArrayList{"-131068", "4", "-2"}));  // 0xFFFE0004
+        QCOMPARE(cell.reported(errors), (QByteArrayList{"-131068", "4", "-2"}));  // 0xFFFE0004
         QCOMPARE(cell.fault("modbus-link on"), QString());
         QCOMPARE(cell.fault("modbus-error s 0"), QString());
-        QCOMPARE(cell.told(errors), (QByteArrayList{"0", "0", "0"}));
+        QCOMPARE(cell.reported(errors), (QByteArrayList{"0", "0", "0"}));
     }
 
     // Within the watchdog time, the last valid value is returned. Afterwards, an error is returned.
     void anUnansweredSignalKeepsItsValueTemporarily() {
         Cell cell;
-        QVERIFY(cell.told(kAdd + "1, 2, \"s\")\nmodbus_set_signal_watchdog(\"s\", 3)").isEmpty());
+        QVERIFY(cell.reported(kAdd + "1, 2, \"s\")\nmodbus_set_signal_watchdog(\"s\", 3)").isEmpty());
         QCOMPARE(cell.fault("modbus-signal s 7"), QString());
         cell.robot.controller.stepSeconds(0.2);
         QCOMPARE(cell.fault("modbus-link off"), QString());
@@ -140,22 +141,22 @@ private Q_SLOTS:
         const QByteArray say =
             "t = modbus_get_time_since_signal_invalid(\"s\")\ntextmsg(t > 0.9 and t < 1.5)\n"
             "textmsg(modbus_get_signal_status(\"s\"))";
-        QCOMPARE(cell.told(say), (QByteArrayList{"True", "7"}));
+        QCOMPARE(cell.reported(say), (QByteArrayList{"True", "7"}));
         cell.robot.controller.stepSeconds(2.5);
-        QVERIFY(cell.told("textmsg(modbus_get_signal_status(\"s\"))").isEmpty());
+        QVERIFY(cell.reported("textmsg(modbus_get_signal_status(\"s\"))").isEmpty());
         QCOMPARE(cell.error, QByteArray("Modbus signal 's' receives no answer"));
         QCOMPARE(cell.fault("modbus-link on"), QString());
         cell.robot.controller.stepSeconds(0.2);
-        QCOMPARE(cell.told("textmsg(modbus_get_signal_status(\"s\"))\n"
-                           "textmsg(modbus_get_time_since_signal_invalid(\"s\"))"),
+        QCOMPARE(cell.reported("textmsg(modbus_get_signal_status(\"s\"))\n"
+                               "textmsg(modbus_get_time_since_signal_invalid(\"s\"))"),
                  (QByteArrayList{"8", "0"}));
     }
 
     void aProgramWaitsUntilTheDeviceIsBack() {
         Cell cell;
         QCOMPARE(cell.fault("modbus-link off"), QString());
-        QVERIFY(cell.told("modbus_reset_connection(\"192.168.0.5\", False)\n"
-                          "modbus_reset_connection(\"192.168.0.5\")\ntextmsg(\"back\")")
+        QVERIFY(cell.reported("modbus_reset_connection(\"192.168.0.5\", False)\n"
+                              "modbus_reset_connection(\"192.168.0.5\")\ntextmsg(\"back\")")
                     .isEmpty());
         QCOMPARE(cell.robot.programState(), RuntimeState::Playing);
         QCOMPARE(cell.fault("modbus-link on"), QString());
@@ -165,13 +166,14 @@ private Q_SLOTS:
 
     void signalsActAsFreedriveInputAndProgramOutput() {
         Cell cell;
-        QVERIFY(cell.told(kAdd +
+        QVERIFY(
+            cell.reported(kAdd +
                           "1, 0, \"button\")\nmodbus_set_digital_input_action(\"button\", \"freedrive\")\n" +
                           kAdd + "2, 1, \"lamp\")\nmodbus_set_runstate_dependent_choice(\"lamp\", 3)\n" +
                           kAdd + "2, 1, \"look\")")
-                    .isEmpty());
+                .isEmpty());
         QCOMPARE(cell.error, QByteArray());
-        QCOMPARE(cell.told("sleep(0.15)\ntextmsg(modbus_get_signal_status(\"look\"))", 0.5),
+        QCOMPARE(cell.reported("sleep(0.15)\ntextmsg(modbus_get_signal_status(\"look\"))", 0.5),
                  QByteArrayList{"True"});
         QCOMPARE(cell.fault("modbus-memory input 1 on"), QString());
         cell.robot.controller.stepSeconds(0.2);
@@ -185,18 +187,18 @@ private Q_SLOTS:
 
     void updatesFollowTheFrequency() {
         Cell cell;
-        QVERIFY(cell.told(kAdd + "1, 2, \"slow\")\nmodbus_set_signal_update_frequency(\"slow\", 1)\n" + kAdd +
-                          "1, 2, \"fast\")\nmodbus_set_signal_update_frequency(\"fast\", 500)")
+        QVERIFY(cell.reported(kAdd + "1, 2, \"slow\")\nmodbus_set_signal_update_frequency(\"slow\", 1)\n" +
+                              kAdd + "1, 2, \"fast\")\nmodbus_set_signal_update_frequency(\"fast\", 500)")
                     .isEmpty());
         // Change the values just after an update of the slow signal.
         QVERIFY(cell.fault("modbus-signal fast 1").isEmpty());
         const QByteArray both =
             "textmsg(modbus_get_signal_status(\"slow\"))\ntextmsg(modbus_get_signal_status(\"fast\"))";
-        QVERIFY(cell.robot.stepUntil([&] { return cell.told(both, 0.01).value(0) == "1"; }, 4));
+        QVERIFY(cell.robot.stepUntil([&] { return cell.reported(both, 0.01).value(0) == "1"; }, 4));
         QVERIFY(cell.fault("modbus-signal fast 2").isEmpty());
-        QCOMPARE(cell.told(both, 0.05), (QByteArrayList{"1", "2"}));
+        QCOMPARE(cell.reported(both, 0.05), (QByteArrayList{"1", "2"}));
         cell.robot.controller.stepSeconds(1);
-        QCOMPARE(cell.told(both, 0.05), (QByteArrayList{"2", "2"}));
+        QCOMPARE(cell.reported(both, 0.05), (QByteArrayList{"2", "2"}));
     }
 
     void wrongUseIsAnError_data() {
@@ -222,7 +224,7 @@ private Q_SLOTS:
         QFETCH(QByteArray, body);
         QFETCH(QByteArray, why);
         Cell cell;
-        cell.told(body);
+        cell.reported(body);
         QVERIFY2(cell.error.contains(why), cell.error);
     }
 
@@ -248,7 +250,7 @@ private Q_SLOTS:
         QFETCH(QString, words);
         QFETCH(QString, why);
         Cell cell;
-        QVERIFY(cell.told(kAdd + "1, 2, \"s\")").isEmpty());
+        QVERIFY(cell.reported(kAdd + "1, 2, \"s\")").isEmpty());
         QVERIFY2(cell.fault(words).contains(why), qPrintable(cell.fault(words)));
     }
 };

@@ -57,9 +57,10 @@ private Q_SLOTS:
 
         RawRtde rtde = robot.rtde();
         QVERIFY(rtde.useVersion());
-        const QByteArray told = rtde.request('v').payload;
-        QCOMPARE(QByteArray::number(wordAt(told, 0)) + '.' + QByteArray::number(wordAt(told, 4)) + '.' +
-                     QByteArray::number(wordAt(told, 8)) + '.' + QByteArray::number(wordAt(told, 12)),
+        const QByteArray reported = rtde.request('v').payload;
+        QCOMPARE(QByteArray::number(wordAt(reported, 0)) + '.' + QByteArray::number(wordAt(reported, 4)) +
+                     '.' + QByteArray::number(wordAt(reported, 8)) + '.' +
+                     QByteArray::number(wordAt(reported, 12)),
                  number);
         // Check the control period.
         rtde.setupOutputs(1000, "timestamp");

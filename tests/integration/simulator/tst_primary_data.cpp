@@ -188,9 +188,9 @@ private Q_SLOTS:
                                     QByteArray("\3\0\2hi\n", 6) +
                                     QByteArray("\5\0\2\16\0\0\0\1\16\0\0\0\2\n", 14) + QByteArray("\12", 1) +
                                     QByteArray(24, '\0') + '\n';
-        const QList<QByteArray> told = variablesOf(primary);
-        QVERIFY(!told.isEmpty());
-        QCOMPARE(told.back(), expected);
+        const QList<QByteArray> reported = variablesOf(primary);
+        QVERIFY(!reported.isEmpty());
+        QCOMPARE(reported.back(), expected);
     }
 
     void aValueTooLongForAPackageIsTruncatedCleanly() {
@@ -200,9 +200,9 @@ private Q_SLOTS:
             "def p():\n  global long = make_list(1000, 1.5, 1000)\n  global after = 5\n  sleep(100)\nend\n");
         robot.controller.drainSockets();
         robot.controller.stepSeconds(0.4);
-        const QList<QByteArray> told = variablesOf(primary);
-        QVERIFY(told.size() >= 2);
-        const QByteArray& values = told.back();
+        const QList<QByteArray> reported = variablesOf(primary);
+        QVERIFY(reported.size() >= 2);
+        const QByteArray& values = reported.back();
         QVERIFY(values.size() < 4000);
         QCOMPARE(values.left(4), QByteArray("\1\0\0\21", 4));
         const auto shown = qFromBigEndian<quint16>(values.constData() + 4);
@@ -246,15 +246,15 @@ private Q_SLOTS:
 
     void aRealtimeClientThatNeverReadsKeepsItsConnection() {
         VirtualRobot robot;
-        RawClient deaf(robot.host(), robot.controller.ports().realtime);
-        deaf.socket().setReadBufferSize(64);
+        RawClient unresponsive(robot.host(), robot.controller.ports().realtime);
+        unresponsive.socket().setReadBufferSize(64);
         RawRtde rtde = robot.rtde();
         QVERIFY(rtde.useVersion());
         rtde.setupOutputs(10, "timestamp");
         QVERIFY(rtde.start());
         robot.controller.step(10'000);  // about twelve megabytes
         QCOMPARE(rtde.packages().size(), std::size_t(200));
-        deaf.send("def p():\n  set_standard_digital_out(0, True)\nend\n");
+        unresponsive.send("def p():\n  set_standard_digital_out(0, True)\nend\n");
         robot.controller.drainSockets();
         robot.controller.step(5);
         QCOMPARE(robot.controller.truth().digitalOutputs, 1ULL);

@@ -295,16 +295,16 @@ private Q_SLOTS:
             // The linear move continues up to the limit of the reach.
             robot.controller.stepSeconds(script.contains("movel") ? 15 : 1);
             int shown = 1;
-            QList<int> told;
+            QList<int> reported;
             for (const QByteArray& package : primary.packages()) {
                 if (package[4] == 16) {
                     shown = safetyModeIn(package);
                 } else if (package[4] == 20 && package[14] == kSafetyMode) {
-                    told << static_cast<unsigned char>(package[15 + 8]);
-                    QCOMPARE(shown, told.back());
+                    reported << static_cast<unsigned char>(package[15 + 8]);
+                    QCOMPARE(shown, reported.back());
                 }
             }
-            QCOMPARE(told, modes);
+            QCOMPARE(reported, modes);
         }
     }
 
@@ -324,16 +324,16 @@ private Q_SLOTS:
         robot.controller.silence(false);
         robot.controller.stepSeconds(0.5);
         int shown = 0;
-        QList<int> told;
+        QList<int> reported;
         for (const QByteArray& package : primary.packages()) {
             if (package[4] == 16) {
                 shown = safetyModeIn(package);
             } else if (package[4] == 20 && package[14] == kSafetyMode) {
-                told << static_cast<unsigned char>(package[15 + 8]);
-                QCOMPARE(shown, told.back());
+                reported << static_cast<unsigned char>(package[15 + 8]);
+                QCOMPARE(shown, reported.back());
             }
         }
-        QCOMPARE(told, QList<int>{3});
+        QCOMPARE(reported, QList<int>{3});
     }
 
     void theArmMovesAgainAfterAnUnreachableLineStoppedIt() {

@@ -249,9 +249,9 @@ private Q_SLOTS:
         row("SuppressedNode", mainProgram("<SuppressedNode>" + set(0) + "</SuppressedNode>" + set(1)));
         row("SuppressedNode with children",
             mainProgram(withChildren("SuppressedNode", set(0) + "<Palletizing/>") + set(1)));
-        row("suppressed node that cannot be told",
+        row("suppressed node that cannot be identified",
             mainProgram("<SuppressedNode><Palletizing/></SuppressedNode>" + set(1)));
-        row("suppressed variable that cannot be told",
+        row("suppressed variable that cannot be identified",
             mainProgram("<SuppressedNode><Assignment><variable name=\"x\"><initializeExpression>"
                         "<ExpressionRiddle/></initializeExpression></variable></Assignment>"
                         "</SuppressedNode>" +
@@ -263,7 +263,7 @@ private Q_SLOTS:
         row("SubProgram called", mainProgram(call) + sub);
         row("SubProgram not called",
             mainProgram(set(1)) + withChildren("SubProgram name=\"s\"", set(0) + "<Palletizing/>"));
-        row("SubProgram told where it is called",
+        row("SubProgram reported where it is called",
             mainProgram("<CallSubProgram>" + withChildren("subprogram name=\"s\"", set(1)) +
                         "</CallSubProgram>") +
                 "<SubProgram reference=\"../MainProgram/children/CallSubProgram/subprogram\"/>");
@@ -326,7 +326,7 @@ private Q_SLOTS:
             mainProgram(set(1) + "<If type=\"If\"><expression>" + io.arg("digital_out[1]") +
                         "</expression><children>" + set(2) + "</children></If>"),
             0b110);
-        row("ExpressionIO told elsewhere",
+        row("ExpressionIO reported elsewhere",
             mainProgram(
                 "<Assignment><variable name=\"a\"/><expression>" + io.arg("config_in[0]") +
                 "</expression></Assignment><If type=\"If\"><expression><ExpressionToken token=\"not\"/>"
@@ -485,7 +485,7 @@ private Q_SLOTS:
         row("sub program from nowhere",
             mainProgram("<CallSubProgram><subprogram reference=\"../nowhere\"/></CallSubProgram>"),
             "is not a subprogram");
-        row("sub program that cannot be told",
+        row("sub program that cannot be identified",
             mainProgram("<CallSubProgram>" + withChildren("subprogram name=\"s\"", "<Palletizing/>") +
                         "</CallSubProgram>"),
             "Palletizing");

@@ -151,7 +151,7 @@ private Q_SLOTS:
         // of the allocator. Only long runs can show leaks.
         constexpr qint64 kReserve = 24 * 1024;
         qint64 settledMemory = 0;
-        qint64 told = 0;
+        qint64 reported = 0;
         qint64 slowest = 0;  // longest step [ms]
         const auto goesOn = [&] {
             return churnSeconds > 0 ? timer.elapsed() < qint64(churnSeconds) * 1000 : connections < 600;
@@ -191,13 +191,13 @@ private Q_SLOTS:
             robot.controller.step(ticks);
             slowest = std::max(slowest, timer.elapsed() - began);
             QCOMPARE(robot.controller.truth().tick, tick + quint64(ticks));
-            if (churnSeconds > 0 && timer.elapsed() - told > qint64(churnSeconds) * 50) {
-                told = timer.elapsed();
-                if (settledMemory == 0 && told > qint64(churnSeconds) * 100) {
+            if (churnSeconds > 0 && timer.elapsed() - reported > qint64(churnSeconds) * 50) {
+                reported = timer.elapsed();
+                if (settledMemory == 0 && reported > qint64(churnSeconds) * 100) {
                     settledMemory = residentMemory();
                 }
                 qInfo("%lld s: %d connections, %lld KiB, %d descriptors for %d clients, slowest step %lld ms",
-                      told / 1000, connections, residentMemory(), openDescriptors(), int(clients.size()),
+                      reported / 1000, connections, residentMemory(), openDescriptors(), int(clients.size()),
                       slowest);
             }
         }

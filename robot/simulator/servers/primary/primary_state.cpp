@@ -162,9 +162,9 @@ void configurationData(ByteWriter& out, const Telemetry& now) {
         out.i32(now.model->isCb3() ? 2 : 3);
         if (isNewer(now)) {
             // Types of the control box and the tool flange. Reserved fields in older software.
-            const bool told = now.software >= (now.software.isPolyScopeX() ? SoftwareVersion{10, 13, 0, 0}
-                                                                           : SoftwareVersion{5, 26, 0, 0});
-            out.u16(told ? 5 : 0).u16(told ? 1 : 0);
+            const bool isKnown = now.software >= (now.software.isPolyScopeX() ? SoftwareVersion{10, 13, 0, 0}
+                                                                              : SoftwareVersion{5, 26, 0, 0});
+            out.u16(isKnown ? 5 : 0).u16(isKnown ? 1 : 0);
         }
     });
 }

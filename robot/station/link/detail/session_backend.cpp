@@ -128,17 +128,17 @@ void SessionBackend::readLink() {
     state.portOffset = address.portOffset;
     state.simulated = address.simulated;
     state.version = receiver.version();
-    const auto told = link->primary ? link->primary->configuration() : std::nullopt;
+    const auto configuration = link->primary ? link->primary->configuration() : std::nullopt;
     const script::PrimaryState primary =
         link->primary && link->primary->isConnected() ? link->primary->state() : script::PrimaryState();
     state.primaryStates = primary.packages;
     state.programVariables = primary.variables;
-    state.modelKnown = told.has_value();
-    if (told) {
-        state.model = robotModelByType(told->robotType, state.version.isCb3()).value_or(state.model);
+    state.modelKnown = configuration.has_value();
+    if (configuration) {
+        state.model = robotModelByType(configuration->robotType, state.version.isCb3()).value_or(state.model);
     }
     const RobotModel& model = robotModel(state.model);
-    state.dh = told ? kinematics::calibrated(model, told->dh) : model.dh;
+    state.dh = configuration ? kinematics::calibrated(model, configuration->dh) : model.dh;
 }
 
 void SessionBackend::readSample() {

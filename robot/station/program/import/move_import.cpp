@@ -167,7 +167,7 @@ QUuid MoveImport::waypointFor(const Target& target, const QString& label, const 
     point.name = known.uniqueName(
         wanted.isEmpty() ? QStringLiteral("%1 %2").arg(name_).arg(out_.waypoints + 1) : wanted);
     point.group = name_;
-    point.ruling = project::TargetKind::Joints;
+    point.priority = project::TargetKind::Joints;
     point.tcpOffset = tcp;
     point.joints = *target.joints;
     const RobotModelId model = before_.robot.value_or(RobotModelId::UR5e);

@@ -97,7 +97,7 @@ std::optional<MoveTarget> targetAt(StepWriter& writer, const project::Waypoint& 
                                    const char* key) {
     const std::optional<Pose> tcp = writer.tcpFor(waypoint, key);
     const project::FrameList& frames = writer.project().frames;
-    const std::optional<Pose> taught = waypoint.ruling == project::TargetKind::Joints
+    const std::optional<Pose> taught = waypoint.priority == project::TargetKind::Joints
                                            ? kinematics::forwardTcp(writer.model().dh, waypoint.joints, *tcp)
                                            : project::targetForTcp(waypoint, frames, *tcp);
     MoveTarget target;
@@ -105,7 +105,7 @@ std::optional<MoveTarget> targetAt(StepWriter& writer, const project::Waypoint& 
     if (taught) {
         target.known = *taught * along(before);
     }
-    const bool joints = waypoint.ruling == project::TargetKind::Joints;
+    const bool joints = waypoint.priority == project::TargetKind::Joints;
     const bool reached = joints && before == 0
                              ? waypoint.joints.values.cwiseAbs().maxCoeff() <= kJointPositionLimit
                              : target.known && kinematics::inverseNearest(writer.model().dh, *target.known,

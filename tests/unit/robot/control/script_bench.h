@@ -32,7 +32,7 @@ struct ScriptBench {
     std::map<std::size_t, double> late;
     bool forcePermitted = false;
     bool mayFinish = false;
-    std::int32_t silenceMs = 0;
+    std::int32_t heartbeatTimeoutMs = 0;
 
     explicit ScriptBench(RegisterRange range = RegisterRange::Upper, SoftwareVersion version = {5, 22, 0, 0},
                          const QString& section = {})
@@ -68,7 +68,7 @@ struct ScriptBench {
         command.request = request;
         command.forcePermitted = forcePermitted;
         command.mayFinish = mayFinish;
-        command.silenceMs = silenceMs;
+        command.heartbeatTimeoutMs = heartbeatTimeoutMs;
         command.sequence = ++sequence;
         const auto values = encode(command);
         for (std::size_t i = 0; i < values.size(); ++i) {

@@ -244,7 +244,7 @@ private Q_SLOTS:
         move.held = false;
         move.speed = 0.5;
         move.acceleration = 1.4;
-        move.silence = std::chrono::milliseconds(delay == QStringLiteral("silence") ? 300 : 0);
+        move.heartbeatTimeout = std::chrono::milliseconds(delay == QStringLiteral("silence") ? 300 : 0);
         const MotionId id = bench.mailbox.start(move, bench.now());
         bench.tick(2);
         Command out;

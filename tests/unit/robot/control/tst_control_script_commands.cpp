@@ -422,7 +422,7 @@ private Q_SLOTS:
         Bench bench(RegisterRange::Upper, {5, 22, 0, 0}, QStringLiteral("sleep(2)"));
         bench.host.moveFrames = 1000;
         bench.hold(ScriptCommand::Idle, 1, 2);
-        bench.silenceMs = 500;
+        bench.heartbeatTimeoutMs = 500;
         bench.hold(kind, 2, 5, {0.1, 0.2, 0.3, 0, 0, 0});
         bench.host.moveFrames = 5;  // stops take 5 frames
         bench.frame(bench.silentFrames() + 10);
@@ -437,9 +437,9 @@ private Q_SLOTS:
         Bench bench;
         bench.host.moveFrames = 1000;
         bench.hold(ScriptCommand::Idle, 1, 2);
-        bench.silenceMs = 2000;
+        bench.heartbeatTimeoutMs = 2000;
         bench.hold(ScriptCommand::MoveJ, 2, 5);
-        bench.silenceMs = 0;
+        bench.heartbeatTimeoutMs = 0;
         bench.host.moveFrames = 5;
         bench.hold(ScriptCommand::Idle, 2, 60);
         bench.host.moveFrames = 1000;

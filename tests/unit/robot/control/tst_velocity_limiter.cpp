@@ -57,27 +57,27 @@ private Q_SLOTS:
     // If a robot reports incomplete or implausible values, the limits of its model apply, and it can be moved.
     void unreportedValuesAreTakenFromTheModel() {
         const ArmLimits model = ArmLimits::of(ur5e());
-        script::RobotConfiguration told;
-        told.dh = ur5e().dh;
-        ArmLimits limits = ArmLimits::of(ur5e(), told);  // KinematicsInfo alone
+        script::RobotConfiguration reported;
+        reported.dh = ur5e().dh;
+        ArmLimits limits = ArmLimits::of(ur5e(), reported);  // KinematicsInfo alone
         QVERIFY(limits.minPosition == model.minPosition && limits.maxPosition == model.maxPosition);
         QVERIFY(limits.maxSpeed == model.maxSpeed && limits.maxTorque == model.maxTorque);
         QCOMPARE(VelocityLimiter(limits, {}).limit(linear(0.05, 0, 0), kGoodPose, tcpAt(kGoodPose)).scale,
                  1.0);
         for (const double nonsense : {std::nan(""), -1.0, std::numeric_limits<double>::infinity()}) {
-            told.maxSpeed.fill(nonsense);
-            told.maxPosition.fill(nonsense);
-            told.dh.a.fill(std::nan(""));
-            limits = ArmLimits::of(ur5e(), told);
+            reported.maxSpeed.fill(nonsense);
+            reported.maxPosition.fill(nonsense);
+            reported.dh.a.fill(std::nan(""));
+            limits = ArmLimits::of(ur5e(), reported);
             QVERIFY(limits.maxSpeed == model.maxSpeed && limits.maxPosition == model.maxPosition);
             QVERIFY(limits.dh == model.dh);
         }
-        told = {};
-        told.dh = ur5e().dh;
-        told.minPosition.fill(-1.0);
-        told.maxPosition.fill(2.0);
-        told.maxSpeed.fill(0.5);
-        limits = ArmLimits::of(ur5e(), told);
+        reported = {};
+        reported.dh = ur5e().dh;
+        reported.minPosition.fill(-1.0);
+        reported.maxPosition.fill(2.0);
+        reported.maxSpeed.fill(0.5);
+        limits = ArmLimits::of(ur5e(), reported);
         QCOMPARE(limits.minPosition[3], -1.0);
         QCOMPARE(limits.maxPosition[3], 2.0);
         QCOMPARE(limits.maxSpeed[3], 0.5);

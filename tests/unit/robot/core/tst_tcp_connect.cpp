@@ -79,9 +79,9 @@ private Q_SLOTS:
         server.setListenBacklogSize(1);
         QVERIFY(server.listen(QHostAddress::LocalHost));
         std::vector<native_socket::Descriptor> queue;
-        const auto patience = Deadline::after(20s);
+        const auto testTimeout = Deadline::after(20s);
         ErrorCode code = ErrorCode::None;
-        while (code == ErrorCode::None && !patience.hasExpired()) {
+        while (code == ErrorCode::None && !testTimeout.hasExpired()) {
             const auto socket = connectTcp("127.0.0.1", server.serverPort(), Deadline::after(50ms));
             code = socket.error().code;
             if (socket) {

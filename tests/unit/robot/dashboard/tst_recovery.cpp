@@ -103,10 +103,10 @@ private Q_SLOTS:
         bench.robot.refusals = 2;
         QVERIFY(bench.run({true, false, false, false}).ok());
         QCOMPARE(bench.robot.unlocks.load(), 1);
-        const std::vector<RecoveryStep> told{RecoveryStep::Look, RecoveryStep::CloseSafetyPopup,
-                                             RecoveryStep::Unlock, RecoveryStep::WaitForUnlock,
-                                             RecoveryStep::Done};
-        QCOMPARE(bench.steps, told);
+        const std::vector<RecoveryStep> reported{RecoveryStep::Look, RecoveryStep::CloseSafetyPopup,
+                                                 RecoveryStep::Unlock, RecoveryStep::WaitForUnlock,
+                                                 RecoveryStep::Done};
+        QCOMPARE(bench.steps, reported);
     }
 
     void recoveryFromAViolationIsComplete() {

@@ -41,7 +41,7 @@ ServiceAddress at(int dashboard, int robotApi) {
     return {kHost, dashboard, robotApi};
 }
 
-Deadline patience() {
+Deadline testTimeout() {
     return Deadline::after(std::chrono::seconds(60));
 }
 
@@ -54,7 +54,7 @@ private Q_SLOTS:
     void theDashboardIsPreferred() {
         RawPeer dashboard(agreeing());
         RawPeer api(describing("3.1.4"));
-        const auto service = openService(at(dashboard.port(), api.port()), patience());
+        const auto service = openService(at(dashboard.port(), api.port()), testTimeout());
         QVERIFY2(service.ok(), qPrintable(service.error().toString()));
         QCOMPARE((*service)->kind(), ServiceKind::Dashboard);
         QCOMPARE(api.clients(), 0);
@@ -62,7 +62,7 @@ private Q_SLOTS:
 
     void theRobotApiIsUsedWithoutADashboard() {
         RawPeer api(describing("3.1.4"));
-        const auto service = openService(at(RawPeer::deadPort(), api.port()), patience());
+        const auto service = openService(at(RawPeer::deadPort(), api.port()), testTimeout());
         QVERIFY2(service.ok(), qPrintable(service.error().toString()));
         QCOMPARE((*service)->kind(), ServiceKind::RobotApi);
     }
@@ -73,13 +73,13 @@ private Q_SLOTS:
             }
             link.send("HTTP/1.1 200 OK\r\nContent-Length: 13\r\n\r\n<html></html>");
         });
-        const auto service = openService(at(RawPeer::deadPort(), web.port()), patience());
+        const auto service = openService(at(RawPeer::deadPort(), web.port()), testTimeout());
         QCOMPARE(service.error().code, ErrorCode::ConnectionRefused);
     }
 
     void theDashboardIsReportedWhenNeitherResponds() {
         const int port = RawPeer::deadPort();
-        const auto service = openService(at(port, RawPeer::deadPort()), patience());
+        const auto service = openService(at(port, RawPeer::deadPort()), testTimeout());
         QCOMPARE(service.error().code, ErrorCode::ConnectionRefused);
         QVERIFY2(service.error().context.contains(QString::number(port)),
                  qPrintable(service.error().context));
@@ -90,9 +90,9 @@ private Q_SLOTS:
         QVERIFY(!offers(ServiceKind::RobotApi, RobotCommand::ClosePopups));
         QVERIFY(offers(ServiceKind::RobotApi, RobotCommand::Play));
         RawPeer api(describing("3.1.4"));
-        const auto service = openService(at(RawPeer::deadPort(), api.port()), patience());
+        const auto service = openService(at(RawPeer::deadPort(), api.port()), testTimeout());
         QVERIFY(service.ok());
-        QCOMPARE((*service)->perform(RobotCommand::ClosePopups, patience()).error().code,
+        QCOMPARE((*service)->perform(RobotCommand::ClosePopups, testTimeout()).error().code,
                  ErrorCode::VersionUnsupported);
     }
 

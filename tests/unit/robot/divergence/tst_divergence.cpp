@@ -438,15 +438,15 @@ void TestDivergence::invalidLimitsAreRefused() {
 void TestDivergence::theComparisonCanBeCancelled() {
     RecordedArm robot;
     robot.run(9000);
-    std::vector<double> told;
+    std::vector<double> reported;
     Choice choice;
     choice.progress = [&](double part) {
-        told.push_back(part);
-        return told.size() < 2;
+        reported.push_back(part);
+        return reported.size() < 2;
     };
     QCOMPARE(compare(robot.recording(), choice).error().code, ErrorCode::Cancelled);
-    QCOMPARE(told.size(), std::size_t(2));
-    QVERIFY(told[0] == 0 && told[1] > 0 && told[1] < 1);
+    QCOMPARE(reported.size(), std::size_t(2));
+    QVERIFY(reported[0] == 0 && reported[1] > 0 && reported[1] < 1);
 }
 
 void TestDivergence::nonFiniteValuesAreHandled() {

@@ -13,7 +13,7 @@ using namespace tiller::io;
 
 namespace {
 
-Deadline patience() {
+Deadline testTimeout() {
     return Deadline::after(std::chrono::seconds(20));
 }
 
@@ -59,12 +59,12 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(bench.receiver->counters().packets > 0, 20000);
         Outputs outputs({bench.robot.listenAddress(), bench.port()},
                         OutputFeedback::fromReceiver(*bench.receiver));
-        QVERIFY(outputs.setAnalogOutput(0, AnalogDomain::Voltage, 0.5, patience()).ok());
-        QVERIFY(outputs.setAnalogOutput(1, AnalogDomain::Current, 0.25, patience()).ok());
+        QVERIFY(outputs.setAnalogOutput(0, AnalogDomain::Voltage, 0.5, testTimeout()).ok());
+        QVERIFY(outputs.setAnalogOutput(1, AnalogDomain::Current, 0.25, testTimeout()).ok());
         const receive::Sample sample = bench.receiver->latest();
         QVERIFY(std::abs(sample.field("standard_analog_output0")[0] - 5.0) < 1e-6);
         QCOMPARE(static_cast<unsigned>(sample.field("analog_io_types")[0]) >> 2, 1U);
-        QVERIFY(outputs.setAnalogOutput(0, AnalogDomain::Current, 0.0, patience()).ok());
+        QVERIFY(outputs.setAnalogOutput(0, AnalogDomain::Current, 0.0, testTimeout()).ok());
         QVERIFY(outputs.canSetAnalogOutput().ok());
     }
 
@@ -72,11 +72,11 @@ private Q_SLOTS:
         Bench bench;
         Outputs outputs({bench.robot.listenAddress(), bench.port()},
                         OutputFeedback::fromReceiver(*bench.receiver));
-        QCOMPARE(outputs.setAnalogOutput(2, AnalogDomain::Voltage, 0.5, patience()).error().code,
+        QCOMPARE(outputs.setAnalogOutput(2, AnalogDomain::Voltage, 0.5, testTimeout()).error().code,
                  ErrorCode::InvalidArgument);
-        QCOMPARE(outputs.setAnalogOutput(0, AnalogDomain::Voltage, 5.0, patience()).error().code,
+        QCOMPARE(outputs.setAnalogOutput(0, AnalogDomain::Voltage, 5.0, testTimeout()).error().code,
                  ErrorCode::InvalidArgument);
-        QCOMPARE(outputs.setAnalogOutput(0, AnalogDomain::Voltage, std::nan(""), patience()).error().code,
+        QCOMPARE(outputs.setAnalogOutput(0, AnalogDomain::Voltage, std::nan(""), testTimeout()).error().code,
                  ErrorCode::InvalidArgument);
     }
 
@@ -90,14 +90,15 @@ private Q_SLOTS:
         options.doubles = {45};
         options.bits = {64};
         InputRegisters registers(options, InputRegisters::fromReceiver(*bench.receiver));
-        QVERIFY(registers.setInt(30, -7, patience()).ok());
-        QVERIFY(registers.setInt(31, 5, patience()).ok());
-        QVERIFY(registers.setDouble(45, 2.5, patience()).ok());
-        QVERIFY(registers.setBit(64, true, patience()).ok());
+        QVERIFY(registers.setInt(30, -7, testTimeout()).ok());
+        QVERIFY(registers.setInt(31, 5, testTimeout()).ok());
+        QVERIFY(registers.setDouble(45, 2.5, testTimeout()).ok());
+        QVERIFY(registers.setBit(64, true, testTimeout()).ok());
         QCOMPARE(bench.receiver->latest().field("input_int_register_30")[0], -7.0);
         QCOMPARE(bench.receiver->latest().field("input_double_register_45")[0], 2.5);
-        QCOMPARE(registers.setInt(32, 1, patience()).error().code, ErrorCode::InvalidArgument);
-        QCOMPARE(registers.setDouble(45, std::nan(""), patience()).error().code, ErrorCode::InvalidArgument);
+        QCOMPARE(registers.setInt(32, 1, testTimeout()).error().code, ErrorCode::InvalidArgument);
+        QCOMPARE(registers.setDouble(45, std::nan(""), testTimeout()).error().code,
+                 ErrorCode::InvalidArgument);
     }
 
     void aRegisterInUseDoesNotBlockTheOthers() {
@@ -107,11 +108,11 @@ private Q_SLOTS:
         options.port = bench.port();
         options.ints = {33};
         InputRegisters owner(options);
-        QVERIFY(owner.connect(patience()).ok());
+        QVERIFY(owner.connect(testTimeout()).ok());
         options.ints = {33, 34};
         InputRegisters other(options);
-        QVERIFY(other.setInt(34, 1, patience()).ok());
-        QCOMPARE(other.setInt(33, 1, patience()).error().code, ErrorCode::RegisterInUse);
+        QVERIFY(other.setInt(34, 1, testTimeout()).ok());
+        QCOMPARE(other.setInt(33, 1, testTimeout()).error().code, ErrorCode::RegisterInUse);
     }
 };
 

@@ -16,10 +16,10 @@ using test::RtdePeer;
 namespace {
 
 // Only a failing test reaches this timeout.
-constexpr auto kPatience = 20s;
+constexpr auto kTestTimeout = 20s;
 
-Deadline patience() {
-    return Deadline::after(kPatience);
+Deadline testTimeout() {
+    return Deadline::after(kTestTimeout);
 }
 
 /// A simulated robot. Either the test sets its reports, or the robot executes the received commands.
@@ -93,10 +93,10 @@ private Q_SLOTS:
             return done.error().code == ErrorCode::FieldUnknown &&
                    done.error().controllerMessage.contains(QLatin1String(field));
         };
-        QVERIFY(refused(outputs.setDigitalOutput(0, true, patience()), "actual_digital_output_bits"));
-        QVERIFY(refused(outputs.setSpeedSlider(0.5, patience()), "target_speed_fraction"));
-        QVERIFY(
-            refused(outputs.setAnalogOutput(0, AnalogDomain::Voltage, 0.5, patience()), "analog_io_types"));
+        QVERIFY(refused(outputs.setDigitalOutput(0, true, testTimeout()), "actual_digital_output_bits"));
+        QVERIFY(refused(outputs.setSpeedSlider(0.5, testTimeout()), "target_speed_fraction"));
+        QVERIFY(refused(outputs.setAnalogOutput(0, AnalogDomain::Voltage, 0.5, testTimeout()),
+                        "analog_io_types"));
         QVERIFY(peer.input("standard_digital_output_mask").empty());
     }
 
@@ -136,7 +136,7 @@ void TestOutputs::setsOnlyTheRequestedBits() {
     const std::uint64_t before = 0x2A5A5 & ~bit;
     bench.bits = before;
     for (const bool on : {true, false, true}) {
-        const auto set = bench.outputs.setDigitalOutput(output, on, patience());
+        const auto set = bench.outputs.setDigitalOutput(output, on, testTimeout());
         QVERIFY2(set.ok(), qPrintable(set.error().toString()));
         QCOMPARE(bench.peer.input(field.toStdString() + "_mask"), std::vector<double>{double(mask)});
         QCOMPARE(bench.peer.input(field.toStdString()), std::vector<double>{on ? double(mask) : 0.0});
@@ -149,7 +149,7 @@ void TestOutputs::setsOnlyTheRequestedBits() {
 void TestOutputs::groupsAreSetTogether() {
     Bench bench;
     bench.bits = 0x3FFFF;
-    QVERIFY(bench.outputs.setDigitalOutputs(0x30301, 0x10200, patience()).ok());
+    QVERIFY(bench.outputs.setDigitalOutputs(0x30301, 0x10200, testTimeout()).ok());
     QCOMPARE(bench.bits.load(), std::uint64_t((0x3FFFF & ~0x30301) | 0x10200));
     QCOMPARE(bench.peer.inputPackages(), 3);
 }
@@ -158,7 +158,7 @@ void TestOutputs::waitsForConfirmationByTheRobot() {
     Bench bench;
     bench.obedient = false;
     // Connect first, so that connecting does not use up the 50 ms for the command.
-    QVERIFY(bench.outputs.connect(patience()).ok());
+    QVERIFY(bench.outputs.connect(testTimeout()).ok());
     const auto set = bench.outputs.setDigitalOutput(3, true, Deadline::after(50ms));
     QCOMPARE(set.error().code, ErrorCode::Timeout);
     // The command was sent in spite of the error. Reverting it would require a confirmation too.
@@ -174,11 +174,11 @@ void TestOutputs::waitsForConfirmationByTheRobot() {
 void TestOutputs::afterAMissingConfirmationANewConnectionIsUsed() {
     Bench bench;
     bench.obedient = false;
-    QVERIFY(bench.outputs.connect(patience()).ok());
+    QVERIFY(bench.outputs.connect(testTimeout()).ok());
     QCOMPARE(bench.outputs.setDigitalOutput(3, true, Deadline::after(50ms)).error().code, ErrorCode::Timeout);
     QCOMPARE(bench.peer.connections(), 1);
     bench.obedient = true;
-    QVERIFY(bench.outputs.setDigitalOutput(3, true, patience()).ok());
+    QVERIFY(bench.outputs.setDigitalOutput(3, true, testTimeout()).ok());
     QCOMPARE(bench.peer.connections(), 2);
 }
 
@@ -186,23 +186,23 @@ void TestOutputs::oldDataConfirmNothing() {
     Bench bench;
     bench.obedient = false;
     bench.frozen = true;
-    QVERIFY(bench.outputs.connect(patience()).ok());
+    QVERIFY(bench.outputs.connect(testTimeout()).ok());
     // The report already contains the requested value but is older than the command.
     QCOMPARE(bench.outputs.setDigitalOutput(0, false, Deadline::after(50ms)).error().code,
              ErrorCode::Timeout);
     bench.frozen = false;
-    QVERIFY(bench.outputs.setDigitalOutput(0, false, patience()).ok());
+    QVERIFY(bench.outputs.setDigitalOutput(0, false, testTimeout()).ok());
 }
 
 void TestOutputs::outputsThatDoNotExistAreRefused() {
     Bench bench;
     for (const int output : {-1, 18, 1000}) {
-        QCOMPARE(bench.outputs.setDigitalOutput(output, true, patience()).error().code,
+        QCOMPARE(bench.outputs.setDigitalOutput(output, true, testTimeout()).error().code,
                  ErrorCode::InvalidArgument);
         QCOMPARE(bench.outputs.canSetDigitalOutput(output).error().code, ErrorCode::InvalidArgument);
     }
     for (const std::uint32_t mask : {0U, 1U << 18, ~0U}) {
-        QCOMPARE(bench.outputs.setDigitalOutputs(mask, 0, patience()).error().code,
+        QCOMPARE(bench.outputs.setDigitalOutputs(mask, 0, testTimeout()).error().code,
                  ErrorCode::InvalidArgument);
     }
     QCOMPARE(bench.peer.inputPackages(), 0);
@@ -210,17 +210,17 @@ void TestOutputs::outputsThatDoNotExistAreRefused() {
 
 void TestOutputs::sliderIsLimitedToItsRange() {
     Bench bench;
-    QVERIFY(bench.outputs.setSpeedSlider(0.5, patience()).ok());
+    QVERIFY(bench.outputs.setSpeedSlider(0.5, testTimeout()).ok());
     QCOMPARE(bench.slider.load(), 0.5);
     QCOMPARE(bench.peer.input("speed_slider_mask"), std::vector<double>{1});
     for (const double low : {0.0, -3.0, 0.019}) {
-        QVERIFY(!bench.outputs.setSpeedSlider(low, patience()).ok());
+        QVERIFY(!bench.outputs.setSpeedSlider(low, testTimeout()).ok());
         QCOMPARE(bench.slider.load(), 0.5);
     }
-    QVERIFY(bench.outputs.setSpeedSlider(1.0, patience()).ok());
+    QVERIFY(bench.outputs.setSpeedSlider(1.0, testTimeout()).ok());
     const int packages = bench.peer.inputPackages();
     for (const double wrong : {1.0001, std::nan(""), std::numeric_limits<double>::infinity()}) {
-        QCOMPARE(bench.outputs.setSpeedSlider(wrong, patience()).error().code, ErrorCode::InvalidArgument);
+        QCOMPARE(bench.outputs.setSpeedSlider(wrong, testTimeout()).error().code, ErrorCode::InvalidArgument);
     }
     QCOMPARE(bench.peer.inputPackages(), packages);
     QCOMPARE(bench.slider.load(), 1.0);
@@ -231,9 +231,9 @@ void TestOutputs::inputsInUseAreNamed() {
     robot.inUse = {"speed_slider_mask", "speed_slider_fraction"};
     Bench bench(robot);
     // The other outputs can still be set.
-    QVERIFY(bench.outputs.setDigitalOutput(1, true, patience()).ok());
+    QVERIFY(bench.outputs.setDigitalOutput(1, true, testTimeout()).ok());
     QVERIFY(bench.outputs.canSetDigitalOutput(1).ok());
-    const Error error = bench.outputs.setSpeedSlider(0.5, patience()).error();
+    const Error error = bench.outputs.setSpeedSlider(0.5, testTimeout()).error();
     QCOMPARE(error.code, ErrorCode::RegisterInUse);
     QVERIFY2(error.context.contains(QLatin1String("speed_slider_fraction")), qPrintable(error.context));
     QCOMPARE(bench.outputs.canSetSpeedSlider().error().code, ErrorCode::RegisterInUse);
@@ -244,25 +244,25 @@ void TestOutputs::unsupportedInputsAreReported() {
     test::RtdePeerOptions robot;
     robot.missing = {"tool_digital_output_mask"};
     Bench bench(robot);
-    QVERIFY(bench.outputs.connect(patience()).ok());
-    QCOMPARE(bench.outputs.setDigitalOutput(16, true, patience()).error().code, ErrorCode::FieldUnknown);
+    QVERIFY(bench.outputs.connect(testTimeout()).ok());
+    QCOMPARE(bench.outputs.setDigitalOutput(16, true, testTimeout()).error().code, ErrorCode::FieldUnknown);
     // A request that includes a tool output is refused as a whole and leaves the other outputs unchanged.
-    QCOMPARE(bench.outputs.setDigitalOutputs(0x10001, 0x10001, patience()).error().code,
+    QCOMPARE(bench.outputs.setDigitalOutputs(0x10001, 0x10001, testTimeout()).error().code,
              ErrorCode::FieldUnknown);
     QCOMPARE(bench.peer.inputPackages(), 0);
-    QVERIFY(bench.outputs.setDigitalOutput(0, true, patience()).ok());
+    QVERIFY(bench.outputs.setDigitalOutput(0, true, testTimeout()).ok());
 }
 
 void TestOutputs::connectsAutomaticallyWhenNeeded() {
     Bench bench;
     QVERIFY(!bench.outputs.isConnected());
     QCOMPARE(bench.outputs.canSetDigitalOutput(0).error().code, ErrorCode::NotConnected);
-    QVERIFY(bench.outputs.setDigitalOutput(0, true, patience()).ok());
+    QVERIFY(bench.outputs.setDigitalOutput(0, true, testTimeout()).ok());
     QVERIFY(bench.outputs.isConnected());
     QCOMPARE(bench.peer.connections(), 1);
     bench.outputs.disconnect();
     QVERIFY(!bench.outputs.isConnected());
-    QVERIFY(bench.outputs.setDigitalOutput(0, false, patience()).ok());
+    QVERIFY(bench.outputs.setDigitalOutput(0, false, testTimeout()).ok());
     QCOMPARE(bench.peer.connections(), 2);
     // The robot was power-cycled. One of the next two commands detects this and reconnects. A command waits
     // only a limited time on the previous connection, so that it still has time to reconnect.
@@ -280,15 +280,15 @@ void TestOutputs::aMissingRobotIsAnError() {
     to.port = server.serverPort();
     server.close();
     Outputs outputs(to, {[] { return Report(); }});
-    QCOMPARE(outputs.connect(patience()).error().code, ErrorCode::ConnectionRefused);
-    QCOMPARE(outputs.setSpeedSlider(1.0, patience()).error().code, ErrorCode::ConnectionRefused);
+    QCOMPARE(outputs.connect(testTimeout()).error().code, ErrorCode::ConnectionRefused);
+    QCOMPARE(outputs.setSpeedSlider(1.0, testTimeout()).error().code, ErrorCode::ConnectionRefused);
     QVERIFY(!outputs.isConnected());
 }
 
 void TestOutputs::disconnectEndsTheWait() {
     Bench bench;
     bench.obedient = false;
-    QVERIFY(bench.outputs.connect(patience()).ok());
+    QVERIFY(bench.outputs.connect(testTimeout()).ok());
     Result<void> result;
     std::thread caller([&] { result = bench.outputs.setDigitalOutput(0, true, Deadline::after(1h)); });
     QTRY_COMPARE_WITH_TIMEOUT(bench.peer.inputPackages(), 1, 20000);

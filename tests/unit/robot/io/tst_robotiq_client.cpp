@@ -57,7 +57,7 @@ struct Gripper {
 struct Bench {
     explicit Bench(std::function<void(RawPeer::Link&)> script)
         : peer(std::move(script)), client("127.0.0.1", peer.port()) {
-        const Result<void> connected = client.connect(patience());
+        const Result<void> connected = client.connect(testTimeout());
         if (!connected) {
             qFatal("%s", why(connected).constData());
         }
@@ -99,35 +99,35 @@ private Q_SLOTS:
             link.send("STA 03 \n");
             link.beMute();
         });
-        QCOMPARE(bench.client.get("POS", patience()).value(), std::optional(120));
-        QCOMPARE(bench.client.get("STA", patience()).value(), std::optional(3));
+        QCOMPARE(bench.client.get("POS", testTimeout()).value(), std::optional(120));
+        QCOMPARE(bench.client.get("STA", testTimeout()).value(), std::optional(3));
     }
 
     void aMissingValueIsNotReadAsZero() {
         Bench bench(saying({"POS ?\n"}));
-        QCOMPARE(bench.client.get("POS", patience()).value(), std::optional<int>());
+        QCOMPARE(bench.client.get("POS", testTimeout()).value(), std::optional<int>());
         QVERIFY(bench.client.isConnected());
     }
 
     void acknowledgementsMayLackALineEnd() {
         Bench bench(saying({"ack", "ack\n", "POS 3\n"}));
-        QVERIFY(bench.client.set({{"SPE", 1}}, patience()).ok());
-        QVERIFY(bench.client.set({{"FOR", 1}}, patience()).ok());
-        QCOMPARE(bench.client.get("POS", patience()).value(), std::optional(3));
+        QVERIFY(bench.client.set({{"SPE", 1}}, testTimeout()).ok());
+        QVERIFY(bench.client.set({{"FOR", 1}}, testTimeout()).ok());
+        QCOMPARE(bench.client.get("POS", testTimeout()).value(), std::optional(3));
     }
 
     void aRefusalIsReported() {
         Bench bench(saying({"nack", "POS 3\n"}));
-        const Result<void> refused = bench.client.set({{"NIX", 1}}, patience());
+        const Result<void> refused = bench.client.set({{"NIX", 1}}, testTimeout());
         QCOMPARE(refused.error().code, ErrorCode::Rejected);
         QCOMPARE(refused.error().controllerMessage, QString("nack"));
-        QCOMPARE(bench.client.get("POS", patience()).value(), std::optional(3));
+        QCOMPARE(bench.client.get("POS", testTimeout()).value(), std::optional(3));
     }
 
     void theReplyToAnotherRequestIsNotAccepted() {
         Bench bench(saying({"OBJ 2\n", "POS hello\n"}));
         for (const char* answer : {"OBJ 2", "POS hello"}) {
-            const auto wrong = bench.client.get("POS", patience());
+            const auto wrong = bench.client.get("POS", testTimeout());
             QCOMPARE(wrong.error().code, ErrorCode::ProtocolError);
             QCOMPARE(wrong.error().controllerMessage, QString(answer));
         }
@@ -140,7 +140,7 @@ private Q_SLOTS:
         QVERIFY2(look.error().context.contains("GET STA"), why(look).constData());
         QVERIFY2(!bench.client.isConnected(), "a late reply would be used as the next reply");
         QCOMPARE(bench.client.get("POS", briefly()).error().code, ErrorCode::NotConnected);
-        QVERIFY(bench.client.connect(patience()).ok());
+        QVERIFY(bench.client.connect(testTimeout()).ok());
     }
 
     void aWaitCanBeCancelledEarly() {
@@ -157,7 +157,7 @@ private Q_SLOTS:
                 link.send(flood);
             }
         });
-        const auto got = bench.client.get("POS", patience());
+        const auto got = bench.client.get("POS", testTimeout());
         QCOMPARE(got.error().code, ErrorCode::ProtocolError);
         QVERIFY(got.error().controllerMessage.startsWith("xxx"));
         QVERIFY(got.error().controllerMessage.size() < 200);
@@ -173,7 +173,7 @@ private Q_SLOTS:
             }
         });
         QCOMPARE(bench.client.get("POS", briefly()).error().code, ErrorCode::Timeout);
-        QVERIFY(bench.client.connect(patience()).ok());
+        QVERIFY(bench.client.connect(testTimeout()).ok());
         const CancelToken token;
         token.cancel();
         QCOMPARE(bench.client.get("POS", Deadline::never(token)).error().code, ErrorCode::Cancelled);
@@ -195,36 +195,36 @@ private Q_SLOTS:
         Gripper gripper;
         gripper.values[name] = value;
         Bench bench([&gripper](RawPeer::Link& link) { gripper.serve(link); });
-        const auto look = bench.client.look(patience());
+        const auto look = bench.client.look(testTimeout());
         QVERIFY(!look.ok());
         QCOMPARE(look.error().code, ErrorCode::ProtocolError);
         QCOMPARE(look.error().controllerMessage, QString::fromLatin1(name) + ' ' + QString::number(value));
-        const auto got = bench.client.get(name.toStdString(), patience());
+        const auto got = bench.client.get(name.toStdString(), testTimeout());
         QCOMPARE(got.error().code, ErrorCode::ProtocolError);
     }
 
     void aCounterMayExceedOneByte() {
         Bench bench(saying({"NCY 70000\n", "POS 255\n", "POS 0\n"}));
-        QCOMPARE(bench.client.get("NCY", patience()).value(), std::optional(70'000));
-        QCOMPARE(bench.client.get("POS", patience()).value(), std::optional(255));
-        QCOMPARE(bench.client.get("POS", patience()).value(), std::optional(0));
+        QCOMPARE(bench.client.get("NCY", testTimeout()).value(), std::optional(70'000));
+        QCOMPARE(bench.client.get("POS", testTimeout()).value(), std::optional(255));
+        QCOMPARE(bench.client.get("POS", testTimeout()).value(), std::optional(0));
     }
 
     void aDisconnectByThePeerIsReported() {
         Bench bench([](RawPeer::Link& link) { link.readLine(); });
-        QCOMPARE(bench.client.get("POS", patience()).error().code, ErrorCode::ConnectionClosed);
+        QCOMPARE(bench.client.get("POS", testTimeout()).error().code, ErrorCode::ConnectionClosed);
         QVERIFY(!bench.client.isConnected());
     }
 
     void aRefusedConnectionIsReported() {
         RobotiqClient client("127.0.0.1", RawPeer::deadPort());
-        QCOMPARE(client.connect(patience()).error().code, ErrorCode::ConnectionRefused);
+        QCOMPARE(client.connect(testTimeout()).error().code, ErrorCode::ConnectionRefused);
     }
 
     void oneQueryReadsTheWholeState() {
         Gripper gripper;
         Bench bench([&gripper](RawPeer::Link& link) { gripper.serve(link); });
-        const auto look = bench.client.look(patience());
+        const auto look = bench.client.look(testTimeout());
         QVERIFY2(look.ok() && look->has_value(), why(look).constData());
         const RobotiqState& state = **look;
         QCOMPARE(state.activation, RobotiqActivation::Active);
@@ -254,7 +254,7 @@ private Q_SLOTS:
         Gripper gripper;
         gripper.values[name] = value;
         Bench bench([&gripper](RawPeer::Link& link) { gripper.serve(link); });
-        const auto look = bench.client.look(patience());
+        const auto look = bench.client.look(testTimeout());
         QVERIFY2(look.ok() && look->has_value(), why(look).constData());
         QCOMPARE((*look)->holds(), holds);
     }
@@ -263,7 +263,7 @@ private Q_SLOTS:
         Gripper gripper;
         gripper.values.erase("OBJ");
         Bench bench([&gripper](RawPeer::Link& link) { gripper.serve(link); });
-        const auto look = bench.client.look(patience());
+        const auto look = bench.client.look(testTimeout());
         QVERIFY2(look.ok(), why(look).constData());
         QVERIFY(!look->has_value());
     }
@@ -273,7 +273,7 @@ private Q_SLOTS:
         gripper.staleAnswers = 3;
         {
             Bench bench([&gripper](RawPeer::Link& link) { gripper.serve(link); });
-            const Result<void> moved = bench.client.move(80, 255, 10, patience());
+            const Result<void> moved = bench.client.move(80, 255, 10, testTimeout());
             QVERIFY2(moved.ok(), why(moved).constData());
         }
         QCOMPARE(gripper.lines.value(0), QByteArray("SET POS 80 SPE 255 FOR 10 GTO 1"));
@@ -294,7 +294,7 @@ private Q_SLOTS:
             Bench bench([&gripper](RawPeer::Link& link) { gripper.serve(link); });
             for (const auto& [position, speed, force] :
                  {std::tuple(256, 0, 0), std::tuple(0, -1, 0), std::tuple(0, 0, 999)}) {
-                QCOMPARE(bench.client.move(position, speed, force, patience()).error().code,
+                QCOMPARE(bench.client.move(position, speed, force, testTimeout()).error().code,
                          ErrorCode::InvalidArgument);
             }
         }
@@ -305,7 +305,7 @@ private Q_SLOTS:
         Gripper gripper;
         {
             Bench bench([&gripper](RawPeer::Link& link) { gripper.serve(link); });
-            const Result<void> begun = bench.client.beginActivation(patience());
+            const Result<void> begun = bench.client.beginActivation(testTimeout());
             QVERIFY2(begun.ok(), why(begun).constData());
         }
         QCOMPARE(gripper.lines, (QByteArrayList{"SET ACT 0 ATR 0", "GET STA", "SET ACT 1"}));

@@ -75,13 +75,13 @@ private Q_SLOTS:
     }
 
     void theFlangeIsUnchangedAndTheElbowIsCorrected() {
-        const DhParameters told = realArm();
-        const DhParameters arm = resolveParallelAxes(told);
+        const DhParameters reported = realArm();
+        const DhParameters arm = resolveParallelAxes(reported);
         const DhParameters& model = robotModel(RobotModelId::UR10e).dh;
         std::mt19937_64 random(3);
         for (int n = 0; n < 1000; ++n) {
             const JointPositions q = randomJoints(random);
-            const auto before = linkFrames(told, q);
+            const auto before = linkFrames(reported, q);
             const auto now = linkFrames(arm, q);
             QVERIFY((before[6].matrix() - now[6].matrix()).cwiseAbs().maxCoeff() < 1e-10);
             const auto nominal = linkFrames(model, q);
@@ -127,16 +127,17 @@ private Q_SLOTS:
                     arm.d[i] += parallel ? 0 : off(random);
                     arm.beta[i] += parallel ? off(random) : 0;
                 }
-                const DhParameters told = asDenavitHartenberg(arm);
-                QVERIFY(told.beta == decltype(told.beta){});
-                const DhParameters again = resolveParallelAxes(told);
+                const DhParameters reported = asDenavitHartenberg(arm);
+                QVERIFY(reported.beta == decltype(reported.beta){});
+                const DhParameters again = resolveParallelAxes(reported);
                 QVERIFY(apart(again.a, arm.a) < 1e-8);
                 QVERIFY(apart(again.d, arm.d) < 1e-8);
                 QVERIFY(apart(again.alpha, arm.alpha) < 1e-8);
                 QVERIFY(apart(again.theta, arm.theta) < 1e-8);
                 QVERIFY(apart(again.beta, arm.beta) < 1e-8);
                 const JointPositions q = randomJoints(random);
-                QVERIFY((forward(told, q).matrix() - forward(arm, q).matrix()).cwiseAbs().maxCoeff() < 1e-9);
+                QVERIFY((forward(reported, q).matrix() - forward(arm, q).matrix()).cwiseAbs().maxCoeff() <
+                        1e-9);
             }
         }
     }
@@ -152,12 +153,12 @@ private Q_SLOTS:
         QFETCH(double, number);
         const RobotModel& model = robotModel(RobotModelId::UR5e);
         for (std::size_t i = 0; i < 6; ++i) {
-            DhParameters told = model.dh;
-            told.a[i] = number;
-            QVERIFY(calibrated(model, told) == model.dh);
-            told = model.dh;
-            told.theta[i] = number;
-            QVERIFY(std::isfinite(number) || calibrated(model, told) == model.dh);
+            DhParameters reported = model.dh;
+            reported.a[i] = number;
+            QVERIFY(calibrated(model, reported) == model.dh);
+            reported = model.dh;
+            reported.theta[i] = number;
+            QVERIFY(std::isfinite(number) || calibrated(model, reported) == model.dh);
         }
         QVERIFY(calibrated(model, DhParameters()) == model.dh);
         DhParameters bent = realArm();  // not possible for an arm with parallel axes

@@ -94,17 +94,17 @@ private Q_SLOTS:
 
     void compensatedForcesGiveTheSameResult() {
         const Eigen::Vector3d tcp(0.01, 0.02, 0.15);
-        const double told = 0.7;
+        const double reported = 0.7;
         const Eigen::Vector3d toldCentre(0, 0, 0.04);
         std::vector<PayloadReading> readings = fourReadings(2.0);
         for (PayloadReading& r : readings) {
             // Force as reported by the controller: at the TCP in the base frame, without the known payload.
             const Eigen::Vector3d known =
-                r.R_base_flange.transpose() * Eigen::Vector3d(0, 0, -told * kStandardGravity);
+                r.R_base_flange.transpose() * Eigen::Vector3d(0, 0, -reported * kStandardGravity);
             const Eigen::Vector3d force = r.felt.force - known;
             const Eigen::Vector3d torque = r.felt.torque - toldCentre.cross(known) - tcp.cross(force);
             const Wrench atTcp{r.R_base_flange * force, r.R_base_flange * torque};
-            r.felt = feltAtFlange(atTcp, r.R_base_flange, tcp, told, toldCentre, {0, 0, -1});
+            r.felt = feltAtFlange(atTcp, r.R_base_flange, tcp, reported, toldCentre, {0, 0, -1});
         }
         const PayloadEstimate found = estimatePayload(readings);
         QVERIFY(std::abs(found.mass - 2.0) < 1e-9);

@@ -15,7 +15,7 @@ inline Waypoint fullWaypoint(const QString& name, const QUuid& frame) {
     point.id = QUuid::createUuid();
     point.name = name;
     point.move = MoveKind::Linear;
-    point.ruling = TargetKind::Pose;
+    point.priority = TargetKind::Pose;
     point.frame = frame;
     point.tcpOffset = Pose(0, 0, 0.1234567890123456789, 0, 0, 0);
     point.joints = JointPositions(0.1, -1.1, 1.0 / 3, -1.7, 1.5, 0.3);

@@ -92,7 +92,7 @@ private Q_SLOTS:
         Frame tray{QUuid::createUuid(), "tray", Pose(0.4, -0.1, 0.2, 0.1, -0.3, 1.2), {}};
         frames.append(tray);
         Waypoint point;
-        point.ruling = TargetKind::Pose;
+        point.priority = TargetKind::Pose;
         point.pose = Pose(0.5, 0.2, 0.3, 0, 3.1, 0);
         const Waypoint inTray = *givenIn(point, tray.id, frames);
         QVERIFY(movesWith(inTray, tray.id) && !movesWith(point, tray.id));

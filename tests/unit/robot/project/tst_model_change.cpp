@@ -26,12 +26,12 @@ const RobotModel& ur3e() {
 const JointPositions kReady(-1.6, -1.7, -2.2, -0.8, 1.6, 0.2);
 const JointPositions kFar(0.4, -0.6, 0.7, -0.3, 1.5, 0);
 
-Waypoint taught(const QString& name, const JointPositions& q, TargetKind ruling, const FrameList& frames = {},
-                const QUuid& frame = {}) {
+Waypoint taught(const QString& name, const JointPositions& q, TargetKind priority,
+                const FrameList& frames = {}, const QUuid& frame = {}) {
     Waypoint point;
     point.id = QUuid::createUuid();
     point.name = name;
-    point.ruling = ruling;
+    point.priority = priority;
     point.frame = frame;
     const Pose tcp(0, 0, 0.12, 0, 0, 0.3);
     return *taughtAt(point, q, kinematics::forwardTcp(ur5e().dh, q, tcp), tcp, frames);
@@ -112,7 +112,7 @@ private Q_SLOTS:
         for (int row = 0; row < before.waypoints.size(); ++row) {
             const Waypoint& was = before.waypoints.at(row);
             const Waypoint& now = change.project.waypoints.at(row);
-            QCOMPARE(now.ruling, was.ruling);
+            QCOMPARE(now.priority, was.priority);
             QVERIFY((now.joints.values - was.joints.values).norm() > 0.05);
             QVERIFY2(off(now, before.frames, ur10e(), was) < 1e-6, qPrintable(was.name));
             QVERIFY2(poseDifference(now.pose, was.pose).distance < 1e-9, "the pose has changed");
@@ -139,7 +139,7 @@ private Q_SLOTS:
         QCOMPARE(change.unreachable, QStringList{QStringLiteral("far")});
         const Waypoint& far = change.project.waypoints.at(2);
         QVERIFY(!reach(ur3e(), far, before.frames).ok());
-        QCOMPARE(far.ruling, TargetKind::Pose);
+        QCOMPARE(far.priority, TargetKind::Pose);
         QVERIFY(poseDifference(far.pose, before.waypoints.at(2).pose).distance < 1e-9);
         QVERIFY(off(change.project.waypoints.at(0), before.frames, ur3e(), before.waypoints.at(0)) < 1e-6);
         // A position defined only by joints would move to a different place.

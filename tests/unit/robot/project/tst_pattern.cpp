@@ -102,7 +102,7 @@ private Q_SLOTS:
         QSet<QUuid> ids;
         for (const Waypoint& point : points) {
             ids.insert(point.id);
-            QVERIFY(point.ruling == TargetKind::Pose && point.move == MoveKind::Linear);
+            QVERIFY(point.priority == TargetKind::Pose && point.move == MoveKind::Linear);
             QCOMPARE(point.toolSpeed, 0.1);
             QVERIFY(isWhereLaid(point, pattern));
             const Pose there = kinematics::forwardTcp(model.dh, point.joints, point.tcpOffset);

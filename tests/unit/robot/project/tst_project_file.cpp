@@ -31,7 +31,7 @@ Project sample(int waypoints = 3) {
         point.id = QUuid::createUuid();
         point.name = QStringLiteral("point \"%1\" } ] \\").arg(i);
         point.move = i % 2 == 0 ? MoveKind::Linear : MoveKind::Joint;
-        point.ruling = i % 2 == 0 ? TargetKind::Pose : TargetKind::Joints;
+        point.priority = i % 2 == 0 ? TargetKind::Pose : TargetKind::Joints;
         point.frame = i % 2 == 0 ? tray : QUuid();
         point.tcpOffset = Pose(0, 0, 0.1234567890123456789, 0, 0, 0);
         point.joints = JointPositions(0.1, -1.1, 1.0 / 3, -1.7, 1.5, 0.3 + 0.001 * i);

@@ -121,11 +121,11 @@ Case randomCase(const RobotModel& model, Dice& dice) {
     point.joints = dice.joints(kPi);
     point.move = dice.onceIn(2) ? MoveKind::Joint : MoveKind::Linear;
     if (dice.onceIn(10)) {
-        point.ruling = TargetKind::Joints;
+        point.priority = TargetKind::Joints;
         point.joints = dice.joints(1.05 * kJointPositionLimit);
         return result;
     }
-    point.ruling = TargetKind::Pose;
+    point.priority = TargetKind::Pose;
     if (dice.onceIn(2)) {
         point.tcpOffset = Pose(dice.pose(0.3));
     }
@@ -196,7 +196,7 @@ private Q_SLOTS:
         for (int i = 0; i < kWaypoints; ++i) {
             const Case c = randomCase(arm, dice);
             const Reach reach = project::reach(arm, c.point, c.frames);
-            if (c.point.ruling == TargetKind::Joints) {
+            if (c.point.priority == TargetKind::Joints) {
                 const bool inside = std::all_of(&c.point.joints.values[0], &c.point.joints.values[0] + 6,
                                                 [](double q) { return std::abs(q) <= kJointPositionLimit; });
                 QCOMPARE(reach.obstacle, inside ? Reach::Obstacle::None : Reach::Obstacle::JointLimit);

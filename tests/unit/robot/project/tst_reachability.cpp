@@ -21,7 +21,7 @@ Waypoint poseRuled(const Pose& pose, const JointPositions& near = kStart) {
     point.id = QUuid::createUuid();
     point.name = "p";
     point.move = MoveKind::Linear;
-    point.ruling = TargetKind::Pose;
+    point.priority = TargetKind::Pose;
     point.pose = pose;
     point.joints = near;
     return point;
@@ -49,7 +49,7 @@ private Q_SLOTS:
 
     void aWaypointDefinedByJointsNeedsNoPose() {
         Waypoint point = poseRuled(Pose(3, 0, 0.2, 0, 3.14, 0));
-        point.ruling = TargetKind::Joints;
+        point.priority = TargetKind::Joints;
         QVERIFY(reach(ur5e(), point, {}).ok());
         point.joints[3] = 6.5;
         QVERIFY(reach(ur5e(), point, {}).obstacle == Reach::Obstacle::JointLimit);

@@ -17,11 +17,11 @@ const RobotModel& model() {
 
 const JointPositions kReady(-1.6007, -1.7271, -2.2030, -0.8080, 1.5951, -0.0310);
 
-Waypoint ready(TargetKind ruling) {
+Waypoint ready(TargetKind priority) {
     Waypoint point;
     point.id = QUuid::createUuid();
     point.name = QStringLiteral("ready");
-    point.ruling = ruling;
+    point.priority = priority;
     point.joints = kReady;
     point.pose = kinematics::forwardTcp(model().dh, kReady);
     return point;
@@ -82,11 +82,11 @@ private Q_SLOTS:
     void jointsAndPoseFollowTheMove() {
         RelativeMove move;
         move.offset = {0, 0, 0.05};
-        for (const TargetKind ruling : {TargetKind::Joints, TargetKind::Pose}) {
-            const auto moved = movedBy({ready(ruling)}, move, model(), {});
+        for (const TargetKind priority : {TargetKind::Joints, TargetKind::Pose}) {
+            const auto moved = movedBy({ready(priority)}, move, model(), {});
             QVERIFY(moved.ok());
             const Waypoint& point = moved->front();
-            QVERIFY(point.ruling == ruling);
+            QVERIFY(point.priority == priority);
             const Pose there = kinematics::forwardTcp(model().dh, point.joints);
             Pose wanted = kinematics::forwardTcp(model().dh, kReady);
             wanted.position.z() += 0.05;

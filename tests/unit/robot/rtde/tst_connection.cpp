@@ -15,7 +15,7 @@ using test::ScriptedPeer;
 namespace {
 
 // Timeout that is sufficient for any machine. Only a hanging test uses the whole time.
-constexpr auto kPatience = 20s;
+constexpr auto kTestTimeout = 20s;
 
 ConnectionOptions to(std::uint16_t port, std::vector<std::string> outputs = {"timestamp", "actual_q"}) {
     ConnectionOptions options;
@@ -26,7 +26,7 @@ ConnectionOptions to(std::uint16_t port, std::vector<std::string> outputs = {"ti
 }
 
 Result<std::unique_ptr<Connection>> open(const ConnectionOptions& options,
-                                         std::chrono::milliseconds time = kPatience) {
+                                         std::chrono::milliseconds time = kTestTimeout) {
     return Connection::open(options, Deadline::after(time));
 }
 
@@ -79,7 +79,7 @@ void TestConnection::receivesData() {
     }
     std::array<double, 7> values{};
     for (int i = 1; i <= 100; ++i) {
-        QCOMPARE((*connection)->readPackage(values, kPatience), Connection::Read::Package);
+        QCOMPARE((*connection)->readPackage(values, kTestTimeout), Connection::Read::Package);
         QCOMPARE(values[0], i * 0.002);
         QCOMPARE(values[6], -6.5);
     }
@@ -98,7 +98,7 @@ void TestConnection::speaksVersionOne() {
     QCOMPARE((*connection)->period(), 0.008);
     peer.send(4.5);
     std::array<double, 7> values{};
-    QCOMPARE((*connection)->readPackage(values, kPatience), Connection::Read::Package);
+    QCOMPARE((*connection)->readPackage(values, kTestTimeout), Connection::Read::Package);
     QCOMPARE(values[0], 4.5);
 }
 
@@ -115,7 +115,7 @@ void TestConnection::survivesTextMessagesEverywhere() {
     peer.sendRaw(text);
     peer.send(1.0);
     std::array<double, 7> values{};
-    QCOMPARE((*connection)->readPackage(values, kPatience), Connection::Read::Package);
+    QCOMPARE((*connection)->readPackage(values, kTestTimeout), Connection::Read::Package);
     QTRY_COMPARE_WITH_TIMEOUT(
         ((*connection)->readPackage(values, 0ns), (*connection)->session().texts().back().message),
         std::string("in between"), 20000);
@@ -145,7 +145,7 @@ void TestConnection::inputsWorkWithoutOutputs() {
     QCOMPARE((*connection)->sendInputs(0, std::array{1.0, 0.5}), Connection::Send::Sent);
     QTRY_COMPARE_WITH_TIMEOUT(peer.inputPackages(), 1, 20000);
     QVERIFY(!peer.isStarted());
-    QCOMPARE((*connection)->start(Deadline::after(kPatience)).error().code, ErrorCode::Rejected);
+    QCOMPARE((*connection)->start(Deadline::after(kTestTimeout)).error().code, ErrorCode::Rejected);
 }
 
 void TestConnection::invalidRecipeCannotBeSent() {
@@ -165,12 +165,12 @@ void TestConnection::pausesAndStarts() {
     auto connection = open(to(peer.port()));
     QVERIFY(connection.ok());
     QVERIFY(peer.isStarted());
-    QVERIFY((*connection)->pause(Deadline::after(kPatience)).ok());
+    QVERIFY((*connection)->pause(Deadline::after(kTestTimeout)).ok());
     QVERIFY(!peer.isStarted());
-    QVERIFY((*connection)->start(Deadline::after(kPatience)).ok());
+    QVERIFY((*connection)->start(Deadline::after(kTestTimeout)).ok());
     peer.send(3.0);
     std::array<double, 7> values{};
-    QCOMPARE((*connection)->readPackage(values, kPatience), Connection::Read::Package);
+    QCOMPARE((*connection)->readPackage(values, kTestTimeout), Connection::Read::Package);
     QCOMPARE(values[0], 3.0);
 }
 
@@ -267,7 +267,7 @@ void TestConnection::partialPackagesAreCompleted() {
         peer.sendRaw(Bytes(package.begin(), package.begin() + static_cast<std::ptrdiff_t>(cut)));
         QCOMPARE((*connection)->readPackage(values, 1ms), Connection::Read::Nothing);
         peer.sendRaw(Bytes(package.begin() + static_cast<std::ptrdiff_t>(cut), package.end()));
-        QCOMPARE((*connection)->readPackage(values, kPatience), Connection::Read::Package);
+        QCOMPARE((*connection)->readPackage(values, kTestTimeout), Connection::Read::Package);
         QCOMPARE(values[6], 6.0);
     }
 }
@@ -278,7 +278,7 @@ void TestConnection::garbageIsAProtocolError() {
     QVERIFY(connection.ok());
     peer.sendRaw({0, 1, 'U'});
     std::array<double, 7> values{};
-    QCOMPARE((*connection)->readPackage(values, kPatience), Connection::Read::Malformed);
+    QCOMPARE((*connection)->readPackage(values, kTestTimeout), Connection::Read::Malformed);
     QCOMPARE((*connection)->error().code, ErrorCode::ProtocolError);
     QVERIFY((*connection)->error().context.contains((*connection)->peer()));
 }
@@ -290,7 +290,7 @@ void TestConnection::dataThatDoNotFitTheRecipeAreMalformed() {
         QVERIFY(connection.ok());
         peer.sendRaw(wrong);
         std::array<double, 7> values{};
-        QCOMPARE((*connection)->readPackage(values, kPatience), Connection::Read::Malformed);
+        QCOMPARE((*connection)->readPackage(values, kTestTimeout), Connection::Read::Malformed);
         QCOMPARE((*connection)->error().code, ErrorCode::ProtocolError);
     }
 }
@@ -301,9 +301,9 @@ void TestConnection::noticesTheEnd() {
     QVERIFY(connection.ok());
     peer.send(1.0);
     std::array<double, 7> values{};
-    QCOMPARE((*connection)->readPackage(values, kPatience), Connection::Read::Package);
+    QCOMPARE((*connection)->readPackage(values, kTestTimeout), Connection::Read::Package);
     peer.closeConnection();
-    QCOMPARE((*connection)->readPackage(values, kPatience), Connection::Read::Closed);
+    QCOMPARE((*connection)->readPackage(values, kTestTimeout), Connection::Read::Closed);
     QCOMPARE((*connection)->error().code, ErrorCode::ConnectionClosed);
 }
 
@@ -415,9 +415,9 @@ void TestConnection::closesAtOnceWhateverThePeerDoes() {
     (*connection)->close();
     QVERIFY(!(*connection)->isOpen());
     std::array<double, 7> values{};
-    QCOMPARE((*connection)->readPackage(values, kPatience), Connection::Read::Failed);
+    QCOMPARE((*connection)->readPackage(values, kTestTimeout), Connection::Read::Failed);
     QCOMPARE((*connection)->sendInputs(0, values), Connection::Send::Failed);
-    QCOMPARE((*connection)->pause(Deadline::after(kPatience)).error().code, ErrorCode::NotConnected);
+    QCOMPARE((*connection)->pause(Deadline::after(kTestTimeout)).error().code, ErrorCode::NotConnected);
     (*connection)->close();
     QTRY_VERIFY_WITH_TIMEOUT(!peer.isStarted(), 20000);
 }

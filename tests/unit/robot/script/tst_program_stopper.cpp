@@ -92,7 +92,7 @@ private Q_SLOTS:
         stopper.requestStop();
         heardOne.get_future().wait();
         QCOMPARE(heard.lines().first(), QByteArray("stop program"));
-        const auto stopped = stopper.waitUntilStopped(patience());
+        const auto stopped = stopper.waitUntilStopped(testTimeout());
         QVERIFY2(stopped.ok(), why(stopped));
         QVERIFY(!stopper.isUnderWay());
     }
@@ -117,7 +117,7 @@ private Q_SLOTS:
         stopper.start();
         QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kWaitTimeoutMs);
         stopper.requestStop();
-        const auto stopped = stopper.waitUntilStopped(patience());
+        const auto stopped = stopper.waitUntilStopped(testTimeout());
         QVERIFY2(stopped.ok(), why(stopped));
         QCOMPARE(heard.lines(), QList<QByteArray>{"stop program"});
         stopper.end();
@@ -168,7 +168,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(!stopper.isConnected(), kWaitTimeoutMs);
         back = true;
         stopper.requestStop();
-        const auto stopped = stopper.waitUntilStopped(patience());
+        const auto stopped = stopper.waitUntilStopped(testTimeout());
         QVERIFY2(stopped.ok(), why(stopped));
         QVERIFY(heard.lines().contains("stop program"));
     }
@@ -195,7 +195,7 @@ private Q_SLOTS:
         stopper.start();
         QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kWaitTimeoutMs);
         stopper.requestStop();
-        const auto stopped = stopper.waitUntilStopped(patience());
+        const auto stopped = stopper.waitUntilStopped(testTimeout());
         QVERIFY2(stopped.ok(), why(stopped));
         const QList<QByteArray> expected(2, QByteArray("stop program"));
         QCOMPARE(heard.lines(), expected);
@@ -261,7 +261,7 @@ private Q_SLOTS:
         ProgramStopper stopper(to(peer.port()));
         stopper.start();
         stopper.requestStop();
-        QCOMPARE(stopper.waitUntilStopped(patience()).error().code, ErrorCode::RemoteControlRequired);
+        QCOMPARE(stopper.waitUntilStopped(testTimeout()).error().code, ErrorCode::RemoteControlRequired);
         QCOMPARE(stopper.error().code, ErrorCode::RemoteControlRequired);
     }
 
@@ -280,7 +280,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kWaitTimeoutMs);
         QTest::qWait(30);
         stopper.requestStop();
-        const auto stopped = stopper.waitUntilStopped(patience());
+        const auto stopped = stopper.waitUntilStopped(testTimeout());
         QVERIFY2(stopped.ok(), why(stopped));
     }
 
@@ -315,7 +315,7 @@ private Q_SLOTS:
         QCOMPARE(heard.lines(), expected);
         QVERIFY(stopper.isUnderWay());
         clock.advanceNs(kNsPerMs);
-        const auto stopped = stopper.waitUntilStopped(patience());
+        const auto stopped = stopper.waitUntilStopped(testTimeout());
         QVERIFY2(stopped.ok(), why(stopped));
         expected.append("stop program");
         QCOMPARE(heard.lines(), expected);
@@ -338,7 +338,7 @@ private Q_SLOTS:
         stopper.requestStop();
         QVERIFY(stopper.isUnderWay());
         clock.advanceNs(2 * kNsPerSecond + kNsPerMs);
-        QCOMPARE(stopper.waitUntilStopped(patience()).error().code, ErrorCode::Timeout);
+        QCOMPARE(stopper.waitUntilStopped(testTimeout()).error().code, ErrorCode::Timeout);
     }
 
     void aRefusedConnectionIsReported() {
@@ -349,7 +349,7 @@ private Q_SLOTS:
         stopper.start();
         stopper.requestStop();
         clock.advanceNs(2 * kNsPerSecond + kNsPerMs);
-        QCOMPARE(stopper.waitUntilStopped(patience()).error().code, ErrorCode::ConnectionRefused);
+        QCOMPARE(stopper.waitUntilStopped(testTimeout()).error().code, ErrorCode::ConnectionRefused);
     }
 
     // requestStop() must not block its caller when the buffers of a peer that is not reading are full.
@@ -364,7 +364,7 @@ private Q_SLOTS:
         }
         stopper.withdraw();
         done.set_value();
-        QCOMPARE(stopper.waitUntilStopped(patience()).error().code, ErrorCode::Cancelled);
+        QCOMPARE(stopper.waitUntilStopped(testTimeout()).error().code, ErrorCode::Cancelled);
     }
 
     // A client that takes control at this time must not lose it because of an earlier stop request.
@@ -404,7 +404,7 @@ private Q_SLOTS:
     void isNotConnectedWithoutItsThread() {
         ProgramStopper stopper(to(RawPeer::deadPort()));
         stopper.requestStop();
-        QCOMPARE(stopper.waitUntilStopped(patience()).error().code, ErrorCode::NotConnected);
+        QCOMPARE(stopper.waitUntilStopped(testTimeout()).error().code, ErrorCode::NotConnected);
     }
 };
 

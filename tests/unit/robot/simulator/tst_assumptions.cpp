@@ -128,8 +128,8 @@ private Q_SLOTS:
             // and the source.
             const QStringList rest = text.section(row, 1, 1).section(QLatin1Char('\n'), 0, 0).split('|');
             QCOMPARE(rest.size(), 4);
-            for (const QString& told : rest.first(3)) {
-                QVERIFY2(!told.trimmed().isEmpty(), qPrintable(row));
+            for (const QString& reported : rest.first(3)) {
+                QVERIFY2(!reported.trimmed().isEmpty(), qPrintable(row));
             }
         }
     }

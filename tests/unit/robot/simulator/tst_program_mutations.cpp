@@ -218,7 +218,7 @@ private Q_SLOTS:
 
     void aThousandDamagedProgramsAreRefusedOrCompiled() {
         const QByteArray whole = everyNode();
-        int told = 0, refused = 0;
+        int reported = 0, refused = 0;
         for (unsigned seed = 1; seed <= 1000; ++seed) {
             const QByteArray content = Mutator(seed).mutated(whole);
             const auto program = pendant::readUrp(content, "p", source(content));
@@ -227,12 +227,13 @@ private Q_SLOTS:
                 QVERIFY2(!program.error().context.isEmpty(), qPrintable(QString::number(seed)));
                 continue;
             }
-            ++told;
+            ++reported;
             const urscript::CompileOutcome outcome = urscript::compile(program->script);
             QVERIFY2(outcome || !outcome.error.text.empty(), qPrintable(QString::number(seed)));
         }
         // Both outcomes must occur, or the mutations would test nothing beyond the first line of a program.
-        QVERIFY2(told > 50 && refused > 50, qPrintable(QStringLiteral("%1 %2").arg(told).arg(refused)));
+        QVERIFY2(reported > 50 && refused > 50,
+                 qPrintable(QStringLiteral("%1 %2").arg(reported).arg(refused)));
     }
 
     void aThousandDamagedArchivesAreRefusedOrRead() {

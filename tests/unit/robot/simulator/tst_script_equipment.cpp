@@ -43,7 +43,7 @@ struct Robot {
         }
     }
     /// Runs a program to its end and returns its text messages.
-    QByteArrayList told(const std::string& body) {
+    QByteArrayList reported(const std::string& body) {
         messages.clear();
         submit(body);
         steps(5);
@@ -76,39 +76,39 @@ private Q_SLOTS:
     void framesAreConvertedIntoEachOther() {
         Robot robot(running(kX));
         QCOMPARE(
-            robot.told("add_frame(\"table\", p[1,0,0,0,0,1.570796326794897])\n"
-                       "add_frame(\"part\", p[0,0.5,0,0,0,0], \"table\")\n"
-                       "textmsg(to_str(get_pose(\"part\", \"base\")))\n"
-                       "textmsg(to_str(get_pose(\"part\", \"table\")))\n"
-                       "textmsg(to_str(get_pose(\"part\", \"table\", \"base\")))\n"
-                       "textmsg(to_str(convert_pose(p[0,0,0,0,0,0], \"base\", \"table\")))\n"
-                       "textmsg(get_frame_parent(\"part\"), get_children(\"table\"))\n"
-                       "textmsg(is_frame(\"part\"), is_frame(\"nothing\"))"),
+            robot.reported("add_frame(\"table\", p[1,0,0,0,0,1.570796326794897])\n"
+                           "add_frame(\"part\", p[0,0.5,0,0,0,0], \"table\")\n"
+                           "textmsg(to_str(get_pose(\"part\", \"base\")))\n"
+                           "textmsg(to_str(get_pose(\"part\", \"table\")))\n"
+                           "textmsg(to_str(get_pose(\"part\", \"table\", \"base\")))\n"
+                           "textmsg(to_str(convert_pose(p[0,0,0,0,0,0], \"base\", \"table\")))\n"
+                           "textmsg(get_frame_parent(\"part\"), get_children(\"table\"))\n"
+                           "textmsg(is_frame(\"part\"), is_frame(\"nothing\"))"),
             (QByteArrayList{"p[0.5, 0, 0, 0, 0, 1.570796]", "p[0, 0.5, 0, 0, 0, 0]", "p[-0.5, 0, 0, 0, 0, 0]",
                             "p[0, 1, 0, 0, 0, -1.570796]", "table[part]", "TrueFalse"}));
     }
     void attachedFramesMoveWithTheArm() {
         Robot robot(running(kX));
         QCOMPARE(
-            robot.told("t = get_pose(\"tcp\", \"base\")\nadd_frame(\"held\", p[0,0,0.1,0,0,0], \"tcp\")\n"
-                       "add_frame(\"lying\", t)\nbefore = get_pose(\"lying\", \"base\")\n"
-                       "attach_frame(\"lying\", \"flange\")\n"
-                       "textmsg(pose_dist(before, get_pose(\"lying\", \"base\")) < 0.000001)\n"
-                       "textmsg(get_frame_parent(\"lying\"))\nattach_frame(\"held\", \"lying\")\n"
-                       "delete_frame(\"lying\")\ntextmsg(get_frame_parent(\"held\"))"),
+            robot.reported("t = get_pose(\"tcp\", \"base\")\nadd_frame(\"held\", p[0,0,0.1,0,0,0], \"tcp\")\n"
+                           "add_frame(\"lying\", t)\nbefore = get_pose(\"lying\", \"base\")\n"
+                           "attach_frame(\"lying\", \"flange\")\n"
+                           "textmsg(pose_dist(before, get_pose(\"lying\", \"base\")) < 0.000001)\n"
+                           "textmsg(get_frame_parent(\"lying\"))\nattach_frame(\"held\", \"lying\")\n"
+                           "delete_frame(\"lying\")\ntextmsg(get_frame_parent(\"held\"))"),
             (QByteArrayList{"True", "flange", "flange"}));
         robot.submit("movej([-1.2,-1.7,-2.2,-0.8,1.6,0], t=1)");
         robot.steps(700);
-        QCOMPARE(robot.told("d = pose_sub(get_pose(\"held\", \"base\"), get_actual_tcp_pose())\n"
-                            "textmsg(norm([d[0], d[1], d[2]]) < 0.11)"),
+        QCOMPARE(robot.reported("d = pose_sub(get_pose(\"held\", \"base\"), get_actual_tcp_pose())\n"
+                                "textmsg(norm([d[0], d[1], d[2]]) < 0.11)"),
                  QByteArrayList{"True"});
     }
     void framesAreMovedAndDeleted() {
         Robot robot(running(kX));
-        QCOMPARE(robot.told("add_frame(\"a\", p[1,0,0,0,0,0])\nadd_frame(\"b\", p[0,1,0,0,0,0], \"a\")\n"
-                            "move_frame(\"a\", p[2,0,0,0,0,0])\ntextmsg(get_pose(\"b\", \"base\"))\n"
-                            "move_frame(\"b\", p[0,0,0,0,0,0])\ntextmsg(get_pose(\"b\", \"a\"))\n"
-                            "delete_all_frames()\ntextmsg(is_frame(\"a\"))"),
+        QCOMPARE(robot.reported("add_frame(\"a\", p[1,0,0,0,0,0])\nadd_frame(\"b\", p[0,1,0,0,0,0], \"a\")\n"
+                                "move_frame(\"a\", p[2,0,0,0,0,0])\ntextmsg(get_pose(\"b\", \"base\"))\n"
+                                "move_frame(\"b\", p[0,0,0,0,0,0])\ntextmsg(get_pose(\"b\", \"a\"))\n"
+                                "delete_all_frames()\ntextmsg(is_frame(\"a\"))"),
                  (QByteArrayList{"p[2,1,0,0,0,0]", "p[-2,0,0,0,0,0]", "False"}));
     }
     void wrongFramesEndTheProgram_data() {
@@ -126,12 +126,12 @@ private Q_SLOTS:
         QFETCH(QString, body);
         QFETCH(QByteArray, error);
         Robot robot(running(kX));
-        robot.told(body.toStdString());
+        robot.reported(body.toStdString());
         QCOMPARE(robot.error(), error);
     }
     void attachedMassesFormThePayload() {
         Robot robot(running(kX));
-        robot.told(
+        robot.reported(
             "add_frame(\"a\", p[0,0,0.1,0,0,0], \"flange\")\nadd_frame(\"b\", p[0.1,0,0,0,0,0], \"a\")\n"
             "add_frame(\"far\", p[0,0,0,0,0,0])\nset_mass_properties(\"far\", 9, [0,0,0], [0,0,0,0,0,0])\n"
             "set_mass_properties(\"a\", 1, [0,0,0], [0.01,0.01,0.01,0,0,0])\n"
@@ -159,7 +159,7 @@ private Q_SLOTS:
     // ---- terminals
     void outputsFollowTheProgram() {
         Robot robot;
-        robot.told(
+        robot.reported(
             "set_runstate_standard_digital_output_to_value(0, 1)\n"
             "set_runstate_configurable_digital_output_to_value(1, 2)\n"
             "set_runstate_tool_digital_output_to_value(0, 3)\n"
@@ -178,20 +178,20 @@ private Q_SLOTS:
     }
     void listedOutputsAreHighWhileAProgramRuns() {
         Robot robot;
-        robot.told("set_runstate_outputs([1, 4])");
+        robot.reported("set_runstate_outputs([1, 4])");
         robot.submit("sleep(0.05)");
         robot.steps(10);
         QCOMPARE(robot.plant.pins().digitalOutputs, std::uint64_t((1 << 1) | (1 << 4)));
         robot.steps(40);
         QCOMPARE(robot.plant.pins().digitalOutputs, std::uint64_t(0));
-        robot.told("set_runstate_outputs([])");
+        robot.reported("set_runstate_outputs([])");
         robot.submit("sleep(0.05)");
         robot.steps(10);
         QCOMPARE(robot.plant.pins().digitalOutputs, std::uint64_t(0));
     }
     void inputsActAsFreedriveButtons() {
         Robot robot;
-        robot.told("set_standard_digital_input_action(2, \"freedrive\")");
+        robot.reported("set_standard_digital_input_action(2, \"freedrive\")");
         robot.steps(5);
         Pins::setBit(robot.plant.pins().digitalInputs, 2, true);
         robot.steps(2);
@@ -199,28 +199,29 @@ private Q_SLOTS:
         Pins::setBit(robot.plant.pins().digitalInputs, 2, false);
         robot.steps(2);
         QVERIFY(!robot.plant.arm().compliance().isFreedrive());
-        robot.told("set_input_actions_to_default()");
+        robot.reported("set_input_actions_to_default()");
         Pins::setBit(robot.plant.pins().digitalInputs, 2, true);
         robot.steps(5);
         QVERIFY(!robot.plant.arm().compliance().isFreedrive());
     }
     void theToolOutputsHaveTheirModes() {
         Robot robot;
-        QCOMPARE(robot.told("set_tool_output_mode(1)\nset_tool_digital_output_mode(1, 3)\nsync()\n"
-                            "textmsg(get_rtde_value(\"tool_output_mode\"))\n"
-                            "textmsg(get_rtde_value(\"tool_digital_output0_mode\"))\n"
-                            "textmsg(get_rtde_value(\"tool_digital_output1_mode\"))"),
+        QCOMPARE(robot.reported("set_tool_output_mode(1)\nset_tool_digital_output_mode(1, 3)\nsync()\n"
+                                "textmsg(get_rtde_value(\"tool_output_mode\"))\n"
+                                "textmsg(get_rtde_value(\"tool_digital_output0_mode\"))\n"
+                                "textmsg(get_rtde_value(\"tool_digital_output1_mode\"))"),
                  (QByteArrayList{"1", "1", "3"}));
-        robot.told("set_tool_output_mode(2)");
+        robot.reported("set_tool_output_mode(2)");
         QVERIFY(robot.error().startsWith("Range error"));
     }
     void modbusRegistersKeepTheirValues() {
         Robot robot;
-        robot.told("write_port_bit(7, True)\nwrite_port_register(130, 65535)\nwrite_port_register(131, -5)");
-        QCOMPARE(robot.told("textmsg([read_port_register(130), read_port_register(131)])\n"
-                            "textmsg(read_port_bit(7), read_port_bit(8))"),
+        robot.reported(
+            "write_port_bit(7, True)\nwrite_port_register(130, 65535)\nwrite_port_register(131, -5)");
+        QCOMPARE(robot.reported("textmsg([read_port_register(130), read_port_register(131)])\n"
+                                "textmsg(read_port_bit(7), read_port_bit(8))"),
                  (QByteArrayList{"[-1,-5]", "TrueFalse"}));
-        robot.told("write_port_register(512, 0)");
+        robot.reported("write_port_register(512, 0)");
         QVERIFY(robot.error().startsWith("Range error"));
     }
 
@@ -297,11 +298,11 @@ private Q_SLOTS:
             Pins::setBit(robot.plant.pins().digitalInputs, bit, true);
         }
         robot.steps(2);
-        QCOMPARE(robot.told("textmsg(get_digital_in(2), get_digital_in(3))\n"
-                            "textmsg(get_configurable_digital_in(3), get_configurable_digital_in(2))\n"
-                            "textmsg(get_digital_in(9), get_tool_digital_in(0))\n"
-                            "textmsg(get_analog_in(0) == get_standard_analog_in(0))\n"
-                            "textmsg(get_analog_in(2) == get_tool_analog_in(0))"),
+        QCOMPARE(robot.reported("textmsg(get_digital_in(2), get_digital_in(3))\n"
+                                "textmsg(get_configurable_digital_in(3), get_configurable_digital_in(2))\n"
+                                "textmsg(get_digital_in(9), get_tool_digital_in(0))\n"
+                                "textmsg(get_analog_in(0) == get_standard_analog_in(0))\n"
+                                "textmsg(get_analog_in(2) == get_tool_analog_in(0))"),
                  (QByteArrayList{"TrueFalse", "TrueFalse", "TrueFalse", "True", "True"}));
     }
     // ---- operator requests
@@ -366,7 +367,7 @@ private Q_SLOTS:
     // ---- model
     void thePayloadIsEstimated() {
         Robot robot;
-        const QByteArrayList told = robot.told(
+        const QByteArrayList reported = robot.reported(
             "c = [0.01, -0.02, 0.05]\n"
             "def wrench(r):\n t = pose_trans(p[0,0,0,r[0],r[1],r[2]], p[c[0],c[1],c[2],0,0,0])\n"
             " f = -2.5 * 9.82\n return p[0, 0, f, t[1] * f, -t[0] * f, 0]\nend\n"
@@ -374,22 +375,23 @@ private Q_SLOTS:
             "e = estimate_payload(poses, [wrench([0,0,0]), wrench([1,0,0]), wrench([0,2,0]), "
             "wrench([0.5,0.5,1])])\ntextmsg(norm(e.mass - 2.5) < 0.0001)\ntextmsg(norm(e.cog - c) < 0.0001)");
         QCOMPARE(robot.error(), QByteArray());
-        QCOMPARE(told, (QByteArrayList{"True", "True"}));
+        QCOMPARE(reported, (QByteArrayList{"True", "True"}));
     }
     void theJacobianDerivativeMatchesItsChange() {
         Robot robot;
         // Compares the derivative with a finite difference of the Jacobian.
-        QCOMPARE(robot.told("q = [0.3,-1.2,1.4,-0.9,-1.5,0.2]\nqd = [0.1,0.4,-0.3,0.2,0.5,-0.6]\nh = 0.0001\n"
-                            "change = (get_jacobian(q + h * qd) - get_jacobian(q)) / h - "
-                            "get_jacobian_time_derivative(q, qd)\nworst = 0\ni = 0\nwhile i < 6:\n"
-                            "worst = worst + norm(change[i])\ni = i + 1\nend\ntextmsg(worst < 0.001)\n"
-                            "none = get_jacobian_time_derivative(q, [0,0,0,0,0,0])\ntextmsg(norm(none[0]))"),
-                 (QByteArrayList{"True", "0"}));
+        QCOMPARE(
+            robot.reported("q = [0.3,-1.2,1.4,-0.9,-1.5,0.2]\nqd = [0.1,0.4,-0.3,0.2,0.5,-0.6]\nh = 0.0001\n"
+                           "change = (get_jacobian(q + h * qd) - get_jacobian(q)) / h - "
+                           "get_jacobian_time_derivative(q, qd)\nworst = 0\ni = 0\nwhile i < 6:\n"
+                           "worst = worst + norm(change[i])\ni = i + 1\nend\ntextmsg(worst < 0.001)\n"
+                           "none = get_jacobian_time_derivative(q, [0,0,0,0,0,0])\ntextmsg(norm(none[0]))"),
+            (QByteArrayList{"True", "0"}));
     }
     void baseAccelerationIsKept() {
         Robot robot;
-        robot.told("set_base_acceleration([1,2,3])");
-        QCOMPARE(robot.told("textmsg(get_base_acceleration())"), QByteArrayList{"[1,2,3]"});
+        robot.reported("set_base_acceleration([1,2,3])");
+        QCOMPARE(robot.reported("textmsg(get_base_acceleration())"), QByteArrayList{"[1,2,3]"});
     }
 
     // ---- errors
@@ -412,11 +414,11 @@ private Q_SLOTS:
     }
     void infiniteSpeedsAreRefusedByName() {
         Robot robot;
-        robot.told("speedj([1 / 0.0,0,0,0,0,0], 1, 0.1)");
+        robot.reported("speedj([1 / 0.0,0,0,0,0,0], 1, 0.1)");
         QCOMPARE(
             robot.error(),
             QByteArray("Type error: speedj argument 'qd' must be a list of six finite numbers, not list"));
-        robot.told("speedl([0,0,0,0,0,0], 0 / 0.0, 0.1)");
+        robot.reported("speedl([0,0,0,0,0,0], 0 / 0.0, 0.1)");
         QCOMPARE(robot.error(), QByteArray("Type error: speedl argument 'a' must be a number, not float"));
     }
     void infiniteAccelerationUsesTheMaximum() {
@@ -455,7 +457,7 @@ private Q_SLOTS:
         QFETCH(bool, known);
         const QStringList parts = software.split('.');
         Robot robot(running({parts[0].toUInt(), parts[1].toUInt(), 0, 0}));
-        robot.told("if False:\n" + call.toStdString() + "\nend");
+        robot.reported("if False:\n" + call.toStdString() + "\nend");
         QCOMPARE(robot.error().startsWith("compile_error_name_not_found:"), !known);
     }
 };

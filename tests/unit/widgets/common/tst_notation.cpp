@@ -135,12 +135,12 @@ private Q_SLOTS:
         box.setSuffix(QStringLiteral(" mm"));
         box.show();
         QVERIFY(QTest::qWaitForWindowActive(&box));
-        int told = 0;
-        connect(&box, &DecimalSpinBox::valueChanged, &box, [&](double) { ++told; });
+        int reported = 0;
+        connect(&box, &DecimalSpinBox::valueChanged, &box, [&](double) { ++reported; });
         box.setFocus();
         box.selectAll();
         QTest::keyClicks(&box, "-12,5");
-        QCOMPARE(told, 0);  // the value is unchanged until editing is finished
+        QCOMPARE(reported, 0);  // the value is unchanged until editing is finished
         QTest::keyClick(&box, Qt::Key_Return);
         QCOMPARE(box.value(), -12.5);
         QCOMPARE(box.text(), QStringLiteral("−12.50 mm"));
@@ -150,7 +150,7 @@ private Q_SLOTS:
         QCOMPARE(QApplication::clipboard()->text(), QStringLiteral("-12.50"));
         turnWheel(box);
         QCOMPARE(box.value(), -12.5);
-        QCOMPARE(told, 1);
+        QCOMPARE(reported, 1);
     }
 
     void theWheelNeverChangesASelection() {

@@ -37,7 +37,7 @@ private Q_SLOTS:
             Waypoint point;
             point.id = QUuid::createUuid();
             point.name = QStringLiteral("place %1").arg(i);
-            point.ruling = i < 2 ? TargetKind::Pose : TargetKind::Joints;
+            point.priority = i < 2 ? TargetKind::Pose : TargetKind::Joints;
             const JointPositions q = moved(0, 0.1 * i);
             point.frame = tray_.id;
             cell.waypoints.append(*project::taughtAt(

@@ -417,7 +417,7 @@ private:
             Waypoint point;
             point.id = QUuid::createUuid();
             point.name = QStringLiteral("place %1").arg(i);
-            point.ruling = TargetKind::Pose;
+            point.priority = TargetKind::Pose;
             point.frame = frame(0).id;
             const SessionState ready = liveState(moved(0, 0.05 * i));
             points.push_back(*project::taughtAt(point, ready.q, ready.tcpPose, {}, document_->frames()));

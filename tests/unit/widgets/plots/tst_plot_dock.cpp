@@ -7,6 +7,7 @@
 #include <QComboBox>
 #include <QDir>
 #include <QDoubleSpinBox>
+#include <QElapsedTimer>
 #include <QFile>
 #include <QGraphicsScene>
 #include <QImage>
@@ -333,6 +334,54 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(b.dock.pages().count(), 2, 60'000);
         hideCurves(b.view());
         QCOMPARE(gridFault(b.view()), QString());
+    }
+
+    // The cursor moves by the real time multiplied by the speed, and the rest of the window follows.
+    void playbackMovesTheCursorToTheEndOfTheRecording() {
+        Bench b;
+        QTemporaryDir folder;
+        b.dock.openRecording(writeDay(folder, QStringLiteral("day.csv")));
+        QTRY_COMPARE_WITH_TIMEOUT(b.dock.pages().count(), 2, 60'000);
+        const SeriesBuffer& times = *b.dock.store().timesOf(b.view().recordingInFront());
+        const double last = times.lastTime();
+        b.view().setCursor(PlotView::Cursor::A, last - 20);
+        QElapsedTimer real;
+        real.start();
+        b.dock.play(10);
+        QVERIFY(b.dock.isPlaying());
+        std::vector<double> places;
+        QObject context;
+        connect(&b.dock, &PlotDock::replayChanged, &context,
+                [&](const Replay& replay) { places.push_back(replay ? replay->time : -1); });
+        // At most 10 s of the recording per second of real time.
+        QTRY_VERIFY_WITH_TIMEOUT(b.view().cursor(PlotView::Cursor::A) > last - 15, 60'000);
+        QVERIFY(*b.view().cursor(PlotView::Cursor::A) - (last - 20) <=
+                1e-3 * static_cast<double>(real.elapsed() + 1) * 10);
+        // A moved cursor is the new start, and the view follows the cursor.
+        b.view().setCursor(PlotView::Cursor::A, last - 5);
+        QTRY_VERIFY_WITH_TIMEOUT(!b.dock.isPlaying(), 60'000);
+        QCOMPARE(b.view().cursor(PlotView::Cursor::A), std::optional(last));
+        QVERIFY(b.view().window().end() >= last);
+        QVERIFY(std::is_sorted(places.begin(), places.end()) && places.size() > 3);
+        QCOMPARE(places.back(), last);
+    }
+
+    void playbackEndsWithItsPage() {
+        Bench b;
+        b.dock.play(0.1);
+        QVERIFY(b.dock.isPlaying() && !b.view().window().follows());
+        QTRY_VERIFY_WITH_TIMEOUT(b.dock.replay(), 60'000);
+        const double begin = *b.view().cursor(PlotView::Cursor::A);
+        QTRY_VERIFY_WITH_TIMEOUT(*b.view().cursor(PlotView::Cursor::A) > begin, 60'000);
+        b.dock.setPaused(false);
+        QTRY_VERIFY_WITH_TIMEOUT(!b.dock.isPlaying(), 60'000);
+        QVERIFY(b.view().window().follows());
+        b.dock.play(0.1);
+        b.view().setCursor(PlotView::Cursor::A, std::nullopt);
+        QTRY_VERIFY_WITH_TIMEOUT(!b.dock.isPlaying(), 60'000);
+        b.dock.play(0.1);
+        b.dock.stopPlayback();
+        QVERIFY(!b.dock.isPlaying());
     }
 
     void showsTheNewestThirtySecondsAtFirst() {
@@ -1927,8 +1976,8 @@ private Q_SLOTS:
         b.view().setHidden(b.id("actual_current_1"), true);
         b.view().setHidden(b.id("actual_current_1"), false);
         QCOMPARE(b.view().panes()[1]->sheet().columnsPainted(), columns);
-        const QImage anew = b.view().grab().toImage();
-        QCOMPARE(kept, anew);
+        const QImage repainted = b.view().grab().toImage();
+        QCOMPARE(kept, repainted);
     }
 
     void hiddenPlotsAreNotDrawn() {

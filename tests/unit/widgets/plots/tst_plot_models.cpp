@@ -161,7 +161,7 @@ private Q_SLOTS:
             QVERIFY(waited < 10);
             QCOMPARE(range.max(), max);
         }
-        QVERIFY(waited > AxisRange::kPatience - 0.1);
+        QVERIFY(waited > AxisRange::kShrinkDelay - 0.1);
         QVERIFY(range.max() < max);
     }
     void scaleDoesNotJitterWithNoise() {

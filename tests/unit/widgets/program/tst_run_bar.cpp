@@ -131,7 +131,8 @@ struct TabBench {
     /// Sends a command as another client.
     bool sendFromOutside(const char* text) {
         script::ScriptClient client(cell.robot.listenAddress(), cell.robot.ports().primary);
-        return client.connect(patience()).ok() && client.send(QString::fromLatin1(text), patience()).ok();
+        return client.connect(testTimeout()).ok() &&
+               client.send(QString::fromLatin1(text), testTimeout()).ok();
     }
     bool reachStep(int step) {
         return cell.advanceUntil([&] { return runner().log().step() == step && speedNow() > 0.03; }, kLongMs);

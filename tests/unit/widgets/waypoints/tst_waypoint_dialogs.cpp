@@ -47,7 +47,7 @@ project::Waypoint at(const QString& name, const Eigen::Vector3d& position) {
     point.id = QUuid::createUuid();
     point.name = name;
     point.move = project::MoveKind::Linear;
-    point.ruling = project::TargetKind::Pose;
+    point.priority = project::TargetKind::Pose;
     point.pose = Pose(position, {M_PI, 0, 0});
     point.joints =
         *kinematics::inverseNearest(robotModel(RobotModelId::UR5e).dh, point.pose, {}, kReadyJoints);
@@ -172,7 +172,7 @@ private Q_SLOTS:
 
     void moveOutOfReachOfJointsIsRefusedByName() {
         project::Waypoint joints = document_->waypoints().at(0);
-        joints.ruling = project::TargetKind::Joints;
+        joints.priority = project::TargetKind::Joints;
         document_->changeWaypoint(0, joints, "x");
         select({0});
         const QByteArray was = bytes();

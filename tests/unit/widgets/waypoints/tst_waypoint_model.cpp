@@ -67,7 +67,7 @@ private Q_SLOTS:
         }
         Waypoint linear = cell.waypoints.at(2);
         linear.move = MoveKind::Linear;
-        linear.ruling = TargetKind::Pose;
+        linear.priority = TargetKind::Pose;
         linear.blend = 0.005;
         cell.waypoints.replace(2, linear);
         document_->setProject(cell);
@@ -193,7 +193,7 @@ private Q_SLOTS:
         QVERIFY(off.distance < 1e-12);
         QVERIFY(off.angle < 1e-12);
         QVERIFY(model_->setData(model_->index(2, WaypointModel::Frame), "—", Qt::EditRole));
-        QVERIFY(document_->waypoints().at(2).ruling == TargetKind::Joints);
+        QVERIFY(document_->waypoints().at(2).priority == TargetKind::Joints);
     }
 
     void draggedRowsLandWhereTheyAreDropped() {
@@ -229,7 +229,7 @@ private Q_SLOTS:
             QVERIFY(got.id != points[i].id);
             QCOMPARE(got.name, points[i].name);
             QVERIFY(got.move == points[i].move);
-            QVERIFY(got.ruling == points[i].ruling);
+            QVERIFY(got.priority == points[i].priority);
             QCOMPARE(got.frame, points[i].frame);
             QVERIFY((got.joints.values - points[i].joints.values).norm() < 1e-12);
             QVERIFY(project::poseDifference(got.pose, points[i].pose).distance < 1e-12);
@@ -279,7 +279,7 @@ private Q_SLOTS:
 
         Waypoint linear = at("l", kStart);
         linear.move = MoveKind::Linear;
-        linear.ruling = TargetKind::Pose;
+        linear.priority = TargetKind::Pose;
         linear.pose.position.z() += 0.05;
         linear.toolSpeed = 1.0;
         const auto moveL = moveRequestFor(robotModel(RobotModelId::UR5e), linear, {}, kStart, {}, limits);

@@ -589,7 +589,7 @@ private Q_SLOTS:
     void goToIsRefusedForAnUnreachableWaypoint() {
         teachThree();
         project::Waypoint far = document_->waypoints().at(1);
-        far.ruling = project::TargetKind::Pose;
+        far.priority = project::TargetKind::Pose;
         far.pose.position.x() = 4;
         document_->changeWaypoint(1, far, "x");
         tab_->selectRow(1);
@@ -681,7 +681,7 @@ private Q_SLOTS:
         paste(figures);
         QCOMPARE(document_->waypoints().size(), 2);
         project::Waypoint pasted = document_->waypoints().at(1);
-        QVERIFY(pasted.ruling == project::TargetKind::Pose);
+        QVERIFY(pasted.priority == project::TargetKind::Pose);
         QVERIFY(document_->reach(1).ok());
         QVERIFY(!pasted.name.isEmpty());
         for (int i = 0; i < kJointCount; ++i) {
@@ -702,7 +702,7 @@ private Q_SLOTS:
         tab_->teach();
         tab_->selectRow(0);
         const project::Waypoint before = document_->waypoints().at(0);
-        QVERIFY(before.ruling == project::TargetKind::Joints);
+        QVERIFY(before.priority == project::TargetKind::Joints);
         auto* z = tab_->findChild<QDoubleSpinBox*>("waypoint.details.z");
         const double from = z->value();
         const auto type = [](QDoubleSpinBox* box, const QString& text) {
@@ -713,7 +713,7 @@ private Q_SLOTS:
         };
         type(z, QString::number(from + 50));
         const project::Waypoint after = document_->waypoints().at(0);
-        QVERIFY(after.ruling == project::TargetKind::Joints);
+        QVERIFY(after.priority == project::TargetKind::Joints);
         const Pose there = kinematics::forwardTcp(document_->robot().dh, after.joints, after.tcpOffset);
         QVERIFY(std::abs(there.position.z() * 1000 - (from + 50)) < 0.01);
         // The nearest configuration is used: no joint has flipped.
@@ -730,7 +730,7 @@ private Q_SLOTS:
         // If the pose defines the waypoint, the pose may be out of reach. It is kept and marked.
         tab_->findChild<QComboBox*>("waypoint.details.frame")->setFocus();
         QTest::keyClick(tab_->findChild<QComboBox*>("waypoint.details.frame"), Qt::Key_Down);
-        QVERIFY(document_->waypoints().at(0).ruling == project::TargetKind::Pose);
+        QVERIFY(document_->waypoints().at(0).priority == project::TargetKind::Pose);
         type(z, QStringLiteral("9000"));
         QCOMPARE(document_->waypoints().at(0).pose.position.z(), 9.0);
         QVERIFY(!document_->reach(0).ok());
@@ -757,7 +757,7 @@ private Q_SLOTS:
         QCOMPARE(frame->currentText(), QStringLiteral("tray"));
         const project::Waypoint& point = document_->waypoints().at(0);
         QCOMPARE(point.frame, tray.id);
-        QVERIFY(point.ruling == project::TargetKind::Pose);
+        QVERIFY(point.priority == project::TargetKind::Pose);
         const Pose place = *project::poseInBase(point, document_->frames());
         QVERIFY(project::poseDifference(place, liveState().tcpPose).distance < 1e-9);
         document_->undoStack().undo();

@@ -31,14 +31,14 @@ QStringList saidIn(const recording::Recording& recording) {
 /// Advances time until the black box has received this number of packets. The steps are small, because
 /// virtual time is faster than the thread of the black box, and a ring holds only 8 s.
 bool hasSeen(const IncidentWatch& watch, test::VirtualCell& cell, std::uint64_t packets) {
-    QElapsedTimer patience;
-    patience.start();
-    while (watch.packets() < packets && patience.elapsed() < kWaitTimeoutMs) {
+    QElapsedTimer testTimeout;
+    testTimeout.start();
+    while (watch.packets() < packets && testTimeout.elapsed() < kWaitTimeoutMs) {
         const std::uint64_t before = watch.packets();
         cell.advanceMs(100);
         // Waits for the sent packets. At first, the thread may not be running yet.
-        const int patienceMs = before == 0 ? 20 : 5000;
-        static_cast<void>(QTest::qWaitFor([&] { return watch.packets() >= before + 49; }, patienceMs));
+        const int testTimeoutMs = before == 0 ? 20 : 5000;
+        static_cast<void>(QTest::qWaitFor([&] { return watch.packets() >= before + 49; }, testTimeoutMs));
     }
     return watch.packets() >= packets;
 }

@@ -70,7 +70,7 @@ private Q_SLOTS:
         QTest::addColumn<int>("connections");
         QTest::addColumn<double>("gap");
         QTest::addColumn<double>("turned");
-        QTest::addColumn<bool>("anew");
+        QTest::addColumn<bool>("isNew");
         QTest::newRow("another connection, elsewhere") << 1 << 3.0 << 0.01 << true;
         QTest::newRow("another connection, the other way") << 1 << 3.0 << -0.01 << true;
         QTest::newRow("another connection at once, elsewhere") << 1 << 0.01 << 0.01 << true;
@@ -85,7 +85,7 @@ private Q_SLOTS:
         QFETCH(int, connections);
         QFETCH(double, gap);
         QFETCH(double, turned);
-        QFETCH(bool, anew);
+        QFETCH(bool, isNew);
         Bench bench;
         bench.stop();
         const double first = bench.stoppedAt();
@@ -95,14 +95,14 @@ private Q_SLOTS:
         bench.time += gap;
         bench.base += turned;
         bench.run(10);
-        QCOMPARE(bench.stoppedAt() != first, anew);
-        QCOMPARE(changed.count(), anew ? 1 : 0);
-        if (anew) {
+        QCOMPARE(bench.stoppedAt() != first, isNew);
+        QCOMPARE(changed.count(), isNew ? 1 : 0);
+        if (isNew) {
             QCOMPARE(bench.stops.last()->q[0], bench.base);
         }
         // The stop is reported once, because the following data belong to the same stop.
         bench.run(1000);
-        QCOMPARE(changed.count(), anew ? 1 : 0);
+        QCOMPARE(changed.count(), isNew ? 1 : 0);
     }
 
     void aGapWithoutAStopIsNotRecorded() {

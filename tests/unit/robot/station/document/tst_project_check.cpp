@@ -77,7 +77,7 @@ private Q_SLOTS:
 
     void anUnreachableWaypointIsReportedAndItsPathsSkipped() {
         project::Waypoint far = waypoint("far", turned(45));
-        far.ruling = project::TargetKind::Pose;
+        far.priority = project::TargetKind::Pose;
         far.pose.position.x() = 3;
         project_.waypoints.insert(1, far);
         const auto findings = checkProject(project_, arm());

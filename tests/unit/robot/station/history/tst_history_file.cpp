@@ -236,9 +236,9 @@ private Q_SLOTS:
             for (std::int64_t row = begin; row < end; ++row) {
                 wanted.add(static_cast<double>(truth(static_cast<std::uint64_t>(row))));
             }
-            const MinMax told = history.minMax(column, begin, end);
+            const MinMax reported = history.minMax(column, begin, end);
             constexpr double kRounding = 1e-6;
-            QVERIFY(told.min <= wanted.min + kRounding && told.max >= wanted.max - kRounding);
+            QVERIFY(reported.min <= wanted.min + kRounding && reported.max >= wanted.max - kRounding);
         }
     }
 
@@ -247,9 +247,9 @@ private Q_SLOTS:
         const QString fz = DerivedSignal::written(opened.name + QStringLiteral("/actual_TCP_force_2"));
         const auto made = opened.store.derive(QStringLiteral("twice = 2 * %1").arg(fz));
         QVERIFY(made.ok());
-        int told = 0;
-        connect(&opened.store, &SignalStore::computedFurther, this, [&] { ++told; });
-        connect(&opened.store, &SignalStore::computationFailed, this, [&] { ++told; });
+        int reported = 0;
+        connect(&opened.store, &SignalStore::computedFurther, this, [&] { ++reported; });
+        connect(&opened.store, &SignalStore::computationFailed, this, [&] { ++reported; });
         opened.store.closeRecordings();
         // A signal of a second recording is computed after the first signal, so all notifications of the first
         // signal have arrived when the second signal is complete.
@@ -260,7 +260,7 @@ private Q_SLOTS:
         QVERIFY(next.ok());
         disconnect(&opened.store, nullptr, this, nullptr);
         QTRY_COMPARE_WITH_TIMEOUT(opened.store.computedPart(*next), 1.0, 60'000);
-        QCOMPARE(told, 0);
+        QCOMPARE(reported, 0);
         QCOMPARE(opened.store.buffer(*made), nullptr);
     }
 

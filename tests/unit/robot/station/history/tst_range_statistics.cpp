@@ -244,9 +244,9 @@ private Q_SLOTS:
             const std::array<int, 1> wanted = {opened.signal};
             sums.want(wanted, from, to);
             QCOMPARE(sums.part(), 1.0);
-            const auto told = sums.statistics(opened.signal, from, to);
+            const auto reported = sums.statistics(opened.signal, from, to);
             const auto truth = plainly(times, values, std::min(from, to), std::max(from, to));
-            QVERIFY2(isSame(told, truth), qPrintable(inWords(told) + " for " + inWords(truth)));
+            QVERIFY2(isSame(reported, truth), qPrintable(inWords(reported) + " for " + inWords(truth)));
         }
     }
 
@@ -302,7 +302,7 @@ private Q_SLOTS:
     /// Another recording has replaced the file while the window still has the earlier file open. A worker must
     /// not read the new file.
     void aReplacedFileIsDetected() {
-        const QString path = long_->folder.filePath("anew.mcap");
+        const QString path = long_->folder.filePath("second.mcap");
         QVERIFY(QFile::copy(long_->path, path));
         Opened opened(path);
         QVERIFY(opened.store.want(this, {opened.signal}));
@@ -332,10 +332,10 @@ private Q_SLOTS:
         const std::array<int, 1> wanted = {opened.signal};
         QTRY_VERIFY_WITH_TIMEOUT(
             (sums.want(wanted, kBegin, long_->timeOf(kRows - 1)), !sums.problem().isEmpty()), 60'000);
-        const auto told = sums.statistics(opened.signal, kBegin, long_->timeOf(kRows - 1));
-        QVERIFY(told.has_value());
-        QVERIFY(told->count > static_cast<std::int64_t>(kRows) * 9 / 10);
-        QVERIFY(told->count < static_cast<std::int64_t>(kRows));
+        const auto reported = sums.statistics(opened.signal, kBegin, long_->timeOf(kRows - 1));
+        QVERIFY(reported.has_value());
+        QVERIFY(reported->count > static_cast<std::int64_t>(kRows) * 9 / 10);
+        QVERIFY(reported->count < static_cast<std::int64_t>(kRows));
     }
 
     void closingTheFileStopsNotifications() {

@@ -144,10 +144,10 @@ private Q_SLOTS:
             fill(buffer, plain, more(random), random);
             const double start = std::floor((buffer.lastTime() - 9 + 3 * (round % 5)) / width) * width;
             buffer.cut(start, width, 150, moving);
-            ColumnGrid anew;
-            buffer.cut(start, width, 150, anew);
-            QVERIFY(moving.edges == anew.edges);
-            QVERIFY(moving.gapBefore == anew.gapBefore);
+            ColumnGrid fresh;
+            buffer.cut(start, width, 150, fresh);
+            QVERIFY(moving.edges == fresh.edges);
+            QVERIFY(moving.gapBefore == fresh.gapBefore);
         }
     }
 

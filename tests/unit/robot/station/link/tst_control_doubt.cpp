@@ -135,8 +135,8 @@ private Q_SLOTS:
         DoubtBench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         script::ScriptClient other(bench.cell.robot.listenAddress(), bench.cell.robot.ports().primary);
-        QVERIFY(other.connect(patience()).ok());
-        QVERIFY(other.send("def other():\n  while True:\n    sync()\n  end\nend\n", patience()).ok());
+        QVERIFY(other.connect(testTimeout()).ok());
+        QVERIFY(other.send("def other():\n  while True:\n    sync()\n  end\nend\n", testTimeout()).ok());
         QVERIFY(
             bench.goOnUntil([&] { return bench.state().controlLoss == control::ControlLoss::EchoStalled; }));
         QVERIFY(bench.state().controlInDoubt);

@@ -52,7 +52,7 @@ struct Bench {
     }
     /// Advances in real time, because another client takes part.
     bool within(const std::function<bool()>& condition) {
-        const Deadline limit = patience();
+        const Deadline limit = testTimeout();
         while (!condition() && !limit.hasExpired()) {
             cell.robot.drainSockets();
             cell.advanceMs(2);
@@ -76,14 +76,14 @@ struct Bench {
         script::ScriptClient other(cell.robot.listenAddress(),
                                    script::kPrimaryPort + cell.robot.options().portOffset);
         const bool sent =
-            other.connect(patience()).ok() &&
+            other.connect(testTimeout()).ok() &&
             other
                 .send(QStringLiteral("def others():\nwhile True:\n"
                                      "movej([1.0, -1.7, -2.2, -0.8, 1.6, 0], a=2, v=1)\n"
                                      "movej([-1.6, -1.7, -2.2, -0.8, 1.6, 0], a=2, v=1)\nsync()\n%1\n"
                                      "end\nend\n")
                           .arg(pause),
-                      patience())
+                      testTimeout())
                 .ok();
         if (!sent || !within([this] { return state().moving; })) {
             return false;
@@ -258,7 +258,7 @@ private Q_SLOTS:
         messages.clear();
         QVERIFY(bench.cell.robot.inject("link lost").ok());
         bench.session.stop(StopCause::StopButton);
-        const Deadline limit = patience();
+        const Deadline limit = testTimeout();
         while (messages.filter("could not be stopped").isEmpty() && !limit.hasExpired()) {
             bench.passWithoutData(50);
         }
@@ -290,7 +290,7 @@ private Q_SLOTS:
         messages.clear();
         QVERIFY(bench.cell.robot.inject("link lost").ok());
         bench.session.stop(StopCause::StopButton);
-        const Deadline limit = patience();
+        const Deadline limit = testTimeout();
         while (messages.filter("could not be stopped").isEmpty() && !limit.hasExpired()) {
             bench.passWithoutData(50);
         }

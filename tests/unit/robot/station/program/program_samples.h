@@ -22,7 +22,7 @@ inline project::Waypoint waypointAt(const QString& name, const Eigen::Vector3d& 
     pose.position += offset;
     point.pose = pose;
     point.joints = kinematics::inverseNearest(dh, pose, {}, kStart).value();
-    point.ruling = project::TargetKind::Pose;
+    point.priority = project::TargetKind::Pose;
     return point;
 }
 

@@ -160,7 +160,8 @@ struct RunBench {
     /// Sends a command or a program as another client.
     bool sendFromOutside(const char* text) {
         script::ScriptClient client(cell.robot.listenAddress(), cell.robot.ports().primary);
-        return client.connect(patience()).ok() && client.send(QString::fromLatin1(text), patience()).ok();
+        return client.connect(testTimeout()).ok() &&
+               client.send(QString::fromLatin1(text), testTimeout()).ok();
     }
     bool reachMotion() {
         return cell.advanceUntil([this] { return cell.truth().tcpSpeed.linear.norm() > 0.05; }, kLongMs);

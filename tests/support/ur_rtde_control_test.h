@@ -11,7 +11,7 @@
 #include <memory>
 #include <vector>
 
-#include "tests/integration/ur_rtde/face_cell.h"
+#include "tests/integration/ur_rtde/ur_rtde_cell.h"
 
 namespace tiller::test {
 
@@ -51,7 +51,7 @@ inline bool stands(const simulator::SimulatedState& truth) {
     return truth.qd.values.cwiseAbs().maxCoeff() < 5e-3;
 }
 
-class FaceControlTest : public QObject {
+class UrRtdeControlTest : public QObject {
     Q_OBJECT
 
 protected:
@@ -66,12 +66,12 @@ protected:
             [](const simulator::SimulatedState& t) { return t.runtimeState == RuntimeState::Stopped; });
     }
 
-    std::unique_ptr<FaceCell> cell_;
+    std::unique_ptr<UrRtdeCell> cell_;
     std::unique_ptr<ur_rtde::RTDEControlInterface> control_;
 
 private Q_SLOTS:
     void init() {
-        cell_ = std::make_unique<FaceCell>();
+        cell_ = std::make_unique<UrRtdeCell>();
         control_ = std::make_unique<ur_rtde::RTDEControlInterface>(cell_->host());
     }
     void cleanup() {

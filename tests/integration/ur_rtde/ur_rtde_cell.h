@@ -20,16 +20,16 @@ inline QString ownAddress(int number = 1) {
     return QStringLiteral("127.%1.%2.%3").arg(10 + pid % 200).arg((pid / 200) % 250).arg(number);
 }
 
-class FaceCell {
+class UrRtdeCell {
 public:
-    explicit FaceCell(const std::function<void(simulator::SimulatorOptions&)>& adjust = {})
+    explicit UrRtdeCell(const std::function<void(simulator::SimulatorOptions&)>& adjust = {})
         : robot(optionsOf(adjust)) {
         if (const auto started = robot.start(); !started) {
             qFatal("%s", qPrintable(started.error().toString()));
         }
         pump_ = std::thread([this] { pump(); });
     }
-    ~FaceCell() {
+    ~UrRtdeCell() {
         quit_.cancel();
         pump_.join();
         robot.stop();
@@ -97,8 +97,8 @@ private:
                 std::this_thread::sleep_for(std::chrono::milliseconds(2));
             }
             const bool asked = robot.outputPackages() != outputs;
-            const auto patience = std::chrono::milliseconds(answered && asked ? 1000 : hurry_ ? 0 : 1);
-            const bool came = robot.waitForInputPackages(inputs + 1, Deadline::after(patience, quit_));
+            const auto testTimeout = std::chrono::milliseconds(answered && asked ? 1000 : hurry_ ? 0 : 1);
+            const bool came = robot.waitForInputPackages(inputs + 1, Deadline::after(testTimeout, quit_));
             answered = asked ? came : answered;
         }
     }

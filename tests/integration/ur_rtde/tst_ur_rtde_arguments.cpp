@@ -15,7 +15,7 @@
 #include <memory>
 #include <vector>
 
-#include "tests/integration/ur_rtde/face_cell.h"
+#include "tests/integration/ur_rtde/ur_rtde_cell.h"
 
 using namespace tiller;
 using ur_rtde::DashboardClient;
@@ -210,16 +210,16 @@ private:
 
 }  // namespace
 
-class TestFaceArguments : public QObject {
+class TestUrRtdeArguments : public QObject {
     Q_OBJECT
 
 private:
-    std::unique_ptr<test::FaceCell> cell_;
+    std::unique_ptr<test::UrRtdeCell> cell_;
     std::unique_ptr<RTDEControlInterface> control_;
 
 private Q_SLOTS:
     void initTestCase() {
-        cell_ = std::make_unique<test::FaceCell>();
+        cell_ = std::make_unique<test::UrRtdeCell>();
         control_ = std::make_unique<RTDEControlInterface>(cell_->host());
     }
     void cleanupTestCase() {
@@ -297,7 +297,8 @@ private Q_SLOTS:
     // advance, so waiting for it would make the test hang. tests/benchmarks/backend_performance measures the
     // duration.
     void closingIsQuickWithAHangingRobot() {
-        test::FaceCell hanging([](simulator::SimulatorOptions& o) { o.listenAddress = test::ownAddress(2); });
+        test::UrRtdeCell hanging(
+            [](simulator::SimulatorOptions& o) { o.listenAddress = test::ownAddress(2); });
         auto control = std::make_unique<RTDEControlInterface>(hanging.host());
         auto receive = std::make_unique<RTDEReceiveInterface>(hanging.host());
         auto io = std::make_unique<RTDEIOInterface>(hanging.host());
@@ -366,5 +367,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestFaceArguments)
-#include "tst_face_arguments.moc"
+QTEST_GUILESS_MAIN(TestUrRtdeArguments)
+#include "tst_ur_rtde_arguments.moc"

@@ -10,7 +10,7 @@
 #include <future>
 
 #include "robot/ur_rtde/detail/waiting.h"
-#include "tests/support/face_control_test.h"
+#include "tests/support/ur_rtde_control_test.h"
 
 using namespace tiller;
 using namespace tiller::test;
@@ -19,7 +19,7 @@ using ur_rtde::Path;
 using ur_rtde::PathEntry;
 using ur_rtde::RTDEControlInterface;
 
-class TestFaceControl : public FaceControlTest {
+class TestUrRtdeControl : public UrRtdeControlTest {
     Q_OBJECT
 
 private Q_SLOTS:
@@ -465,5 +465,5 @@ $6.0   P = 6
     }
 };
 
-QTEST_GUILESS_MAIN(TestFaceControl)
-#include "tst_face_control.moc"
+QTEST_GUILESS_MAIN(TestUrRtdeControl)
+#include "tst_ur_rtde_control.moc"

@@ -147,7 +147,7 @@ void ends(Report& report) {
 
 }  // namespace
 
-void measurePatience(Report& report) {
+void measureTimeout(Report& report) {
     report.begin(QStringLiteral("a peer that says nothing any more"));
     QTextStream(stderr) << "deadlines and cancels...\n";
     deadlines(report);

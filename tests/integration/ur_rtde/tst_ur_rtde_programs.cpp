@@ -5,11 +5,11 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "tests/integration/ur_rtde/face_cell.h"
+#include "tests/integration/ur_rtde/ur_rtde_cell.h"
 
 using namespace tiller;
 
-class TestFacePrograms : public QObject {
+class TestUrRtdePrograms : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
@@ -23,9 +23,9 @@ private Q_SLOTS:
     }
     void programsRun() {
         QFETCH(QString, program);
-        const QString path = QStringLiteral(TILLER_PROGRAMS "/face_") + program;
+        const QString path = QStringLiteral(TILLER_PROGRAMS "/ur_rtde_") + program;
         QVERIFY2(QFileInfo(path).isExecutable(), qPrintable(path));
-        test::FaceCell cell;
+        test::UrRtdeCell cell;
         QTemporaryDir folder;
         QProcess process;
         process.setProcessChannelMode(QProcess::MergedChannels);
@@ -46,5 +46,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestFacePrograms)
-#include "tst_face_programs.moc"
+QTEST_GUILESS_MAIN(TestUrRtdePrograms)
+#include "tst_ur_rtde_programs.moc"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A program for ur_rtde that moves the arm in one way until it is ended:
-//     face_mover <host> <type of motion>
+//     ur_rtde_mover <host> <type of motion>
 // Like many programs, it ignores the return values of its calls. It prints "ready", then executes the lines
 // of its standard input and replies to each with "<line> done". The lines are "begin", "again" (from the
 // first start position), "release" (the function that ends this type of motion), "disconnect", "leave"
@@ -68,7 +68,7 @@ std::string risingProgram() {
 }
 
 std::string risingFile() {
-    char name[] = "/tmp/face_mover_XXXXXX";
+    char name[] = "/tmp/ur_rtde_mover_XXXXXX";
     const int descriptor = ::mkstemp(name);
     std::ofstream(name) << risingProgram();
     ::close(descriptor);
@@ -198,7 +198,7 @@ const std::map<std::string, Way>& ways() {
 
 int main(int argc, char** argv) {
     if (argc < 3 || ways().count(argv[2]) == 0) {
-        std::cerr << "face_mover <host> <way of moving>" << std::endl;
+        std::cerr << "ur_rtde_mover <host> <way of moving>" << std::endl;
         return 2;
     }
     const Way& way = ways().at(argv[2]);

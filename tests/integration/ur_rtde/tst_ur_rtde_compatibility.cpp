@@ -6,14 +6,14 @@
 
 #include <QTest>
 
-#include "tests/support/face_control_test.h"
+#include "tests/support/ur_rtde_control_test.h"
 
 using namespace tiller;
 using ur_rtde::AsyncOperationStatus;
 using ur_rtde::RTDEControlInterface;
 using List = std::vector<double>;
 
-class TestFaceCompatibility : public test::FaceControlTest {
+class TestUrRtdeCompatibility : public test::UrRtdeControlTest {
     Q_OBJECT
 
 private:
@@ -111,13 +111,13 @@ private Q_SLOTS:
             cell_->robot.emergencyStop(true);
             QVERIFY(until([&] { return cell_->robot.truth().safetyMode != SafetyMode::Normal; }));
         }
-        QByteArray told;
+        QByteArray reported;
         try {
             const RTDEControlInterface never{cell_->host()};
         } catch (const std::logic_error& error) {
-            told = error.what();
+            reported = error.what();
         }
-        QVERIFY2(told.contains(word), told.constData());
+        QVERIFY2(reported.contains(word), reported.constData());
     }
 
     void theProgramIsUploadedDuringAProtectiveStop() {
@@ -144,7 +144,7 @@ private Q_SLOTS:
     void contactMoveIsRefusedWithoutContactDetection() {
         control_.reset();
         cell_.reset();
-        cell_ = std::make_unique<test::FaceCell>([](simulator::SimulatorOptions& options) {
+        cell_ = std::make_unique<test::UrRtdeCell>([](simulator::SimulatorOptions& options) {
             options.model = RobotModelId::UR5;
             options.software = {3, 15, 8, 0};
         });
@@ -178,5 +178,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestFaceCompatibility)
-#include "tst_face_compatibility.moc"
+QTEST_GUILESS_MAIN(TestUrRtdeCompatibility)
+#include "tst_ur_rtde_compatibility.moc"

@@ -4,13 +4,13 @@
 // time, and only a new command may move it again. The test runs in real time if the process is killed or
 // suspended or the cable is cut; otherwise in virtual time.
 //
-//     tst_face_contract --assume NAME=VALUE    with another assumption about real controllers
-//     tst_face_contract --all                  with each of these assumptions, one after the other
+//     tst_ur_rtde_contract --assume NAME=VALUE    with another assumption about real controllers
+//     tst_ur_rtde_contract --all                  with each of these assumptions, one after the other
 #include <ur_rtde/dashboard_client.h>
 
 #include <QTest>
 
-#include "tests/integration/ur_rtde/face_cell.h"
+#include "tests/integration/ur_rtde/ur_rtde_cell.h"
 #include "tests/support/moving_process.h"
 
 using namespace tiller;
@@ -20,7 +20,7 @@ namespace {
 constexpr double kContractMs = 250;
 constexpr double kLooksOnFor = 0.6;  // [s] robot time during which no motion may resume
 constexpr double kNothing = 0.0003;  // [m] remaining motion of one or two steps, and noise
-constexpr double kPatience = 20;     // [s] robot time within which the motion must begin
+constexpr double kTestTimeout = 20;  // [s] robot time within which the motion must begin
 constexpr int kAttempts = 3;
 
 struct Way {
@@ -89,7 +89,7 @@ simulator::BehaviourOptions assumptionsOf(const QString& more) {
 
 }  // namespace
 
-class TestFaceContract : public QObject {
+class TestUrRtdeContract : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
@@ -129,13 +129,13 @@ private Q_SLOTS:
         QFETCH(QByteArray, end);
         QFETCH(QString, assumption);
         const Way& moving = kWays[way];
-        test::FaceCell cell([&](simulator::SimulatorOptions& options) {
+        test::UrRtdeCell cell([&](simulator::SimulatorOptions& options) {
             options.time = isInRealTime(end, moving.name) ? simulator::Time::Real : simulator::Time::Virtual;
             options.assumptions = assumptionsOf(assumption);
             options.startJoints = JointPositions(-1.57, -1.2, -2.3, -1.2, 1.57, 0);
         });
         test::ArmWatcher watcher(cell.robot, control::RegisterRange::Lower);
-        test::MovingProcess mover(QStringLiteral(FACE_MOVER),
+        test::MovingProcess mover(QStringLiteral(UR_RTDE_MOVER),
                                   {QString::fromStdString(cell.host()), QString::fromLatin1(moving.name)});
         const auto during = [&](auto isOver) {
             while (!isOver()) {
@@ -162,7 +162,7 @@ private Q_SLOTS:
         int attempts = 1;
         while (watcher.speed < moving.fast) {
             QVERIFY(watcher.look());
-            if (watcher.time - begin > kPatience) {
+            if (watcher.time - begin > kTestTimeout) {
                 // On a busy computer, the mover may have missed its heartbeat and been stopped.
                 QVERIFY2(++attempts <= kAttempts, "the arm never moved");
                 mover.tell("again");
@@ -277,7 +277,7 @@ int main(int argc, char** argv) {
     }
     int count = static_cast<int>(rest.size());
     QCoreApplication app(count, rest.data());
-    TestFaceContract test;
+    TestUrRtdeContract test;
     return QTest::qExec(&test, count, rest.data());
 }
-#include "tst_face_contract.moc"
+#include "tst_ur_rtde_contract.moc"

@@ -11,12 +11,12 @@
 #include <future>
 
 #include "robot/ur_rtde/detail/waiting.h"
-#include "tests/support/face_control_test.h"
+#include "tests/support/ur_rtde_control_test.h"
 
 using namespace tiller;
 using namespace tiller::test;
 
-class TestFaceStops : public FaceControlTest {
+class TestUrRtdeStops : public UrRtdeControlTest {
     Q_OBJECT
 
 private Q_SLOTS:
@@ -310,5 +310,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestFaceStops)
-#include "tst_face_stops.moc"
+QTEST_GUILESS_MAIN(TestUrRtdeStops)
+#include "tst_ur_rtde_stops.moc"

@@ -10,8 +10,8 @@
 #include <QTest>
 #include <fstream>
 
-#include "tests/integration/ur_rtde/face_cell.h"
 #include "tests/integration/ur_rtde/gripper_peer.h"
+#include "tests/integration/ur_rtde/ur_rtde_cell.h"
 
 using namespace tiller;
 using ur_rtde::DashboardClient;
@@ -26,15 +26,15 @@ namespace {
 const QByteArray kProgram = "def loaded():\n  while True:\n    sync()\n  end\nend\n";
 }
 
-class TestFaceClients : public QObject {
+class TestUrRtdeClients : public QObject {
     Q_OBJECT
 
 private:
     QTemporaryDir folder_;
 
-    std::unique_ptr<test::FaceCell> cell(
+    std::unique_ptr<test::UrRtdeCell> cell(
         const std::function<void(simulator::SimulatorOptions&)>& adjust = {}) {
-        return std::make_unique<test::FaceCell>([&](simulator::SimulatorOptions& options) {
+        return std::make_unique<test::UrRtdeCell>([&](simulator::SimulatorOptions& options) {
             options.programsFolder = folder_.path();
             if (adjust) {
                 adjust(options);
@@ -305,5 +305,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestFaceClients)
-#include "tst_face_clients.moc"
+QTEST_GUILESS_MAIN(TestUrRtdeClients)
+#include "tst_ur_rtde_clients.moc"

@@ -7,18 +7,18 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "tests/integration/ur_rtde/face_cell.h"
+#include "tests/integration/ur_rtde/ur_rtde_cell.h"
 
 using namespace tiller;
 using ur_rtde::RTDEIOInterface;
 using ur_rtde::RTDEReceiveInterface;
 using List = std::vector<double>;
 
-class TestFaceData : public QObject {
+class TestUrRtdeData : public QObject {
     Q_OBJECT
 
 private:
-    std::unique_ptr<test::FaceCell> cell_;
+    std::unique_ptr<test::UrRtdeCell> cell_;
     std::unique_ptr<RTDEReceiveInterface> receive_;
 
     /// Waits until the robot reports the setting.
@@ -37,7 +37,7 @@ private:
 
 private Q_SLOTS:
     void initTestCase() {
-        cell_ = std::make_unique<test::FaceCell>();
+        cell_ = std::make_unique<test::UrRtdeCell>();
         receive_ = std::make_unique<RTDEReceiveInterface>(cell_->host());
     }
     void cleanupTestCase() {
@@ -139,7 +139,7 @@ private Q_SLOTS:
     }
 
     void stopsAreReported() {
-        test::FaceCell other([](simulator::SimulatorOptions& o) { o.listenAddress = test::ownAddress(2); });
+        test::UrRtdeCell other([](simulator::SimulatorOptions& o) { o.listenAddress = test::ownAddress(2); });
         RTDEReceiveInterface receive(other.host(), 125.0, {"safety_status_bits", "runtime_state"});
         other.robot.protectiveStop();
         QVERIFY(other.until([&](const simulator::SimulatedState&) { return receive.isProtectiveStopped(); }));
@@ -266,5 +266,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestFaceData)
-#include "tst_face_data.moc"
+QTEST_GUILESS_MAIN(TestUrRtdeData)
+#include "tst_ur_rtde_data.moc"

@@ -17,7 +17,7 @@ namespace tiller::benchmark {
 namespace {
 
 using namespace std::chrono_literals;
-using Face = ur_rtde::RTDEControlInterface;
+using ControlInterface = ur_rtde::RTDEControlInterface;
 using List = std::vector<double>;
 
 constexpr double kTurn = 0.3;  // [rad/s]
@@ -60,7 +60,7 @@ void add(Report& report, const QString& what, const Spans& spans) {
     report.add(what + QStringLiteral(": count"), static_cast<double>(all.count()), QString());
 }
 
-Spans circle(Face& face, const receive::Receiver& receiver, double seconds) {
+Spans circle(ControlInterface& face, const receive::Receiver& receiver, double seconds) {
     receive::Sample sample(receiver.layout());
     receiver.latest(sample);
     const auto pose = sample.field("actual_TCP_pose");
@@ -89,7 +89,7 @@ Spans circle(Face& face, const receive::Receiver& receiver, double seconds) {
 
 }  // namespace
 
-void measureFace(Report& report, const Wishes& wishes) {
+void measureUrRtde(Report& report, const Wishes& wishes) {
     report.begin(QStringLiteral("the ur_rtde interface"));
     QTextStream(stderr) << "the ur_rtde interface...\n";
     simulator::SimulatorOptions options;
@@ -109,7 +109,7 @@ void measureFace(Report& report, const Wishes& wishes) {
         return;
     }
     {
-        Face face(options.listenAddress.toStdString());
+        ControlInterface face(options.listenAddress.toStdString());
         std::this_thread::sleep_for(500ms);
         add(report, QStringLiteral("%1 s servoL circle, cycles").arg(wishes.seconds),
             circle(face, receiver, wishes.seconds));
