@@ -34,7 +34,7 @@ def libraries_of(paths):
                 found[name] = os.path.realpath(place)
         missing = re.findall(r"^\s*(\S+) => not found", loaded, re.MULTILINE)
         if missing:
-            sys.exit(f"{path} wants {', '.join(missing)}, which this system has not")
+            sys.exit(f"{path} requires {', '.join(missing)}, which is not installed")
     return found
 
 

@@ -1124,7 +1124,12 @@ Result<void> PlotDock::exportPicture(const QString& path) const {
     PictureText text;
     const SessionState& state = session_.state();
     const TimeWindow& window = pages_->view().window();
-    QStringList details{QLocale().toString(QDateTime::currentDateTime(), QLocale::ShortFormat)};
+    // The date belongs to the data, because the plots may be paused.
+    const QDateTime newest = replay_->clockAt(window.end());
+    QStringList details;
+    if (newest.isValid()) {
+        details << QLocale().toString(newest.toLocalTime(), QLocale::ShortFormat);
+    }
     const QString recording = replay_->recordingInFront();
     if (recording.isEmpty()) {
         text.title = QStringLiteral("%1 · %2").arg(

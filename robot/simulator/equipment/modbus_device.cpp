@@ -35,7 +35,7 @@ const ModbusDevice::Signal* ModbusDevice::find(std::string_view name) const {
 
 Result<void> ModbusDevice::add(const urscript::ModbusSignal& signal) {
     if (signals_.size() >= kMaxSignals && find(signal.name) == nullptr) {
-        return urscript::scriptError("There are too many Modbus signals");
+        return urscript::scriptError("too many Modbus signals");
     }
     Signal added;
     added.what = signal;
