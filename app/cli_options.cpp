@@ -52,7 +52,7 @@ CommandOperand recordingOperand(const QString& name) {
 
 namespace {
 
-/// '\0' if the option has none of these values.
+/// Returns the character that the option names; '\0' if it is not one of the allowed characters.
 char characterOf(const QString& text, const char* allowed) {
     const char found = text == QLatin1String("tab") || text == QLatin1String("\\t") ? '\t'
                        : text == QLatin1String("space")                             ? ' '

@@ -21,7 +21,7 @@ std::vector<std::string> namesIn(const QString& list);
 /// and not an option. Such a text is safe to use, e.g. in a file name.
 bool isHostName(const QString& text);
 
-/// Options of all commands that open a recording, for tables of other programs.
+/// Adds the options for tables of other programs, for commands that open a recording.
 /// options  the other options of the command
 std::vector<CommandOption> withTableOptions(std::vector<CommandOption> options);
 /// Row of the help for the recordings that a command opens.

@@ -330,8 +330,8 @@ int runOnRobot(LoadedProgram loaded, const RobotRun& run, program::PreviewOption
     if (const auto taken = controller.takeControl(Deadline::after(5s)); !taken) {
         return complain(taken.error().toString(), kFailed);
     }
-    // The arm may still be braking if a program of another client was running. Wait for standstill, so that the
-    // arm is still at the position of this sample when the program starts.
+    // The arm may still be braking if a program of another client was running. Wait for standstill, so that
+    // the arm is still at the position of this sample when the program starts.
     const bool isStill = waitUntil(Deadline::after(5s), [&] { return !controller.status().moving; });
     const auto sample = receiver.subscribe().next(Deadline::after(5s));
     if (!isStill || !sample) {

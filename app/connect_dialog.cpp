@@ -52,7 +52,7 @@ ConnectDialog::ConnectDialog(const QVector<RobotAddress>& remembered, QWidget* p
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(24, 24, 24, 24);
     layout->setSpacing(16);
-    // The robot part is first if there are remembered robots. Otherwise the user is probably new, so the
+    // The robot part is first if there are remembered robots. Otherwise, the user is probably new, so the
     // simulator part is first.
     QWidget* const robot = robotPart();
     QWidget* const simulator = simulatorPart();

@@ -24,7 +24,7 @@
 namespace tiller::app {
 namespace {
 
-/// A report has a few kilobytes. A larger file cannot be a report.
+/// A file that is larger than this [bytes] cannot be a report.
 constexpr qint64 kLargestReport = 1'000'000;
 
 }  // namespace
@@ -103,8 +103,8 @@ extern "C" void writeCrashReport(int signal) {
         }
         ::close(file);
     }
-    // SA_RESETHAND has restored the default action, so raising the signal again terminates the process
-    // normally for this signal.
+    // SA_RESETHAND has restored the default action, so raising the signal again terminates the process by
+    // this signal.
     ::raise(signal);
 }
 

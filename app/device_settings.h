@@ -2,7 +2,7 @@
 #pragma once
 
 // Settings for gamepads and SpaceMouse devices: the device that moves the arm, dead zone, sensitivity curve,
-// and limitation to the main axis.
+// and restriction to the dominant axis.
 
 #include <QMap>
 #include <QWidget>

@@ -33,8 +33,8 @@ void FocusReturn::follow(QWidget* old, QWidget* now) {
     if (old == nullptr || now == nullptr || !jogColumn_.isAncestorOf(now) || jogColumn_.isAncestorOf(old)) {
         return;
     }
-    // Only an element that is reached by Tab and not by a click can have received the focus from Qt. A press on
-    // a hold button also moves the focus, and a further change would stop the arm.
+    // Only an element that is reached by Tab and not by a click can have received the focus from Qt. A press
+    // on a hold button also moves the focus, and a further change would stop the arm.
     if ((now->focusPolicy() & Qt::StrongFocus) != Qt::TabFocus ||
         (QGuiApplication::mouseButtons() != Qt::NoButton && now->underMouse())) {
         return;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// If the focused element is hidden or disabled, Qt moves the focus to the next element of the window, which may be
-// a control of the jog column: Return would then arm the keyboard. This class moves the focus to an element
-// near the previous element instead.
+// If the focused element is hidden or disabled, Qt moves the focus to the next element of the window, which
+// may be a control of the jog column: Return would then arm the keyboard. This class moves the focus to an
+// element near the previous element instead.
 
 #include <QList>
 #include <QObject>
@@ -14,7 +14,7 @@ namespace tiller::app {
 
 class FocusReturn : public QObject {
 public:
-    /// Must outlive the object.
+    /// jogColumn  must outlive the object
     explicit FocusReturn(QWidget& jogColumn);
 
 private:

@@ -117,8 +117,8 @@ void connectAgain(app::MainWindow& window, const SessionState& before) {
     }
 }
 
-/// Stops the arm when Qt ends the process without destroying the window, e.g. because the connection to the display
-/// server is lost. Otherwise, a held motion would continue until its next refresh is overdue.
+/// Stops the arm when Qt ends the process without destroying the window, e.g. because the connection to the
+/// display server is lost. Otherwise, a held motion would continue until its next refresh is overdue.
 void stopAtExit(app::MainWindow& window) {
     static QPointer<app::MainWindow> open;
     static const int registered = std::atexit([] {

@@ -304,8 +304,8 @@ void MainWindow::showEvent(QShowEvent* event) {
 void MainWindow::resizeEvent(QResizeEvent* event) {
     QMainWindow::resizeEvent(event);
     setRoomForTouch(*qApp, height() >= kRoomForTouch);
-    // The window manager may maximize the window after it was shown. Restore the widths of the panels for that
-    // size, because widths that are first reduced and then enlarged would differ from the stored ones.
+    // The window manager may maximize the window after it was shown. Restore the widths of the panels for
+    // that size, because widths that are first reduced and then enlarged would differ from the stored ones.
     if (!opens_.hasExpired()) {
         perspectives_->restoreSizes();
     }
@@ -437,7 +437,7 @@ void MainWindow::connectProject() {
     connect(fit_.get(), &ProjectFit::noticeResolved, waypoints_, &WaypointsTab::resolveNotice);
 }
 
-/// Shows the tab that an undo or redo affects, because a different tab may be selected.
+/// Logs an undo or redo, and shows the tab that it affects, because a different tab may be selected.
 void MainWindow::showStep(const ProjectStep& step) {
     session_->journal().add(
         Severity::Info, (step.undone ? tr("Undone: %1") : tr("Redone: %1")).arg(step.text), Origin::Operator);
@@ -881,7 +881,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         event->ignore();
         return;
     }
-    // Without an answer, unsaved changes are stored on destruction and offered at the next start.
+    // If the desktop ends its session, the user is not asked. Unsaved changes are then stored on destruction
+    // and offered at the next start.
     if (desktopEnds_.hasExpired() && !files_->mayLeave(this)) {
         event->ignore();
         return;
@@ -971,7 +972,7 @@ void MainWindow::ask(const Question& words, const std::function<void(bool option
             [this, question, isAboutProgram, asked = askedProgram()]() mutable {
                 const AskedProgram now = askedProgram();
                 if (asked.name.isEmpty()) {
-                    asked.name = now.name;  // may arrive later
+                    asked.name = now.name;  // the name may arrive after the question was opened
                 }
                 if (isAboutProgram && now != asked) {
                     question->close();
@@ -1282,7 +1283,7 @@ void MainWindow::askForProgram() {
         const int cursor = before->cursorPosition();
         const int begin = before->selectionStart();
         const int length = static_cast<int>(before->selectedText().size());
-        // The dialog may not be active yet, so its own focus counts, not the application's.
+        // Check the focus widget of the dialog, because the dialog may not be active yet.
         const bool isFocused = dialog->focusWidget() == before;
         dialog->setComboBoxItems(names);
         dialog->setComboBoxEditable(true);

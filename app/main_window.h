@@ -2,8 +2,8 @@
 #pragma once
 
 // The main window. The header is at the top and the jog column at the left, with the view, tabs and plots
-// next to it. The window connects these parts to the session and to each other. It stops the arm when the
-// window loses the attention of the operator.
+// next to it. The window connects these parts to the session and to each other. It stops held motions when it
+// is deactivated or minimized, and all motion when the computer is locked or goes to sleep.
 
 #include <QDeadlineTimer>
 #include <QMainWindow>
@@ -89,7 +89,7 @@ public:
     /// Connects to the simulated robot in this process, starting it if necessary.
     void connectSimulator();
     void connectRobot(const RobotAddress& address);
-    /// Connects to this address with the name and ports that it had before.
+    /// Connects to this address, with the name and port offset of the remembered robot if there is one.
     void connectToHost(const QString& host);
     /// Makes a simulated controller in this process the simulated robot of the window, for the first steps
     /// and the practice tasks. The controller must exist until null is passed.
@@ -165,8 +165,8 @@ private:
         QString option = {};  ///< text of a check box, if any
         QMessageBox::Icon icon = QMessageBox::Warning;
     };
-    /// Asks in a dialog that is not modal, so that STOP and all other functions remain available. Held motions
-    /// stop.
+    /// Asks in a dialog that is not modal, so that STOP and all other functions remain available. Held
+    /// motions stop.
     void ask(const Question& words, const std::function<void(bool optionChecked)>& accepted);
     void askToTakeControl();
     void askToChange(const QString& what, const std::function<void()>& change);

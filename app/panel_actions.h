@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The functions of the panels, the plots and the tabs I/O and Log as commands, for the menus and the command list.
+// The functions of the panels, the plots and the tabs I/O and Log as commands, for the menus and the command
+// list.
 
 #include <QCoreApplication>
 #include <functional>
@@ -22,7 +23,7 @@ struct PanelActions {
     Q_DECLARE_TR_FUNCTIONS(PanelActions)
 
 public:
-    /// Commands that show, float and move a panel, also in its menu.
+    /// Adds the commands that show, float and move a panel to the table and to the menu of the panel.
     /// menuOpens  called before the menu of the panel opens
     static void addDock(ActionTable& table, DockStage& stage, PanelDock& dock,
                         const std::function<void()>& menuOpens);

@@ -133,8 +133,8 @@ void PanelDock::setRobot(const QString& robot) {
     bar_->setRobot(robot);
 }
 
-// If Qt asks for the position of a new window before the window manager has placed it, Qt reads the upper left corner
-// of the screen and keeps this position. The window would then cover the jog buttons.
+// If Qt asks for the position of a new window before the window manager has placed it, Qt reads the upper
+// left corner of the screen and keeps this position. The window would then cover the jog buttons.
 void PanelDock::keepInPlace() {
     if (place_ && pos().isNull() && pos() != *place_) {
         QMetaObject::invokeMethod(

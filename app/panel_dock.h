@@ -32,7 +32,8 @@ public:
     QMenu& menu() { return *menu_; }
     /// Makes the panel a separate window at its current position, or at the position of its last window.
     void floatFree();
-    /// Sets the robot that a floating panel shows next to its name, because panels of two windows may overlap.
+    /// Sets the robot that a floating panel shows next to its name, because panels of two windows may
+    /// overlap.
     void setRobot(const QString& robot);
 
 Q_SIGNALS:

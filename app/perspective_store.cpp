@@ -111,7 +111,7 @@ LastArrangement readArrangement(const SettingsView& settings) {
     using Found = LastArrangement::Found;
     LastArrangement last;
     if (!settings.contains("arrangement/panels")) {
-        // Earlier versions had different panels and this key.
+        // Earlier versions had different panels and used this key.
         last.found = settings.contains("window/state") ? Found::Older : Found::Nothing;
         return last;
     }

@@ -68,8 +68,8 @@ public:
 
     /// Restores the last arrangement. Call this once, when the window is shown.
     void restoreLast();
-    /// Restores the panel sizes of a last arrangement that was changed by the user. Call this when the window gets
-    /// its size shortly after it was shown.
+    /// Restores the panel sizes of a last arrangement that was changed by the user. Call this when the window
+    /// gets its size shortly after it was shown.
     void restoreSizes();
     /// Reloads the perspectives after an import of settings.
     void readAgain();

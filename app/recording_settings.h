@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The page "Recording" of the settings: folder, file name, signals, packets per row, metadata, trigger and limits of
-// files. Changes take effect with the next recording.
+// The page "Recording" of the settings: folder, file name, signals, packets per row, metadata, trigger and
+// file limits. Changes take effect with the next recording.
 
 #include <QWidget>
 

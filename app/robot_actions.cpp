@@ -19,8 +19,8 @@ QString needsNormalSafety(const SessionState& state) {
                                           : safetyWords(state.safety()).advice;
 }
 
-/// Returns the reason why the robot or its service is not available, without which no command is possible;
-/// empty if the command is possible.
+/// Returns the reason why the command is not possible: no connection, or an obstacle of the service that
+/// executes it. Empty if the command is possible.
 QString needsService(const SessionState& state, RobotCommand command) {
     const QString link = needsLink(state);
     return link.isEmpty() ? serviceObstacle(state, command) : link;

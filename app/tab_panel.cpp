@@ -11,8 +11,8 @@ namespace tiller::app {
 
 namespace {
 
-/// Moves the focus to the list or tree of a page. Otherwise, Qt would move it to the button that was used last,
-/// e.g. "Run", which reacts to Return.
+/// Moves the focus to the list or tree of a page. Otherwise, Qt would move it to the button that was used
+/// last, e.g. "Run", which reacts to Return.
 void focusPage(QWidget& page) {
     const QList<QAbstractItemView*> views = page.findChildren<QAbstractItemView*>();
     const auto view = std::ranges::find_if(

@@ -15,7 +15,7 @@ namespace tiller::app {
 
 namespace {
 
-/// This value is never reset, because a terminal may send several events.
+/// The event is never reset, because a terminal may send several console events.
 HANDLE endRequested() {
     static const HANDLE event = CreateEventW(nullptr, TRUE, FALSE, nullptr);
     return event;
@@ -24,8 +24,9 @@ HANDLE endRequested() {
 BOOL WINAPI onConsoleEvent(DWORD type) {
     SetEvent(endRequested());
     if (type != CTRL_C_EVENT && type != CTRL_BREAK_EVENT) {
-        // The window of the terminal closes, or the user logs off: Windows ends the process when this function
-        // returns, or after a few seconds. Before that, the main thread stops the motion and ends the process.
+        // The window of the terminal closes, or the user logs off: Windows ends the process when this
+        // function returns, or after a few seconds. Before that, the main thread stops the motion and ends
+        // the process.
         Sleep(INFINITE);
     }
     return TRUE;
@@ -72,7 +73,7 @@ void waitForTermination() {
 bool waitForTermination(std::chrono::milliseconds atMost) {
     const sigset_t set = terminationSignals();
 #ifdef __APPLE__
-    // Poll, because macOS has no sigtimedwait().
+    // macOS has no sigtimedwait(), so wait for the whole time and then check for a pending signal.
     std::this_thread::sleep_for(atMost);
     sigset_t pending;
     sigpending(&pending);

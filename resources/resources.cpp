@@ -3,7 +3,7 @@
 
 #include <QDir>
 
-// Outside every namespace: the macro declares a function of the generated code.
+// The macro must be outside all namespaces, because it declares a function of generated code.
 static void initTillerResources() {
     Q_INIT_RESOURCE(tiller_resources);
 }

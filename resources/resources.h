@@ -3,7 +3,8 @@
 
 namespace tiller {
 
-/// Makes ":/tiller/..." available; needed because the files live in a static library. Cheap to call again.
+/// Registers the resources under ":/tiller/". Required because they are in a static library. Further calls
+/// have no effect.
 void initResources();
 
 }  // namespace tiller

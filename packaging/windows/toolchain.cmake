@@ -16,5 +16,5 @@ set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
 set(CMAKE_CROSSCOMPILING_EMULATOR /usr/bin/wine)
-# Headers without templates of another architecture; they are not in the root path.
+# Eigen consists of architecture-independent headers. Use those of Debian, which are outside the root path.
 set(Eigen3_DIR /usr/share/eigen3/cmake)

@@ -61,7 +61,8 @@ struct RobotEvent {
 };
 
 struct RobotOptions {
-    /// RTDE outputs to receive; empty: receive::defaultFields(). The fields that confirm outputs are always added.
+    /// RTDE outputs to receive; empty: receive::defaultFields(). The fields that confirm outputs are always
+    /// added.
     std::vector<std::string> fields = {};
     double frequency = 0;  ///< data rate [packets/s]; 0: maximum of the controller
     int portOffset = 0;    ///< added to 29999, 30001 and 30004
@@ -101,7 +102,8 @@ public:
     ///          has changed
     /// Blocks   until the deadline
     Result<void> connect(const Deadline& deadline);
-    /// Stops the arm, releases control, ends the recording and closes all connections. No effect if not connected.
+    /// Stops the arm, releases control, ends the recording and closes all connections. No effect if not
+    /// connected.
     /// Blocks   about 1 s at most, even if the robot does not respond, and until the event handler returns
     void disconnect();
 

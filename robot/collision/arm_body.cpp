@@ -75,7 +75,8 @@ std::vector<LinkCapsule> armCapsules(const RobotModel& model) {
     const DhParameters& dh = model.dh;
     const double upper = std::abs(dh.a[1]);
     const double fore = std::abs(dh.a[2]);
-    // A housing is a cylinder, whose edges extend slightly beyond a capsule of the same radius.
+    // The edges of a cylindrical housing extend beyond a capsule of the same radius, so the capsule is larger
+    // by this factor.
     constexpr double kDrum = 1.15;
     constexpr double kHalf = 0.5;  // half length of the capsule in units of its radius
     const auto drum = [](int link, const Eigen::Vector3d& centre, int axis, double radius) {

@@ -153,7 +153,7 @@ void CollisionCheck::addPairs(std::size_t body, bool isTool) {
 /// Two bodies with two joints between them never come closer than a certain minimum distance. If there is no
 /// contact at this distance, the pair is not checked, regardless of the safety distance.
 std::vector<std::pair<std::size_t, std::size_t>> CollisionCheck::findNeverMeeting() const {
-    constexpr int kSteps = 36;              // per turn
+    constexpr int kSteps = 36;              // steps per turn
     constexpr double kNeverNearer = 0.002;  // tolerance for minima between two steps [m]
     constexpr int kJointsBetween = 2;
     std::vector<std::pair<std::size_t, std::size_t>> found;
@@ -212,7 +212,7 @@ void CollisionCheck::dropPairsThatNeverMeet(NeverMeeting* known) {
 /// If the arm is mounted upright, the distance of the shoulder from a horizontal border is the same for all
 /// joint positions. Such pairs are not checked, even if their distance is below the safety distance.
 void CollisionCheck::dropWhatNeverNearsABorder() {
-    constexpr int kSteps = 4;              // per turn; the height is a sine function of each joint position
+    constexpr int kSteps = 4;  // steps per turn; the height is a sine function of each joint position
     constexpr double kSameHeight = 0.002;  // tolerance: a calibrated axis is not horizontal [m]
     constexpr int kLastFixedLink = 2;      // joint 3 changes the height
     std::array<Placement, kSteps * kSteps> placements;
@@ -244,8 +244,8 @@ void CollisionCheck::dropWhatNeverNearsABorder() {
     });
 }
 
-/// Maximum distance from any point of the body to each joint axis, for the joints between `fromLink` and the
-/// body.
+/// Upper bound of the distance of any point of the body from each joint axis, for the joints between
+/// `fromLink` and the body.
 Vector6 CollisionCheck::radii(const LinkCapsule& body, int fromLink) const {
     Vector6 result = Vector6::Zero();
     double chain = std::max(body.shape.from.norm(), body.shape.to.norm()) + body.shape.radius;

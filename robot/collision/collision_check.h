@@ -18,8 +18,8 @@ namespace tiller::collision {
 
 /// A smaller distance counts as contact [m].
 inline constexpr double kTouching = 0.0003;
-/// A move that starts within the safety distance may come closer by this amount, because the joint positions of an
-/// arm at rest vary slightly [m].
+/// A move that starts within the safety distance may come closer by this amount, because the measured joint
+/// positions of an arm at rest vary [m].
 inline constexpr double kSafetyTolerance = 0.0005;
 
 /// Two bodies in contact.

@@ -62,7 +62,7 @@ Result<Answer> solve(Controller& controller, const Pose& pose, const InverseOpti
     const QString context = QString::fromLatin1(kContext);
     const ControllerStatus status = d.loop.status();
     const JointPositions near = options.near.value_or(JointPositions(status.q));
-    // In older software, an unreachable pose ends the program. The query is then not sent.
+    // In older software, a query for an unreachable pose ends the program. Such a query is not sent.
     if (!d.program.needs({5, 10, 0, 0}, {3, 15, 0, 0}, context) &&
         !kinematics::inverseNearest(arm.dh, pose, Pose::fromArray(status.tcpOffset), near)) {
         return Error{ErrorCode::NoSolution, context, {}};

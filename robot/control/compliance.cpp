@@ -33,7 +33,7 @@ Result<void> Compliance::setForceMode(const ForceMode& mode, const Deadline& dea
     const std::uint64_t stops = stops_.value_or(d.mailbox.epoch().stops());
     ArgumentCheck check = ArgumentCheck(kContext).pose("taskFrame", mode.taskFrame);
     const Vector6 wrench = mode.wrench.vector();
-    // This limit exceeds the force of all arms. The controller's own limits are lower.
+    // These limits exceed the force and torque of all arms. The controller's own limits are lower.
     constexpr double kHighestForce = 1000.0;
     constexpr double kHighestTorque = 200.0;
     for (int i = 0; i < 6; ++i) {

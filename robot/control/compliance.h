@@ -21,7 +21,7 @@ struct ForceMode {
         Motion = 3,         ///< x is the TCP velocity projected onto the x-y plane of the task frame
     };
     Pose taskFrame;                   ///< in the base frame
-    std::array<bool, 6> compliant{};  ///< for each axis of the force frame
+    std::array<bool, 6> compliant{};  ///< true: the axis of the force frame is compliant
     Wrench wrench;                    ///< target force and torque on the compliant axes [N, Nm]
     Type type = Type::Simple;
     /// Compliant axes: maximum speed [m/s, rad/s]. Other axes: maximum deviation [m, rad]. All values must be

@@ -22,7 +22,8 @@ enum class ControlLoss : std::uint8_t {
     NotTaken,       ///< takeControl() has not been called
     Taking,         ///< takeControl() is running
     Released,       ///< release() was called
-    ScriptStopped,  ///< pendant, another program or safety stop ended or paused the control program
+    ScriptStopped,  ///< the teach pendant, another program or a safety stop ended or paused the control
+                    ///< program
     EchoStalled,    ///< the control program is reported as running, but does not respond
     LinkLost,       ///< the connection failed or no data arrive
     OwnScript,      ///< a user script is running in place of the control program

@@ -159,7 +159,8 @@ void Controller::leave(Supervision supervision) {
         stopEndless();
         d_->loop.permitFinish();
         d_->link.wake();
-        // This typically takes 5 ms. If the robot does not respond, its program ends the motion.
+        // The robot typically receives the permission within 5 ms. If the robot does not respond, its program
+        // ends the motion.
         waitUntil(Deadline::after(kLastWords),
                   [this] { return !d_->isInControl() || d_->loop.isFinishPermitted(); });
     });
@@ -194,7 +195,7 @@ Result<MotionId> Controller::Private::start(const MotionCommand& command, std::u
     if (id == kNoMotion) {
         return stoppedBefore(context);
     }
-    // Control may have been lost since the check. This motion must then be ended here.
+    // If control was lost after the check, end the motion here.
     if (!loop.confirmControl()) {
         mailbox.end(id, StopCause::ControlLost, now());
         return Error{ErrorCode::NotInControl, context, {}};

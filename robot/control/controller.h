@@ -90,9 +90,9 @@ struct ControllerOptions {
 };
 
 /// Owns the thread "control" (SCHED_FIFO at ControllerOptions::priority if permitted). takeControl() starts
-/// the thread; release(), loss of the connection, or the destructor ends it. Its inputs are the epoch (an
-/// atomic word), the newest command (a triple buffer) and the time of the last refresh. Its output is the
-/// status (a seqlock). The thread reads and writes the RTDE socket and answers each packet with one
+/// the thread; release(), loss of the connection, or the destructor ends it. The inputs of the thread are the
+/// epoch (an atomic word), the newest command (a triple buffer) and the time of the last refresh. Its output
+/// is the status (a seqlock). The thread reads and writes the RTDE socket and answers each packet with one
 /// input package. If the stream stalls, a timer still sends stops.
 class Controller {
 public:

@@ -159,7 +159,7 @@ Result<void> Motion::wait(const Deadline& deadline) const {
         return {};
     }
     if (controller_ != nullptr && runsSection(kind_) && now.cause == StopCause::ControlLost) {
-        // The controller's message arrives slightly later on another connection.
+        // The controller's message arrives on another connection, possibly after the end of the motion.
         const Deadline soon =
             Deadline::after(std::min(milliseconds(500), deadline.remaining()), deadline.token());
         auto& d = ControllerAccess::of(*controller_);

@@ -51,8 +51,8 @@ struct MotionProgress {
     double speedScaling = 1;   ///< speed reduction by the controller's own limits, 0 ... 1
 };
 
-/// Values computed at the start of a move. The speed slider and the controller's own limits may reduce the speed
-/// further.
+/// Values computed at the start of a move. The speed slider and the controller's own limits may reduce the
+/// speed further.
 struct MotionPlan {
     std::chrono::duration<double> duration{
         0};            ///< from standstill to standstill, with the speed slider at 100 %
@@ -60,7 +60,7 @@ struct MotionPlan {
     Limiter limiter;   ///< limit that reduces the requested speed, and its factor
 };
 
-/// Copies refer to the same motion. The controller must outlive them.
+/// Copies refer to the same motion. The controller must outlive all copies.
 /// Threads  any
 class Motion {
 public:

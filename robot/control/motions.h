@@ -100,8 +100,8 @@ public:
     Result<Motion> moveL(const Pose& target, const MoveParameters& parameters = {});
     /// Like moveL(), to the TCP pose at these joint positions.
     Result<Motion> moveLToJoints(const JointPositions& target, const MoveParameters& parameters = {});
-    /// Follows the whole path to its last target. The control program is sent again together with the path. The
-    /// arm must be at standstill.
+    /// Follows the whole path to its last target. The control program is sent again together with the path.
+    /// The arm must be at standstill.
     /// start    time limit for sending; use the handle to wait for the end of the path
     /// heartbeatTimeout  as MoveParameters::heartbeatTimeout
     /// Errors   also Timeout, Cancelled, ScriptError (with line and text)
@@ -153,8 +153,8 @@ public:
     /// Errors   also VersionUnsupported (software before 5.25.1, PolyScope X before 10.12.1, CB3)
     Result<JointTorque> startTorque(const TorqueParameters& parameters = {}, Holding holding = Holding::Held);
 
-    /// Ends the active motion, if any; the handle completes at standstill. deceleration > 0: of the leading joint
-    /// [rad/s2]. Source: URScript stopj
+    /// Ends the active motion, if any; the handle completes at standstill. deceleration > 0: of the leading
+    /// joint [rad/s2]. Source: URScript stopj
     Result<Motion> stopJ(double deceleration = 4.0, StopCause cause = StopCause::ApiCall);
     /// Like stopJ(), along the path of the tool. deceleration > 0 [m/s2]; rotationDeceleration [rad/s2], 0:
     /// same value. Source: URScript stopl

@@ -3,7 +3,7 @@
 
 // Sets digital outputs for a time that the robot measures. The outputs are reset even if this process
 // crashes, hangs or loses the connection. The control program measures the time, so a pulse requires control.
-// A secondary program cannot measure it, because it must not take time.
+// A secondary program cannot measure the time, because it must not take time itself.
 
 #include <chrono>
 #include <cstdint>

@@ -43,8 +43,8 @@ public:
 
     std::int64_t endedNs() const override { return endedNs_; }
 
-    // If packets take longer permanently or the robot stalls, follow the packets instead of predicting them.
-    // Missed cycles are not repeated.
+    // If the intervals between packets stay longer than a period or the robot stalls, cycles follow the
+    // packets instead of their predicted times. Missed cycles are not repeated.
     std::int64_t dueNs(const realtime::ArrivalPace& pace) const override {
         if (!isEven_ || report.cycles == 0 || !pace.isSettled() || staleInARow_ >= kMaxConsecutive) {
             return kNoCycleDue;

@@ -4,7 +4,7 @@
 // A control loop synchronized with the robot's clock. The callback runs once per received packet, and its
 // target is sent in the answer to this packet, so that no second timer can drift relative to the robot.
 // Packets arrive less regularly than the robot sends them. By default, the calls are therefore evenly spaced
-// and continue for a few cycles without packets (Pacing::Even).
+// and continue for up to five cycles without packets (Pacing::Even).
 
 #include <cstdint>
 #include <functional>
@@ -39,8 +39,8 @@ struct CycleState {
     /// All received values of this packet: the members above, force, modes and ControllerOptions::fields.
     /// Valid during the callback only; copy the sample to keep it.
     const receive::Sample* packet = nullptr;
-    /// Typed access to `packet`, e.g. `state.robot().tcpForce()`, `state.robot().number("actual_current", 2)`.
-    /// Values that are not received are NaN.
+    /// Typed access to `packet`, e.g. `state.robot().tcpForce()`, `state.robot().number("actual_current",
+    /// 2)`. Values that are not received are NaN.
     receive::RobotState robot() const { return receive::RobotState(packet != nullptr ? *packet : kNoPacket); }
 
 private:
@@ -64,12 +64,13 @@ struct CycleReport {
 
 /// When the cycle for a packet starts.
 enum class Pacing {
-    /// At regular intervals. Cycles start at a fixed delay after the usual arrival of the packets: the delay
-    /// that only one packet in a thousand exceeds (at most 0.5 ms and a quarter of a period), plus a small
-    /// margin. At a real-time priority, the whole wait is a busy wait, otherwise only the last 0.1 ms. If a
-    /// packet has not arrived in time, its cycle runs without it (CycleState::fresh), up to five times in a
-    /// row. The timing is known 300 packets after takeControl() (0.6 s at 500 Hz). Until then, cycles start
-    /// on arrival. If the previous callback is still running when a packet arrives, the delay is reduced.
+    /// At regular intervals. Cycles start at a fixed delay after the expected arrival of the packets: the
+    /// delay that only one packet in a thousand exceeds (at most 0.5 ms and a quarter of a period), plus a
+    /// small margin. At a real-time priority, the whole wait is a busy wait, otherwise only the last 0.1 ms.
+    /// If a packet has not arrived in time, its cycle runs without it (CycleState::fresh), up to five times
+    /// in a row. The timing is known 300 packets after takeControl() (0.6 s at 500 Hz). Until then, cycles
+    /// start on arrival. If the previous callback is still running when a packet arrives, the delay is
+    /// reduced.
     Even,
     /// On arrival of the packet: newest data, with the jitter of the network.
     AtOnce,

@@ -46,8 +46,8 @@ Result<void> bringBack(Controller::Private& d, bool hasEnded, bool regains) {
     const UnderWay cancellable(d, deadline);
     const auto plays = [&d] { return d.loop.status().runtimeState == RuntimeState::Playing; };
     const auto isOver = [&] { return !d.link.isRunning() || !plays(); };
-    // If the script has ended and a program still runs or is paused, that program belongs to another client and
-    // must not be stopped.
+    // If the script has ended and a program still runs or is paused, that program belongs to another client
+    // and must not be stopped.
     const auto isStopped = [&] {
         return !d.link.isRunning() || d.loop.status().runtimeState == RuntimeState::Stopped;
     };
@@ -68,8 +68,8 @@ Result<void> bringBack(Controller::Private& d, bool hasEnded, bool regains) {
             connected = client.send(QStringLiteral("stop program\n"), Deadline::after(milliseconds(100)));
         }
         isStopSent = connected.ok();
-        // Wait for the end of the script. Otherwise, the stop could reach the robot after the control program
-        // and end it.
+        // Wait for the end of the script. Otherwise, the stop could reach the robot after the start of the
+        // control program and end that program.
         waitUntil(Deadline::after(milliseconds(500), deadline.token()), isOver);
     }
     if (!d.link.isRunning()) {
@@ -131,9 +131,9 @@ Result<void> watchScript(Controller::Private& d, RunningScript& run, const QStri
     std::uint64_t statesAtEnd = 0;
     Error bad;
     const auto settled = [&] {
-        // The reason for the end arrives slightly later on another connection, but before the second robot
-        // state from now. The next state may have been sent before the reason. The data that report the end
-        // may arrive after the message.
+        // The message with the reason for the end arrives on another connection, possibly after the data that
+        // report the end, but before the second robot state from now. The next state may have been sent
+        // before the reason. The data that report the end may arrive after the message.
         const ControllerStatus now = d.loop.status();
         const bool receivedAll =
             messageDeadline &&

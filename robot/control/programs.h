@@ -30,11 +30,11 @@ struct ScriptTerms {
     /// The program does not start if the number of stops (Controller::stops()) differs from this value.
     std::optional<std::uint64_t> stops = {};
     /// Called once in the calling thread, immediately before the program is sent, with the motion that
-    /// represents it. Ending this motion ends the program. Returns false to cancel the start. Not called for
-    /// an unattended program.
+    /// represents the program. Ending this motion ends the program. Returns false to cancel the start. Not
+    /// called for an unattended program.
     std::function<bool(const Motion& run)> starting = {};
-    /// Called in the calling thread after the script has ended without an error. If it returns false, control is not
-    /// taken again, e.g. because the script was stopped on the robot.
+    /// Called in the calling thread after the script has ended without an error. If it returns false, control
+    /// is not taken again, e.g. because the script was stopped on the robot.
     std::function<bool()> regainsControl = {};
     /// If false, control is lost when the script ended because data or heartbeats did not arrive (LinkLost).
     bool regainsAfterDataGap = true;
@@ -51,18 +51,18 @@ public:
     /// Runs a function body inside the control program, with the same stop functions and heartbeat timeout.
     /// The handle completes when the function returns.
     /// name   of the function in messages: letters, digits and _, not starting with a digit
-    /// body   script lines without def and end; each block must be closed by its own `end` (else InvalidArgument).
-    ///        Names starting with tiller_ are reserved
+    /// body   script lines without def and end; each block must be closed by its own `end` (else
+    ///        InvalidArgument). Names starting with tiller_ are reserved
     Result<Motion> startFunction(const Text& name, const Text& body, const Deadline& start,
                                  Holding holding = Holding::Free);
 
     /// Runs a complete program instead of the control program, waits for its end and takes control again.
     /// Controller::stop() or an expired deadline ends the program.
     /// program      `def ... end`, or a sequence of lines. Names starting with tiller_heartbeat are reserved
-    /// supervision  Heartbeat: an inserted watchdog thread ends the program after 100 ms without a heartbeat of
-    ///              this process; the controller then decelerates as at the end of any program. Unattended: the
-    ///              program is sent unchanged; if this process crashes or the connection is lost, the arm moves
-    ///              until the program is complete
+    /// supervision  Heartbeat: an inserted watchdog thread ends the program after 100 ms without a heartbeat
+    ///              of this process; the controller then decelerates as at the end of any program.
+    ///              Unattended: the program is sent unchanged; if this process crashes or the connection is
+    ///              lost, the arm moves until the program is complete
     Result<void> runScript(const Text& program, const Deadline& deadline,
                            Supervision supervision = Supervision::Heartbeat);
     /// Like runScript() above.

@@ -14,8 +14,9 @@
 // At the end of a torque stream, the control program decelerates in two steps. First, it applies torques
 // against the motion, based on the inertia and within the joint limits. All joint speeds then decrease with a
 // time constant of 33 ms, assisted by the uncompensated friction. When no joint is faster than 0.05 rad/s, or
-// after 100 ms, it stops in position control as after other motions (or as requested by stopJ, stopL). If the
-// safety system or a person ends or pauses the program, the controller decelerates the arm.
+// after 100 ms, the control program stops the arm in position control as after other motions (or as requested
+// by stopJ, stopL). If the safety system or a person ends or pauses the program, the controller decelerates
+// the arm.
 
 #include <array>
 
@@ -36,7 +37,7 @@ struct ServoParameters {
 };
 
 struct CircularServoParameters {
-    double speed = 0.25;        ///< of the tool [m/s]
+    double speed = 0.25;        ///< tool speed [m/s]
     double acceleration = 1.2;  ///< [m/s2]
     double blend = 0;           ///< 0 ... 2 [m]
 };

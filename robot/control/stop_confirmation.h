@@ -18,7 +18,7 @@ struct StopEvidence {
     std::int64_t dataNs = 0;          ///< arrival time of the newest sample
     bool moving = true;               ///< the newest sample reports motion
     double tcpSpeed = 0;              ///< [m/s]
-    double jointSpeed = 0;            ///< of the fastest joint [rad/s]
+    double jointSpeed = 0;            ///< speed of the fastest joint [rad/s]
     bool stopped = false;             ///< no program is running
     bool inControl = false;           ///< from control data not older than 100 ms
     std::uint64_t restingEpoch = 0;   ///< ControllerStatus::restingEpoch

@@ -21,7 +21,7 @@ public:
         std::int64_t hostNs = 0;  ///< arrival time
         Eigen::Vector3d tcpPosition = Eigen::Vector3d::Zero();
         double tcpSpeed = 0;    ///< [m/s]
-        double jointSpeed = 0;  ///< of the fastest joint [rad/s]
+        double jointSpeed = 0;  ///< speed of the fastest joint [rad/s]
     };
 
     /// requestNs  time of the stop request. Does not interrupt a measurement in progress.

@@ -41,7 +41,7 @@ private:
     Result<void> fail(int systemError, const QString& reason);
     void discard();
 
-    QString path_;       ///< with symbolic links resolved
+    QString path_;       ///< path of the target file, with symbolic links resolved
     QString what_;       ///< context of errors
     QString temporary_;  ///< name of the temporary file; empty if it has no name
     QFile file_;

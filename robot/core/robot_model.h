@@ -59,7 +59,7 @@ struct RobotModel {
     double reach = 0;                ///< [m]
     double maxPayload = 0;           ///< [kg]
     DhParameters dh;
-    std::array<double, 6> maxJointSpeed{};     ///< [rad/s], limit of the robot
+    std::array<double, 6> maxJointSpeed{};     ///< rated joint speed [rad/s]
     std::array<double, 6> maxTorque{};         ///< [Nm]
     std::array<double, 6> torquePerCurrent{};  ///< [Nm/A], on the joint side
     std::array<LinkInertia, 6> links;

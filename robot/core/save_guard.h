@@ -11,8 +11,8 @@
 
 namespace tiller {
 
-/// Held by one thread for milliseconds. On file systems without locks, the guard always succeeds, and only
-/// the comparison before the write protects the file.
+/// A thread holds the guard only for milliseconds. On file systems without locks, the guard always succeeds,
+/// and only the comparison before the write protects the file.
 class SaveGuard {
 public:
     /// Waits until no other process or thread holds the guard for the folder of `path`.

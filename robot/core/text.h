@@ -59,10 +59,10 @@ constexpr std::string_view enumeratorName() {
     return colon == std::string_view::npos ? kName : kName.substr(colon + 1);
 }
 
-// Enumerators are searched in the range -1 ... 255 and among the larger powers of two.
+// Enumerators are searched in the range -1 ... 255 and among the powers of two from 2^8 to 2^30.
 inline constexpr std::size_t kPlainCandidates = 257;
 inline constexpr std::size_t kCandidates = kPlainCandidates + 23;
-constexpr std::int64_t candidate(std::size_t i) {  ///< The candidate number i.
+constexpr std::int64_t candidate(std::size_t i) {
     return i < kPlainCandidates ? static_cast<std::int64_t>(i) - 1
                                 : std::int64_t(1) << (i - kPlainCandidates + 8);
 }

@@ -11,8 +11,8 @@
 
 namespace tiller {
 
-/// Polls `happened` at intervals of `look`. For conditions set by another process, or by a thread that must
-/// not make the system call of a notification.
+/// Polls `happened` at intervals of `look`, at most 10 ms. Use it for conditions set by another process, or
+/// by a thread that must not make the system call of a notification.
 /// Returns  true if the condition became true before the deadline
 template <class Happened>
 bool waitUntil(const Deadline& deadline, Happened happened,

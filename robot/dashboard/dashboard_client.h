@@ -2,8 +2,7 @@
 #pragma once
 
 // Client of the dashboard server of CB3 and e-Series (port 29999): power, brakes, recovery, programs,
-// identification.
-// One line per request, one line per reply.
+// identification. The protocol uses one line per request and one line per reply.
 
 #include <QString>
 #include <memory>

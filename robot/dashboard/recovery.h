@@ -19,9 +19,9 @@ using tiller::operator<<;  // makes the enumerations below printable
 /// Explicit consents of the caller for one recovery. The default permits no action.
 struct RecoveryConsent {
     bool causeInspected = false;  ///< the cause was inspected: required to unlock a protective stop
-    bool restartSafety = false;   ///< after a violation or fault: the arm loses power
-    bool powerOn = false;         ///< the arm is powered
-    bool releaseBrakes = false;   ///< the arm may move slightly
+    bool restartSafety = false;   ///< the safety system may be restarted, for which the arm loses power
+    bool powerOn = false;         ///< the arm may be powered on
+    bool releaseBrakes = false;   ///< the brakes may be released, during which the joints can move
 };
 
 enum class RecoveryStep {

@@ -26,7 +26,7 @@ constexpr double kGravity = 9.82;     // [m/s2]
 constexpr double kMaxJoint = 100;     // [rad], larger values mean a damaged file
 constexpr double kMaxMassKg = 1000;   // [kg]
 constexpr std::uint64_t kRowsAtOnce = 4096;
-constexpr double kTeachButton = 4;  // bit of robot_status_bits
+constexpr double kTeachButton = 4;  // value of the freedrive button in robot_status_bits
 
 const Quantity kQuantities[kQuantityCount] = {Quantity::JointPosition, Quantity::TcpPosition,
                                               Quantity::JointCurrent, Quantity::TcpForce};
@@ -198,9 +198,10 @@ Result<Eigen::Vector3d> gravityOf(Rows& rows, const RobotModel& model, recording
     return Eigen::Vector3d(found.normalized() * kGravity);
 }
 
-/// Determines the models whose kinematics explain the recorded TCP poses. The TCP offset that follows from the pose and
-/// the joint positions is the recorded one, or at least the same in all rows. The poses of a calibrated arm differ from
-/// those of its nominal model by a few millimetres, and from those of other models by several centimetres.
+/// Determines the models whose kinematics explain the recorded TCP poses: with such a model, the TCP offset
+/// computed from the pose and the joint positions equals the recorded offset, or is at least the same in all
+/// rows. The poses of a calibrated arm differ from those of its nominal model by millimetres, and from those
+/// of other models by centimetres.
 /// Returns  empty if the poses fit no model, e.g. because of a tool change, or were not recorded
 Result<std::vector<RobotModelId>> modelsFitting(Rows& rows, recording::RowRange range) {
     constexpr std::uint64_t kSpots = 100;

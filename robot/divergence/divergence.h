@@ -63,8 +63,8 @@ struct Difference {
     Quantity quantity = Quantity::JointPosition;
     int joint = -1;         ///< 0 base ... 5 wrist 3; -1: TCP
     std::uint64_t row = 0;  ///< row number in the recording
-    double seconds = 0;     ///< on the time axis of the recording
-    double amount = 0;      ///< in the unit of the quantity
+    double seconds = 0;     ///< time on the time axis of the recording [s]
+    double amount = 0;      ///< size of the deviation in the unit of the quantity
 };
 
 /// The result for one quantity.
@@ -83,11 +83,11 @@ struct Report {
     /// The model of the recorded arm if it differs from the selected model, according to the recorded TCP poses
     /// or the model named in the recording.
     std::optional<RobotModelId> otherModel = {};
-    /// True if the recording states `model`, or if its TCP poses fit no other model. If false, an arm of another model
-    /// may not differ from `model` in the compared values.
+    /// True if the recording states `model`, or if its TCP poses fit no other model. If false, the arm could
+    /// be of another model whose compared values do not differ from those of `model`.
     bool isModelConfirmed = false;
-    /// Gravity vector in the base frame [m/s2], derived from the controller's torques, or that of an upright
-    /// arm if this is not possible.
+    /// Gravity as measured by an accelerometer at the base [m/s2], derived from the controller's torques, or
+    /// the value of an upright arm if this is not possible.
     Eigen::Vector3d gravity = Eigen::Vector3d(0, 0, 9.82);
     std::uint64_t rows = 0;     ///< number of rows read
     std::uint64_t leftOut = 0;  ///< rows excluded: arm without power, guided by hand, or after a gap

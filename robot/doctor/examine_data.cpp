@@ -24,7 +24,7 @@ constexpr int kListenMs = 6000;
 constexpr double kLookSeconds = 0.5;
 /// Below this fraction of the expected packets, the data rate is not sufficient for control.
 constexpr double kMinShare = 0.9;
-/// The registers used by control.script, counted from the start of a range.
+/// Number of registers used by control.script, from the start of a range.
 constexpr int kIntRegisters = 11;
 constexpr int kDoubleRegisters = 18;
 

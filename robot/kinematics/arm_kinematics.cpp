@@ -159,7 +159,7 @@ Matrix6 jacobian(const DhParameters& dh, const JointPositions& q, const Pose& tc
 
 InverseSolutions inverse(const DhParameters& dh, const Eigen::Isometry3d& T_base_flange,
                          double wrist3AtSingularity) {
-    // Rounding can move poses on the boundary of the workspace slightly outside.
+    // Tolerance for poses on the boundary of the workspace, which rounding can move outside.
     constexpr double kEdge = 1e-8;
     constexpr double kWristSingular = 1e-8;
 

@@ -28,7 +28,7 @@ struct PayloadEstimate {
     enum class Problem {
         None,
         TooFew,     ///< fewer than kMinPayloadPoses
-        NotFinite,  ///< the robot does not send forces
+        NotFinite,  ///< a reading is not finite, e.g. because the robot does not send forces
         TooAlike,   ///< the flange was rotated too little, or about one axis only
         NoWeight,   ///< too light for the sensor; the mass is valid, the centre of gravity is not
     };

@@ -64,7 +64,7 @@ SpeedBound lineSpeedBound(const DhParameters& dh, const JointPositions& from, co
     const double length = line.norm();
     const Eigen::Matrix3d R_start = rotationMatrix(start.rotation);
     const Eigen::Vector3d turn = rotationVector(R_start.transpose() * rotationMatrix(to.rotation));
-    // The measured position of an arm at rest varies by a few hundredths of a millimetre.
+    // The measured position of an arm at rest varies by less than 0.1 mm.
     constexpr double kOnTheSpot = 1e-4;  // [m]
     constexpr double kNoTurn = 1e-6;     // [rad]
     const bool onTheSpot = length < kOnTheSpot;

@@ -11,7 +11,8 @@ namespace tiller::live {
 
 namespace {
 
-// Two or three packets at 500 Hz. A shorter interval would not be visible.
+// Interval between two transmissions: two or three packets at 500 Hz. A shorter interval would not be
+// visible.
 constexpr std::chrono::milliseconds kSendEvery{5};
 
 }  // namespace

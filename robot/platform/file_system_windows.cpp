@@ -58,7 +58,7 @@ bool isDiskFull(int error) {
 }
 
 bool lock(int descriptor) {
-    // A lock prevents others from reading the locked bytes, so it is far behind the end of the file.
+    // A lock prevents others from reading the locked byte, so this byte is far behind the end of the file.
     OVERLAPPED place{};
     place.OffsetHigh = 0x7fffffff;
     return LockFileEx(handleOf(descriptor), LOCKFILE_EXCLUSIVE_LOCK | LOCKFILE_FAIL_IMMEDIATELY, 0, 1, 0,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "robot/platform/detail/system_socket.h"
-// After winsock2.h
+// This header must be included after winsock2.h.
 #include <mstcpip.h>
 #include <timeapi.h>
 
@@ -35,7 +35,7 @@ int poll(WSAPOLLFD* items, ULONG count, std::chrono::nanoseconds atMost) {
     return WSAPoll(items, count, static_cast<int>(ms.count()));
 }
 
-/// Without it, waits end up to 16 ms late.
+/// Sets the resolution of the system timer. With the default resolution, waits end up to 16 ms late.
 void keepTimersPrecise() {
     timeBeginPeriod(1);
     // Windows 11 ignores the line above and slows down a program whose window is minimized or covered.

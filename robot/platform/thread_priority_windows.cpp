@@ -41,7 +41,7 @@ double threadSeconds() {
     if (GetThreadTimes(GetCurrentThread(), &created, &ended, &kernel, &user) == 0) {
         return 0;
     }
-    // In units of 100 ns
+    // Converts a time to a number of 100 ns units.
     const auto ticks = [](const FILETIME& time) {
         return static_cast<double>(time.dwHighDateTime) * 4294967296.0 +
                static_cast<double>(time.dwLowDateTime);

@@ -22,7 +22,7 @@ struct CellBox {
     QUuid id;
     QString name;
     QUuid frame;  ///< frame of `pose`; null: base frame. If the frame does not exist, the position is unknown
-    Pose pose;    ///< pose of the centre; the edges are parallel to its axes [m, rad]
+    Pose pose;    ///< pose of the centre; the edges are parallel to the axes of this pose [m, rad]
     Eigen::Vector3d size = Eigen::Vector3d::Constant(0.1);  ///< edges along X, Y, Z [m]
     bool enabled = true;                                    ///< false: neither displayed nor checked
     QJsonObject extra;  ///< unknown fields of the file, preserved when saving

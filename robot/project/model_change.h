@@ -16,7 +16,8 @@ bool isSameGeometry(RobotModelId a, RobotModelId b);
 /// True if the project contains data that depend on the arm: waypoints, positions, patterns or paths.
 bool hasTaughtPlaces(const Project& project);
 
-/// True if the project was taught with an arm of different geometry. False if the file does not contain the model.
+/// True if the project was taught with an arm of different geometry. False if the file does not contain the
+/// model.
 bool isOfOtherModel(const Project& project, RobotModelId connected);
 
 enum class Keep {

@@ -36,9 +36,9 @@ struct Pattern {
     /// waypoints. Its pose is the target, and its frame is the frame of the pattern.
     Waypoint first;
     Eigen::Vector3d columnEnd =
-        Eigen::Vector3d::Zero();  ///< position at the end of the first row, in this frame [m]
+        Eigen::Vector3d::Zero();  ///< position at the end of the first row, in the frame of the pattern [m]
     Eigen::Vector3d rowEnd =
-        Eigen::Vector3d::Zero();  ///< position at the start of the last row, in this frame [m]
+        Eigen::Vector3d::Zero();  ///< position at the start of the last row, in the frame of the pattern [m]
     int columns = 1;              ///< positions per row
     int rows = 1;
     int layers = 1;
@@ -56,7 +56,7 @@ struct Pattern {
 };
 using PatternList = EntityList<Pattern>;
 
-/// The positions of a pattern in order, without the skipped ones.
+/// The positions of a pattern in order, without the excluded cells.
 /// Threads  any. Blocks: never
 std::vector<PatternPlace> placesOf(const Pattern& pattern);
 

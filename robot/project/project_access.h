@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Access of one window to a project file that other windows, computers and programs can open and change. It
-// holds the lock, records which content this window has read or written, and never replaces any other
+// Access of one window to a project file that other windows, computers and programs can open and change. The
+// object holds the lock, records which content this window has read or written, and never replaces any other
 // content.
 
 #include <QByteArray>
@@ -37,10 +37,11 @@ public:
     /// path  project file, which need not exist. The constructor does not access it
     explicit ProjectAccess(const QString& path);
 
-    // Threads of all calls: any. Blocks: for the file system, and for other calls of the same object. Real-time: no
+    // Threads of all calls: any. Blocks: for the file system, and for other calls of the same object.
+    // Real-time: no
 
-    /// Takes the lock if it is free, and reads the file. A later save is refused if the file no longer has this
-    /// content.
+    /// Takes the lock if it is free, and reads the file. A later save is refused if the file no longer has
+    /// this content.
     /// replaced  revision of the document that the content replaces. Pending saves of this and older
     ///           revisions are skipped.
     /// Errors    as for loadProject()

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The project file: waypoints and frames of a cell, its tools, payloads, positions, patterns and recorded paths,
-// and the surroundings of the arm, in one JSON file ("cell-7.tiller"). Lengths in metres, angles in radians,
-// orientations as rotation vectors, masses in kilograms, times in seconds:
+// The project file: waypoints and frames of a cell, its tools, payloads, positions, patterns and recorded
+// paths, and the surroundings of the arm, in one JSON file ("cell-7.tiller"). Lengths in metres, angles in
+// radians, orientations as rotation vectors, masses in kilograms, times in seconds:
 //
 //   { "format": "tiller-project", "version": 2, "robot": "UR5e",
 //     "frames":    [ { "id", "name", "pose": [x, y, z, rx, ry, rz] } ],
@@ -29,9 +29,9 @@
 // and a step of a program is { "id", "do": kind, "disabled"?: true, "steps"?: [ a step ], and the fields of its kind }.
 //
 // Version 1 had frames and waypoints only. Fields with a question mark are omitted if empty. "format" was
-// "tiller-session" in earlier versions; such files can be read, and are converted when saved. Files are written
-// atomically. A file that cannot be read completely is never overwritten: saving first renames it. Unknown fields
-// are preserved when saving.
+// "tiller-session" in earlier versions; such files can be read, and are converted when saved. Files are
+// written atomically. A file that cannot be read completely is never overwritten: saving first renames it.
+// Unknown fields are preserved when saving.
 
 #include <QByteArray>
 #include <QJsonObject>
@@ -98,8 +98,8 @@ struct OpenedProject {
 /// Identifies the content of a file, to detect changes by other programs.
 QByteArray fingerprintOf(const QByteArray& content);
 
-/// Reads the complete file, or returns the first problem. Only regular files of at most kMaxProjectFileBytes are
-/// read.
+/// Reads the complete file, or returns the first problem. Only regular files of at most kMaxProjectFileBytes
+/// are read.
 /// Errors   FileNotReadable; FileCorrupt with location and reason; VersionUnsupported for a newer file
 /// Threads  any. Blocks: for the file system. Real-time: no
 Result<Project> loadProject(const QString& path);

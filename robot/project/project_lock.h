@@ -35,7 +35,8 @@ public:
     ProjectLock& operator=(const ProjectLock&) = delete;
 
     /// Takes the lock unless a running process holds it.
-    /// Returns  the other owner, if any; empty if the lock was taken, or if the file system does not support locks
+    /// Returns  the other owner, if any; empty if the lock was taken, or if the file system does not support
+    ///          locks
     std::optional<LockOwner> acquire();
     /// Takes the lock even if a running process holds it.
     /// Errors   FileNotWritable, DiskFull

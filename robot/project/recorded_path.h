@@ -24,7 +24,7 @@ struct PathPoint {
 struct RecordedPath {
     QUuid id;
     QString name;
-    Pose tcpOffset;        ///< flange to TCP while it was recorded [m, rad]
+    Pose tcpOffset;        ///< flange to TCP during the recording [m, rad]
     double tolerance = 0;  ///< maximum TCP deviation from the original motion due to the reduction [m]
     std::vector<PathPoint> points;
     QString note;

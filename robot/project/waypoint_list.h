@@ -61,7 +61,8 @@ std::optional<Pose> poseInBase(const Waypoint& waypoint, const FrameList& frames
 std::optional<Waypoint> taughtAt(Waypoint waypoint, const JointPositions& q, const Pose& T_base_tcp,
                                  const Pose& tcpOffset, const FrameList& frames);
 
-/// Expresses the same position in another frame (null: base frame). Only the frame and the stored pose change.
+/// Expresses the same position in another frame (null: base frame). Only the frame and the stored pose
+/// change.
 /// Returns  empty if one of the two frames is not in the list
 std::optional<Waypoint> givenIn(Waypoint waypoint, const QUuid& frame, const FrameList& frames);
 

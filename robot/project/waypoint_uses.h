@@ -12,8 +12,8 @@ namespace tiller::project {
 struct WaypointUse {
     enum class Kind {
         PatternPlace,   ///< the waypoint is a position of the pattern `name`
-        PatternCorner,  ///< the waypoint is a taught corner of the pattern `name`, which depends on it
-        Home,           ///< the position `name`, which is Home, is equal to the waypoint
+        PatternCorner,  ///< the pattern `name` uses the waypoint as a corner
+        Home,           ///< the position `name`, which is the Home position, is equal to the waypoint
         Position,       ///< the position `name` is equal to the waypoint
     };
     Kind kind = Kind::PatternPlace;

@@ -156,7 +156,8 @@ struct Publisher::Worker {
         return blocking.front()->handedOver + kBlockingTimeout;
     }
 
-    /// The entry whose turn is due first; null if none is due yet. Moves `at` to an earlier turn.
+    /// The entry whose turn is due first; null if none is due yet. Sets `at` to the time of this turn, unless
+    /// `at` is earlier.
     Entry nextDue(steady_clock::time_point now, std::optional<steady_clock::time_point>& at) const {
         Entry first;
         for (const Entry& entry : entries) {

@@ -27,8 +27,8 @@ private:
     PyThreadState* thread_;
 };
 
-/// Marks this thread as running the callback of a packet loop. The callback runs in the control thread, so calls that
-/// may wait for that thread raise InvalidArgument.
+/// Marks this thread as running the callback of a packet loop. The callback runs in the control thread, so
+/// calls that may wait for that thread raise InvalidArgument.
 class InCallback {
 public:
     InCallback();

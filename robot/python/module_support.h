@@ -2,8 +2,8 @@
 #pragma once
 
 // Common functions of all Python modules in this folder. Blocking calls release the interpreter and end on
-// Ctrl+C. The keyword names in the listings of the ur_rtde paper are accepted in addition to the released
-// ones. All objects have a docstring, signature and repr, and support `with`.
+// Ctrl+C. The keyword names in the listings of the ur_rtde paper are accepted in addition to those of ur_rtde
+// 1.5.8. All objects have a docstring, signature and repr, and support `with`.
 
 #include <pybind11/chrono.h>
 #include <pybind11/pybind11.h>
@@ -29,8 +29,8 @@ void finishModule(py::module_& module);
 /// Accepted names of the argument for the robot address.
 inline constexpr const char* kHostNames[] = {"hostname", "ip"};
 
-/// An interface that stores its address and process. It is held by OwnHolder or an equivalent holder, so that
-/// a forked child does not destroy it.
+/// An interface that stores its address and process. The holder is OwnHolder or an equivalent type, so that a
+/// forked child does not destroy the interface.
 template <class Interface>
 struct Shown : Interface, ProcessOwned {
     template <class... Arguments>

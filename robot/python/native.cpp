@@ -100,7 +100,8 @@ recording::TableFormat tableFormat(const std::optional<std::string>& timeColumn,
     return format;
 }
 
-/// The error with the arguments of read_recording() instead of the options of tiller-cli, e.g. time_column="none".
+/// The error with the arguments of read_recording() instead of the options of tiller-cli, e.g.
+/// time_column="none".
 Result<void> withArgumentNames(Result<void> result) {
     static const QRegularExpression kOption(QStringLiteral("--([a-z]+)-([a-z]+)(?: (none)| NAME| HZ)?"));
     if (result) {

@@ -23,7 +23,8 @@ using BoxRow = std::tuple<std::string, Six, std::array<double, 3>>;
 /// Python type: (name, pose).
 using PlaneRow = std::tuple<std::string, Six>;
 
-/// Converts to (link, other link or None, name of the object or None, position on the path, joints, distance).
+/// Converts to (link, other link or None, name of the object or None, position on the path, joints,
+/// distance).
 py::object contactTuple(const NativeCollisionCheck& self, const Contact& contact) {
     const collision::Surroundings& around = self.check->surroundings();
     const auto index = static_cast<std::size_t>(contact.other);

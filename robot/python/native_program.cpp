@@ -183,7 +183,8 @@ struct RunParts {
     ProgramExecution execution;
 };
 
-/// The handle of a running program. NativeController also keeps the program, which continues without its handle.
+/// The handle of a running program. NativeController also keeps the program, which continues without its
+/// handle.
 class NativeRun {
 public:
     NativeRun(std::shared_ptr<NativeController> controller, std::shared_ptr<ProgramExecution> execution)
@@ -354,8 +355,8 @@ public:
         replace(program::withoutSteps(current(), {stepId(id)}));
     }
 
-    /// Python type: (id, kind, name, depth, disabled, JSON object of the fields) for each step, in the order of the
-    /// step numbers.
+    /// Python type: (id, kind, name, depth, disabled, JSON object of the fields) for each step, in the order
+    /// of the step numbers.
     py::list steps() const {
         py::list list;
         addSteps(current().steps, 0, list);
@@ -414,8 +415,8 @@ public:
         return result;
     }
 
-    /// Python type: (step number, name, number of the step to continue from, [(mark, reason) for each kind of stop],
-    /// reason why the step was not checked).
+    /// Python type: (step number, name, number of the step to continue from, [(mark, reason) for each kind of
+    /// stop], reason why the step was not checked).
     py::list recoverability(const std::vector<std::tuple<double, int, bool>>& inputs,
                             double timeLimit) const {
         const program::ProgramScript script = validScript({});
@@ -562,7 +563,7 @@ private:
     }
     project::Project project_;
     QUuid program_;
-    QString path_;  ///< of the file; empty: not saved
+    QString path_;  ///< path of the project file; empty: not saved
     QByteArray fingerprint_;
 };
 

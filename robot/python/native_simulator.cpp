@@ -11,7 +11,8 @@ namespace tiller::python {
 
 namespace {
 
-/// A simulator. In virtual time, its clients use its clock and run in lock-step with it.
+/// A simulator. In virtual time, its clients use the clock of the simulator and run in lock-step with the
+/// simulator.
 class NativeSimulator : public ProcessOwned {
 public:
     explicit NativeSimulator(const simulator::SimulatorOptions& options) {

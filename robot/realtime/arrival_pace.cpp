@@ -8,16 +8,16 @@ namespace tiller::realtime {
 
 namespace {
 
-// Both estimates are quantiles that are tracked incrementally: a value above the estimate raises it by `part`
-// of a step, a value below lowers it by (1 - `part`) of a step. Step sizes are fractions of a period. The
-// first steps of the median are large. Later steps are limited to the clock drift, half of 500 ppm in each
+// The median and the margin are quantiles that are tracked incrementally: a value above the estimate raises
+// it by `part` of a step, a value below lowers it by (1 - `part`) of a step. Step sizes are fractions of a
+// period. The first steps of the median are large. Later steps follow a clock drift of up to 250 ppm in each
 // direction.
 constexpr double kFirstStep = 0.1;
 constexpr double kUsualStep = 0.0005;
 constexpr double kMarginStep = 0.01;
 constexpr double kLessStep = 0.0025;
 constexpr double kHighestNs = 500'000;  // upper limit of the margin, unless a quarter of a period is less
-constexpr double kGrace = 0.1;          // fraction of the maximum margin, added for slightly late packets
+constexpr double kGrace = 0.1;          // tolerance added to the margin, as a fraction of the maximum margin
 constexpr double kFirstPackages = 50;   // packets needed for an accurate median
 constexpr double kMedian = 0.5;
 constexpr double kNearlyAll = 0.999;

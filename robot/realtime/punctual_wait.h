@@ -26,8 +26,8 @@ public:
     /// is false.
     void until(const Clock& clock, std::int64_t ns);
 
-    /// Duration of the next busy-wait [ns]: the 99th percentile of the wake-up delays of the last few
-    /// seconds, or 0 if even kMaxAwakeNs would usually be too short.
+    /// Duration of the next busy-wait [ns]: an estimate of the 99th percentile of the recent wake-up delays,
+    /// or 0 if more than half of the recent delays exceeded kMaxAwakeNs.
     std::int64_t awakeNs() const;
     /// Adds a measured wake-up delay [ns]. Called by until(); callers that sleep by other means can call it
     /// too.

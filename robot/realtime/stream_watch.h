@@ -32,7 +32,8 @@ private:
     bool hasTimestamp_ = false;
     bool hasBase_ = false;
     double baseNs_ = 0;  ///< host time minus robot time of the earliest packets
-    // Like baseNs_, but since `settlingSinceNs_`, the start of the current stream without pauses.
+    // `settledNs_` is like `baseNs_`, but only for the packets since `settlingSinceNs_`: since the last pause
+    // of the stream, but for at most 1 s.
     std::int64_t settlingSinceNs_ = 0;
     std::int64_t lastHostNs_ = 0;
     double settledNs_ = 0;

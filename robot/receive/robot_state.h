@@ -72,13 +72,13 @@ public:
     Pose tcpPose() const { return pose("actual_TCP_pose"); }        ///< T_base_tcp
     Pose targetTcpPose() const { return pose("target_TCP_pose"); }  ///< T_base_tcp
     Pose tcpOffset() const { return pose("tcp_offset"); }           ///< T_flange_tcp
-    /// In the base frame [m/s, rad/s].
+    /// TCP velocity in the base frame [m/s, rad/s].
     Twist tcpSpeed() const { return Twist::fromVector(vector6("actual_TCP_speed")); }
-    /// In the base frame [m/s, rad/s].
+    /// Target TCP velocity in the base frame [m/s, rad/s].
     Twist targetTcpSpeed() const { return Twist::fromVector(vector6("target_TCP_speed")); }
-    /// In the base frame [N, Nm].
+    /// Force and torque at the TCP in the base frame [N, Nm].
     Wrench tcpForce() const { return Wrench::fromVector(vector6("actual_TCP_force")); }
-    /// In the flange frame [N, Nm].
+    /// Reading of the force sensor in the flange frame, not zeroed and including the payload [N, Nm].
     Wrench rawWrench() const { return Wrench::fromVector(vector6("ft_raw_wrench")); }
 
     RobotMode robotMode() const;        ///< DISCONNECTED if missing.
@@ -110,7 +110,7 @@ public:
     double payloadMass() const { return number("payload"); }  ///< [kg]
     Eigen::Vector3d payloadCentreOfGravity() const;           ///< flange frame [m]
 
-    /// Output registers that the receiver subscribed to.
+    /// Empty if missing.
     std::optional<int> outputIntRegister(int number) const;
     double outputDoubleRegister(int number) const;  ///< NaN if missing.
 

@@ -58,7 +58,7 @@ private:
     Metadata head_;
     bool isHeaded_ = false;
     std::size_t headSize_ = 0;   ///< size of the lines above the rows in the next part [bytes]
-    std::size_t takenHead_ = 0;  ///< same size for the last part [bytes]
+    std::size_t takenHead_ = 0;  ///< size of the lines above the rows in the last part [bytes]
     RecordedPart part_;
 };
 

@@ -104,8 +104,9 @@ bool hasControlCharacters(std::string_view line) {
     return std::any_of(line.begin(), line.end(), [](char c) { return c >= 0 && c < ' ' && c != '\t'; });
 }
 
-/// decimal  '\0': point or comma. The first number with one of them decides, so that the same file cannot have
-///          thousands separators. A number with the other sign is not accepted.
+/// decimal  '\0': point or comma; the first number that contains one of them determines the decimal
+///          separator. Numbers with the other separator are rejected, because it could be a thousands
+///          separator.
 bool numberOf(std::string_view cell, char& decimal, double& value) {
     if (cell.empty()) {
         value = kNone;
@@ -141,7 +142,7 @@ bool numberOf(std::string_view cell, char& decimal, double& value) {
     return false;
 }
 
-/// Text in another encoding than UTF-8 is read as Latin-1.
+/// Text in an encoding other than UTF-8 is read as Latin-1.
 std::string utf8(std::string_view text) {
     const auto size = static_cast<qsizetype>(text.size());
     QStringDecoder decoder(QStringDecoder::Utf8);
@@ -165,7 +166,7 @@ RecordedColumn columnFrom(std::string_view heading) {
     return column;
 }
 
-/// Splits with any separator, including blanks and none.
+/// Splits a line at the separator, which may be kBlanks or kNoSeparator.
 std::vector<std::string_view> cellsOf(std::string_view line, char separator) {
     if (separator == kBlanks) {
         return blankSeparated(line);
@@ -179,7 +180,7 @@ std::vector<std::string_view> cellsOf(std::string_view line, char separator) {
     return cells;
 }
 
-/// Octave, gnuplot and numpy write comments; "%time" is a heading of ROS.
+/// True for comment lines as written by Octave, gnuplot and numpy, but not for "%time", a heading of ROS.
 bool isComment(std::string_view line) {
     return line.starts_with('#') || line.starts_with("% ") || line.starts_with("%%");
 }
@@ -203,7 +204,7 @@ struct TextLayout {
     char separator = kNoSeparator;
     char decimal = '\0';  ///< '\0': the first number with a decimal separator decides
     bool hasHeader = true;
-    std::string headingInComment{};  ///< header in a comment line; `hasHeader` is false then
+    std::string headingInComment{};  ///< header in a comment line; if set, `hasHeader` is false
 };
 
 class LayoutFinder {
@@ -313,7 +314,7 @@ private:
         }
     }
 
-    /// Numbers such as "1,5" without a header.
+    /// True if every line has the form "1,5", so that the comma can be a separator or a decimal comma.
     bool isCommaUnclear() const {
         return layout_.separator == ',' && !format_.separator && !format_.decimal &&
                std::all_of(lines_.begin(), lines_.end(), [](std::string_view line) {
@@ -383,7 +384,7 @@ public:
             return failure(QStringLiteral("the file contains no numbers below the header"));
         }
         if (const Result<void> finished = finish(); !finished) {
-            // A first line without rows is only a table if it has the time column of a recording.
+            // A first line without rows is a table only if it contains the time column of a recording.
             return rows_ == 0 ? failure(QStringLiteral("the file is not a table of numbers"))
                               : finished.error();
         }

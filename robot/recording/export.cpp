@@ -204,7 +204,7 @@ Result<ExportReport> exportCsv(const Recording& recording, const ExportChoice& c
     if (const Result<void> opened = file.open(); !opened) {
         return opened.error();
     }
-    // Times that are not in a column of the recording.
+    // If no column of the recording contains the times, a time column is added.
     const bool hasOwnTime = !recording.timeColumn();
     // Other programs write time stamps in other units, so the unit of a time is written unless the file is
     // recognized as that of a robot.

@@ -20,8 +20,8 @@ namespace tiller::recording {
 struct ExportChoice {
     Text path = {};  ///< an existing file is replaced atomically
     /// Names of columns, or of fields for all their components; empty: all. Text and MCAP files always
-    /// contain the time column of the recording. If it is not listed, it becomes the first column. HDF5 files
-    /// contain `time`, and so do text files if the recording has no time column.
+    /// contain the time column of the recording. A time column that is not listed becomes the first column.
+    /// HDF5 files contain `time`, and so do text files if the recording has no time column.
     std::vector<std::string> columns = {};
     double from = 0;                                         ///< [s] on the time axis
     double until = std::numeric_limits<double>::infinity();  ///< [s]
@@ -65,8 +65,8 @@ struct RowNote {
     std::uint64_t row = 0;  ///< number of rows before the note
     RecordedNote note;
 };
-/// Writes the notes, warnings and errors of the CSV file `path` to a second file, "a.notes.csv" for "a.csv". If
-/// there are none, removes an older second file.
+/// Writes the notes, warnings and errors of the CSV file `path` to a second file, "a.notes.csv" for "a.csv".
+/// If there are none, removes an older second file.
 /// Errors  FileNotWritable, DiskFull
 Result<void> writeCsvNotes(const Text& path, const std::vector<RowNote>& notes);
 

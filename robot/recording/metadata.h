@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The metadata of a recording: the robot, and what the user states about the experiment, such as the operator or
-// the sample.
+// The metadata of a recording: the robot, and what the user states about the experiment, such as the operator
+// or the sample.
 
 #include <QString>
 #include <map>

@@ -34,7 +34,7 @@ constexpr milliseconds kWriteEvery{100};
 // Interval for syncing data to the disk. Limits the loss of data in a power failure.
 constexpr milliseconds kSyncEvery{500};
 constexpr milliseconds kLookAtDiskEvery{1000};
-// About 256 KB of text.
+// Number of samples after which data are written: about 256 KB of text.
 constexpr std::size_t kWriteAtSamples = 256;
 constexpr int kInfoLevel = 20;  // as in rcl_interfaces/Log
 
@@ -59,7 +59,7 @@ QStringList notFollowed(const std::vector<std::string>& fields, const receive::S
     return sentences;
 }
 
-/// `timestamp` first unless asGiven is set; without duplicates.
+/// The fields in column order, without duplicates: `timestamp` first unless asGiven is set.
 std::vector<std::string> orderedFields(const RecorderOptions& options, const receive::SampleLayout& layout) {
     std::vector<std::string> ordered;
     if (!options.asGiven) {
@@ -108,7 +108,7 @@ struct Recorder::Worker : publish::SampleSink {
     std::unique_ptr<RecordingFile> file;  ///< null: no open file
     std::unique_ptr<RecordingFile>
         notesFile;      ///< created for the first note if the format does not support notes
-    RowTimes rowTimes;  ///< of the open file
+    RowTimes rowTimes;  ///< times of the rows in the open file
     std::unique_ptr<RecordingEncoder> encoder;
     std::optional<TriggerWatch> trigger;
     std::deque<std::pair<receive::Sample, std::uint64_t>>
@@ -153,7 +153,7 @@ struct Recorder::Worker : publish::SampleSink {
         if (!written && bytes == 0) {
             static_cast<void>(file->close());
             file.reset();
-            // Leave no empty file behind. The path may also be a device.
+            // Remove an empty file, but not a device at this path.
             if (const QFileInfo left(to); left.isFile() && left.size() == 0) {
                 QFile::remove(to);
             }

@@ -7,8 +7,9 @@
 // names of ur_rtde recordings (actual_q_0 ... actual_q_5). The last column, `packages_lost`, is the number of
 // packets missing before this row (0 in a recording without gaps). Numbers are written as the shortest text
 // that converts back exactly, with a decimal point in all locales. Fields that the robot does not have are
-// empty; pandas reads them as NaN. Notes, steps of programs, and warnings and errors of the log are in a second file,
-// "a.notes.csv" for "a.csv", with the columns row (number of rows before the note), utc, level, source and text.
+// empty; pandas reads them as NaN. Notes, steps of programs, and warnings and errors of the log are in a
+// second file, "a.notes.csv" for "a.csv", with the columns row (number of rows before the note), utc, level,
+// source and text.
 //
 // Complete rows are written at least every half second. If the process is killed, less than a second of data
 // is lost, and the file ends with a complete row.
@@ -58,7 +59,8 @@ struct RecorderOptions {
     /// If set, the recorder waits for the trigger and writes numbered files: see numberedPath(). Empty: the
     /// recorder writes one file and starts at once.
     std::optional<RecordingTrigger> trigger{};
-    /// If set, the recording is divided into numbered files: see numberedPath(). No packet is lost between two files.
+    /// If set, the recording is divided into numbered files: see numberedPath(). No packet is lost between
+    /// two files.
     double fileSeconds = 0;      ///< maximum duration of a file [s]; 0: no limit
     std::int64_t fileBytes = 0;  ///< a file is complete when it has this size [bytes]; 0: no limit
     /// Minimum free space on the disk [bytes]. Below it, the recording ends with DiskFull. 0: the recording
@@ -81,7 +83,8 @@ struct RecorderProgress {
     std::uint64_t lost = 0;      ///< packets missing in the file, for any reason
     std::int64_t bytes = 0;      ///< size of the file
     int files = 0;               ///< number of files started
-    int restarts = 0;            ///< controller restarts during the recording: its time jumped back
+    int restarts = 0;            ///< number of controller restarts during the recording, at which the
+                                 ///< controller time decreased
     std::int64_t freeBytes = 0;  ///< free space on the disk of the file, updated about once per second
 };
 
@@ -110,7 +113,7 @@ public:
     /// Like the function above, with a new subscription.
     Result<void> start(const RecorderOptions& options, const receive::Receiver& receiver);
     /// Writes the remaining rows, then syncs and closes the file. The state is Finished only if all steps
-    /// have succeeded. It is Failed if a disk or share lost data that it had accepted.
+    /// have succeeded. The state is Failed if a disk or share lost data that it had accepted.
     void stop();
 
     /// Adds a note to the recording or to its notes file. Threads: any

@@ -106,8 +106,8 @@ public:
     virtual Result<std::vector<TimeMark>> timeMarks() const;
     /// The last row at or before this time; 0 before the first row.
     virtual Result<std::uint64_t> rowAt(double seconds) const;
-    /// Rows whose values and times could not be read because the file is damaged. Reading rows may add further
-    /// ranges.
+    /// Rows whose values and times could not be read because the file is damaged. Reading rows may add
+    /// further ranges.
     virtual const std::vector<RowRange>& unreadable() const;
 };
 

@@ -45,7 +45,8 @@ public:
     };
     virtual ~RecordingEncoder() = default;
 
-    /// sample  in the layout of the setup. For MCAP, also in another layout: fields that it lacks have no value
+    /// sample  in the layout of the setup. For MCAP, also in another layout: fields that it lacks have no
+    ///         value
     /// utcNs   time of arrival [ns since 1970]
     virtual void add(const receive::Sample& sample, std::uint64_t lost, std::int64_t utcNs) = 0;
     /// A format that does not keep notes receives only the notes of the recorder, and ignores them.
@@ -74,8 +75,8 @@ public:
 };
 
 /// CSV format, as described in recorder.h.
-/// head  metadata that is written above the header with the start time and the units, one line "# name: value"
-///       each; empty: the header is the first line
+/// head  metadata that is written above the header with the start time and the units, one line each:
+///       "# name: value"; empty: the header is the first line
 std::shared_ptr<const RecordingFormat> csvFormat(Metadata head = {});
 
 }  // namespace tiller::recording

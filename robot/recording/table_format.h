@@ -29,8 +29,8 @@ constexpr double secondsPer(TimeUnit unit) {
 /// Members without a value are detected from the file. If they cannot be detected with certainty, opening the
 /// file fails with an error that names the members to set. MCAP files need none of the members.
 struct TableFormat {
-    /// Name of the time column; an empty name: the table has no time column, and `rate` is required. The column
-    /// of seconds of a pair such as secs and nsecs selects both columns.
+    /// Name of the time column; an empty name: the table has no time column, and `rate` is required. The
+    /// column of seconds of a pair such as secs and nsecs selects both columns.
     std::optional<std::string> timeColumn{};
     std::optional<TimeUnit> timeUnit{};
     /// Comma, semicolon, tab, vertical bar, or blank for any number of blanks. Applies only to text files.

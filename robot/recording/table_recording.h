@@ -27,9 +27,9 @@ struct RecordedTable {
     std::optional<TimeAxis> axis{};
 };
 
-/// If the clock was reset, the time continues from its last value, and events() reports it. Gaps are taken from
-/// the column `packages_lost`, or detected where two rows are more than one and a half periods apart. A gap of an
-/// unknown number of packets separates two segments.
+/// If the clock was reset, the time continues from its last value, and events() reports the reset. Gaps are
+/// taken from the column `packages_lost`, or detected where two rows are more than one and a half periods
+/// apart. A gap of an unknown number of packets separates two segments.
 class TableRecording : public Recording {
 public:
     explicit TableRecording(RecordedTable table);

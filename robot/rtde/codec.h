@@ -19,7 +19,6 @@
 namespace tiller::rtde {
 
 // ---- text messages
-// -----------------------------------------------------------------------------------------
 
 struct TextMessage {
     TextLevel level = TextLevel::Info;
@@ -30,7 +29,6 @@ struct TextMessage {
 };
 
 // ---- setup
-// -------------------------------------------------------------------------------------------------
 
 /// The controller's reply for one requested field.
 struct FieldAnswer {
@@ -60,7 +58,6 @@ std::vector<std::string> splitNames(std::string_view list);
 std::string joinNames(std::span<const std::string> names);  ///< Joins the names with commas.
 
 // ---- packages a client writes
-// ----------------------------------------------------------------------------------------
 
 // All functions append to `out`.
 
@@ -77,7 +74,6 @@ void writePauseRequest(Bytes& out);                                            /
 void writeClientText(Bytes& out, const TextMessage& text);
 
 // ---- packages a controller writes
-// --------------------------------------------------------------------------
 
 void writeProtocolReply(Bytes& out, bool accepted);                  ///< Package type 86.
 void writeVersionReply(Bytes& out, const SoftwareVersion& version);  ///< Package type 118.
@@ -94,7 +90,6 @@ void writeControllerText(Bytes& out, ProtocolVersion version, const TextMessage&
 void writeReadPropertiesReply(Bytes& out, std::string_view types, ByteView values);
 
 // ---- payloads a controller reads
-// -----------------------------------------------------------------------------
 
 // Errors of all readers: ProtocolError with the name of the package and the reason.
 
@@ -108,7 +103,6 @@ Result<TextMessage> readClientText(ByteView payload);  ///< Package type 77.
 std::vector<std::string> readPropertiesRequest(ByteView payload);
 
 // ---- payloads a client reads
-// -------------------------------------------------------------------------------
 
 /// Reads the one-byte reply to protocol, start and pause requests.
 /// type  only used in the error message

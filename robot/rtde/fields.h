@@ -3,7 +3,7 @@
 
 // The catalogue of RTDE fields: all outputs a controller can send and all inputs a client can set, with type,
 // unit, description and the first software version. The catalogue is informative; the setup reply of a robot
-// determines whether the field exists. Source: RTDE guide. Fields added by newer software are marked as
+// determines whether a field exists. Source: RTDE guide. Fields added by newer software are marked as
 // unconfirmed.
 
 #include <cstdint>
@@ -40,10 +40,10 @@ struct Field {
 
     /// Number of values in the field: 1, 3 or 6.
     std::size_t components() const { return componentCount(type); }
-    /// Compares `version` with the first and last software version of the field.
+    /// True if `version` is the first software version of the field or a later one.
     bool isAvailableOn(const SoftwareVersion& version) const;
-    /// Like isAvailableOn(), but if the first version is not documented, uses the version of the clients that
-    /// list the field.
+    /// Like isAvailableOn(), but if the first version is not documented, the field is available only from
+    /// 5.25 and 10.12 on, the software versions of the clients that list the field.
     bool isListedOn(const SoftwareVersion& version) const;
 };
 

@@ -62,7 +62,7 @@ struct PrimaryState {
     bool programPaused = false;
     RobotMode robotMode = RobotMode::NoController;
     SafetyMode safetyMode = SafetyMode::Undefined;
-    ProgramVariables variables;  ///< of the running or paused program
+    ProgramVariables variables;  ///< variables of the running or paused program
     std::uint64_t packages = 0;  ///< number of robot state packages received; 0: no valid values yet
 };
 

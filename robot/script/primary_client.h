@@ -34,10 +34,9 @@ public:
     PrimaryClient(const PrimaryClient&) = delete;
     PrimaryClient& operator=(const PrimaryClient&) = delete;
 
-    // Starts the thread.
     // Threads  any, for all functions. Blocks: only functions with a deadline, and stop() for about 20 ms
-    void start();
-    void stop();  ///< Ends the thread. No effect if it is not running.
+    void start();  ///< Starts the thread.
+    void stop();   ///< Ends the thread. No effect if it is not running.
 
     /// Waits for the first robot state.
     /// Errors   the reason why there is no connection: HostUnreachable, ConnectionRefused, Timeout ...
@@ -46,8 +45,8 @@ public:
     /// The reason why there is no connection; code None if connected or if no attempt has been made yet.
     Error connectionError() const;
 
-    /// Makes the thread stop the running or paused program on the controller within about 5 ms. No effect
-    /// without a connection. Real-time: yes
+    /// Makes the thread send "stop program", which ends the running or paused program, within about 5 ms. No
+    /// effect without a connection. Real-time: yes
     void requestProgramStop();
 
     /// Returns all messages since the last call, oldest first.

@@ -40,10 +40,9 @@ public:
     ProgramStopper(const ProgramStopper&) = delete;
     ProgramStopper& operator=(const ProgramStopper&) = delete;
 
-    // Starts the thread.
     // Threads  any, for all functions. Blocks: only functions with a deadline, and end() for about 20 ms
-    void start();
-    void end();
+    void start();  ///< Starts the thread.
+    void end();    ///< Ends the thread.
 
     /// Requests the stop. If there is a connection, the command has been sent when this function returns. The
     /// command is repeated on a new connection about 10 ms later, and on further new connections every 0.3 s

@@ -29,7 +29,8 @@ struct ProgramVariable {
     friend bool operator==(const ProgramVariable&, const ProgramVariable&) = default;
 };
 
-/// In the order of the controller. Null: no program has published variables. Never changes after its creation.
+/// The variables in the order of the controller. Null: no program has published variables. The list is
+/// immutable.
 using ProgramVariables = std::shared_ptr<const std::vector<ProgramVariable>>;
 
 }  // namespace tiller::script

@@ -30,7 +30,7 @@ struct GateVariable {
 
 /// The new value of a variable. The waiting program takes each change once.
 struct VariableChange {
-    std::int32_t number = 0;    ///< of the change in this run, counted from 1; 0: no change
+    std::int32_t number = 0;    ///< number of the change in this run, counted from 1; 0: no change
     std::int32_t variable = 0;  ///< index of the GateVariable
     double value = 0;           ///< Whole: an integer of 32 bits; Flag: 0 or 1
     bool operator==(const VariableChange&) const = default;
@@ -60,9 +60,10 @@ struct GateInputs {
 
 /// URScript definitions of the functions, to be inserted at the beginning of a program.
 ///
-/// tiller_step(number)  writes the number to kStepRegister and waits until another step may begin
-/// tiller_break(number) for a step with a breakpoint: the same, see StepGate::permitted
-/// tiller_turn(turn)    returns `turn`, or ends the program at standstill if it must end with its cycle
+/// tiller_step(number)   writes the number to kStepRegister and waits until another step may begin
+/// tiller_break(number)  same as tiller_step(), for a step with a breakpoint; see StepGate::permitted
+/// tiller_turn(turn)     returns `turn`, the number of the iteration. If StepGate::endsWithCycle is set,
+///                       waits for standstill and ends the program before every iteration except the first
 QString stepGateScript(const GateInputs& inputs);
 
 }  // namespace tiller::script

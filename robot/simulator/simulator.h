@@ -97,8 +97,9 @@ public:
     /// Threads  any. Blocks: while stepping
     void step(int ticks = 1);
     void stepSeconds(double seconds);  ///< Advances time by `seconds` [s], rounded to whole periods.
-    /// Runs one period. Then, without advancing time, reads until an input package has arrived for each data
-    /// package sent, no client is connected over RTDE, or the deadline has expired.
+    /// Runs one period. Then, without advancing time, reads until as many input packages have arrived as data
+    /// packages were sent in this period, no client is connected over RTDE, or the deadline has expired. Does
+    /// nothing in real time.
     /// Returns  false if input packages are missing
     bool stepAnswered(const Deadline& deadline);
     /// Reads all received data and replies to requests, without advancing time.
@@ -107,11 +108,11 @@ public:
     std::uint64_t inputPackages() const;
     /// Number of RTDE data packages passed to the sockets of all clients since start().
     std::uint64_t outputPackages() const;
-    /// Reads until this number of input packages has arrived or the deadline has expired.
-    /// Returns  true if they have arrived
+    /// Reads until inputPackages() has reached `total` or the deadline has expired.
+    /// Returns  true if the number was reached
     bool waitForInputPackages(std::uint64_t total, const Deadline& deadline);
-    /// For each RTDE client, the newest package that it can read since the last step(). Clients without a new
-    /// package are omitted.
+    /// For each RTDE client, the newest data package that the client could read at the end of the last
+    /// step(). Clients that have not received a package are omitted. Empty in real time.
     std::vector<RtdeDelivery> rtdeDeliveries() const;
     /// True if no link fault that delays, splits or holds back data is active.
     bool isLinkPlain() const;

@@ -14,7 +14,7 @@ namespace tiller::virtual_time {
 
 namespace {
 
-/// Maximum real time for a thread to process one packet. It is reached only if a thread hangs.
+/// Maximum real time for a thread to process one packet. This limit is reached only if a thread hangs.
 constexpr std::chrono::seconds kGiveUp{20};
 /// Real time within which the control thread detects that its data are too old: several of its check
 /// intervals.

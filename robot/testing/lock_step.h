@@ -68,7 +68,7 @@ public:
     void tick();
     void step(double seconds);  ///< Advances the time [s], rounded to control periods.
     /// Steps until the condition is true, for at most this time [s].
-    /// Returns  whether the condition is true
+    /// Returns  true if the condition is true
     bool stepUntil(const std::function<bool()>& condition, double atMost);
 
     /// Advances the time in a separate thread while an object of this class exists. Use it for calls that

@@ -44,7 +44,8 @@ public:
     void pause();
     bool running();
     std::string programState();      ///< e.g. "STOPPED name"
-    std::string getLoadedProgram();  ///< "Loaded program: " and the path, or a text without a program
+    std::string getLoadedProgram();  ///< "Loaded program: " and the path, or a message that no program is
+                                     ///< loaded
     bool isProgramSaved();
 
     // Power and safety

@@ -51,7 +51,7 @@ List reals(const std::vector<int>& values) {
 }
 
 List servoValues(List target, double speed, double acceleration, double time, double lookahead, double gain) {
-    // Current software ignores these arguments: any finite value is valid.
+    // Current software ignores `speed` and `acceleration`, so a wide range is accepted.
     check::number("speed", speed, 0, kUnused);
     check::number("acceleration", acceleration, 0, kUnused);
     check::number("time", time, 0, 10, "s");
@@ -380,8 +380,8 @@ List RTDEControlInterface::getForwardKinematics(const List& q, const List& tcp_o
     if (!tcp_offset.empty()) {
         check::pose("tcp_offset", tcp_offset);
     }
-    // Without a TCP argument, the active TCP applies. It must be queried, because the command always uses the
-    // register values.
+    // Without a TCP argument, the active TCP applies. The active TCP must be queried, because the command
+    // always uses the register values.
     const List tcp = tcp_offset.empty() ? getTCPOffset() : tcp_offset;
     return answered("getForwardKinematics", d_->six(CommandId::ForwardKinematicsOf, 12, joined(joints, tcp)));
 }

@@ -24,8 +24,8 @@
 // another thread waits for it. Stops also end force mode. A move after servoing does not need servoStop(). A
 // lost connection is restored only by reconnect(). With setCustomScriptFile(), FLAG_CUSTOM_SCRIPT, or without
 // upload while another program is running, commands are sent to that program through ur_rtde's registers. A
-// program sent by setCustomScriptFile() contains the heartbeat watchdog. The program itself determines what else ends
-// a motion, and the entire behaviour of a program started elsewhere.
+// program sent by setCustomScriptFile() contains the heartbeat watchdog. Apart from the watchdog, that
+// program determines when its motions end. If it was started elsewhere, all of its behaviour is unknown.
 
 #include <ur_rtde/async_operation_status.h>
 #include <ur_rtde/dashboard_enums.h>
@@ -165,14 +165,14 @@ public:
                   bool asynchronous = false);
     bool movePath(const Path& path, bool asynchronous = false);
     /// Moves with velocity xd until the tool makes contact, and then back to the pose of the first contact.
-    /// Does not move if there is already a contact. Software before 5.4 has no contact detection: returns false
-    /// without moving.
+    /// Does not move if there is already a contact. Software before 5.4 has no contact detection: returns
+    /// false without moving.
     /// direction  direction of the contacts in the base frame; zeros: direction of xd
     bool moveUntilContact(const std::vector<double>& xd,
                           const std::vector<double>& direction = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
                           double acceleration = 0.5);
-    /// Progress of the last asynchronous motion while it is running. Afterwards -1 or -2, alternating with each
-    /// operation.
+    /// Progress of the last asynchronous motion while it is running. Afterwards -1 or -2, alternating with
+    /// each operation.
     int getAsyncOperationProgress();
     AsyncOperationStatus getAsyncOperationProgressEx();
 
@@ -183,8 +183,8 @@ public:
     bool speedL(const std::vector<double>& xd, double acceleration = 0.25, double time = 0.0);
     bool speedStop(double a = 10.0);
     /// As in ur_rtde, a target far from the arm is passed to the controller, which follows at maximum speed
-    /// or triggers a protective stop. control::Motions refuses such targets. speed,
-    /// acceleration  ignored by current software
+    /// or triggers a protective stop. control::Motions refuses such targets.
+    /// speed, acceleration  ignored by current software
     /// lookahead_time       0.03 ... 0.2 s
     /// gain                 100 ... 2000
     bool servoJ(const std::vector<double>& q, double speed, double acceleration, double time,

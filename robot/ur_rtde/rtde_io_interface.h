@@ -32,8 +32,8 @@ public:
     bool setStandardDigitalOut(std::uint8_t output_id, bool signal_level);      ///< 0 ... 7
     bool setConfigurableDigitalOut(std::uint8_t output_id, bool signal_level);  ///< 0 ... 7
     bool setToolDigitalOut(std::uint8_t output_id, bool signal_level);          ///< 0, 1
-    /// speed  0.02 ... 1; lower values are refused, because 0 has caused protective stops. To stop the arm, pause
-    ///        or stop the program
+    /// speed  0.02 ... 1; lower values are refused, because 0 has caused protective stops. To stop the arm,
+    ///        pause or stop the program
     bool setSpeedSlider(double speed);
     bool setAnalogOutputVoltage(std::uint8_t output_id,
                                 double voltage_ratio);  ///< 0, 1; ratio 0 ... 1 of 10 V

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kRow = 9;
 constexpr double kMaxBlend = 2.0;
 
-// Full-precision numbers.
+// Returns the number with 12 significant digits.
 std::string number(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.12g", value);

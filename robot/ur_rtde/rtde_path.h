@@ -14,10 +14,11 @@ struct PathEntry {
     enum eMoveType { MoveJ, MoveL, MoveP, MoveC };
     enum ePositionType { PositionTcpPose, PositionJoints };
 
-    /// parameters  MoveJ, MoveL, MoveP: 6 values (a pose [m, rad] or joint positions [rad]), speed, acceleration,
-    ///             blend radius [m]. MoveC: 12 values (via, to), speed, acceleration, blend radius, and optionally
-    ///             the orientation mode (0 free, 1 fixed) Throws std::invalid_argument for a wrong number of
-    ///             parameters or NaN, std::range_error for a value out of range.
+    /// parameters  MoveJ, MoveL, MoveP: 6 values (a pose [m, rad] or joint positions [rad]), speed,
+    ///             acceleration, blend radius [m]. MoveC: 12 values (via, to), speed, acceleration, blend
+    ///             radius, and optionally the orientation mode (0 free, 1 fixed)
+    /// Throws std::invalid_argument for a wrong number of parameters or NaN, std::range_error for a value out
+    /// of range.
     PathEntry(eMoveType move_type, ePositionType position_type, const std::vector<double> parameters);
 
     /// URScript line, including the line end.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Measures the latency of jogging: from a press on a jog button to the first motion packet, and from the
-// release to the stop packet. Uses the whole window including plots and 3D view. Loads one core unless --no-load
-// is set. A relay between the application and the simulated controller adds time stamps; the results include
-// the delay of the relay. Prints a table. Does not check limits.
+// release to the stop packet. Uses the whole window including plots and 3D view. Loads one core unless
+// --no-load is set. A relay between the application and the simulated controller adds time stamps; the
+// results include the delay of the relay. Prints a table. Does not check limits.
 //
 //   jog_latency [--presses 200] [--no-load] [--json]
 

@@ -67,7 +67,8 @@ std::vector<std::string> someFields() {
     return fields;
 }
 
-/// Repeats a thousand packets with increasing time, sensor-like noise and occasional spikes.
+/// Writes a recording that repeats a thousand packets, with increasing time, sensor-like noise and occasional
+/// spikes.
 bool make(const QString& path, std::uint64_t rows) {
     const std::vector<std::string> fields = someFields();
     test::MadeSamples made(fields);

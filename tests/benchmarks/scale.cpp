@@ -176,7 +176,8 @@ double memoryOf(int numbers) {
     return (static_cast<double>(history.memoryBytes()) - empty) * kHalfHour * kRate / kRows / 1e6;
 }
 
-/// Returns the processor time of one live frame of a page with this number of curves, the median of 101 frames [ms].
+/// Returns the processor time of one live frame of a page with this number of curves, the median of 101
+/// frames [ms].
 double frameOf(int curves) {
     SignalStore store;
     const auto columns = static_cast<int>(store.liveColumns().size());

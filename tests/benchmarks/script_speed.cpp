@@ -34,7 +34,7 @@ double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// `body` consists of `statements` simple statements. Each of `threads` threads repeats it.
+/// `body` consists of `statements` simple statements, which each thread repeats.
 struct Load {
     const char* name;
     int statements;

@@ -41,8 +41,8 @@ double seconds(clockid_t clock) {
     return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
 }
 
-/// Prints each event once with its name, the wall time since the start of the process, and the processor time
-/// so far [ms].
+/// Prints the name of an event, the wall time since the start of the process, and the processor time so far
+/// [ms].
 void tell(const char* moment, double begun) {
     QTextStream(stdout) << moment << ' ' << (seconds(CLOCK_MONOTONIC) - begun) * 1e3 << ' '
                         << seconds(CLOCK_PROCESS_CPUTIME_ID) * 1e3 << '\n';

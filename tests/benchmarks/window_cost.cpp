@@ -43,7 +43,7 @@ double cpuSeconds(clockid_t clock) {
     return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
 }
 
-/// Measures paint events, which are the requests to update a whole window.
+/// Measures the time to handle each update request, which repaints a window.
 class TimedApplication : public QApplication {
 public:
     using QApplication::QApplication;
@@ -73,7 +73,7 @@ public:
 
     std::vector<double> frameMs;
 
-    /// Lists the widgets that paint. Used only on request, to find the cause of a cost.
+    /// Paint events of one widget. Measured only on request, to find the cause of a cost.
     struct Paints {
         int count = 0;
         double ms = 0;

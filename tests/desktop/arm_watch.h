@@ -25,7 +25,8 @@ struct Standstill {
     Verdict verdict = Verdict::Blind;
     /// Robot time from the first package after the release to the last package with motion.
     double seconds = 0;
-    /// Time in which the program or the display server was ready to run, but other processes used the processors [s].
+    /// Time in which the program and the display server were ready to run, but other processes used the
+    /// processors [s]. The times of both are added.
     double withoutProcessor = 0;
 };
 
@@ -44,7 +45,8 @@ public:
     /// Waits until the arm has been at standstill for `quiet`, but at most for `seconds` (both are robot
     /// times [s]).
     bool untilStanding(double seconds, double quiet = kQuiet);
-    /// Call this immediately after the release. Observes the arm until it has been at standstill for `quiet`.
+    /// Call this immediately after the release. Observes the arm until it has been at standstill for `quiet`,
+    /// but at most for kGoesOnAfter.
     /// contract  permitted time until standstill [s]
     /// whileMoving  called for each package with motion
     Standstill standstill(
@@ -58,7 +60,7 @@ public:
     /// The highest commanded joint speed [rad/s].
     double speed();
 
-    /// Time without motion that counts as standstill [s]. Longer than any short pause.
+    /// Time without motion that counts as standstill [s]. Longer than any pause within a motion.
     static constexpr double kQuiet = 0.06;
     /// Minimum duration of a motion before the arm counts as moving [s], so that the release ends an actual
     /// motion.

@@ -46,7 +46,7 @@ private:
     QByteArray output_;
 };
 
-/// Screen position of a widget.
+/// Screen position and state of a widget.
 struct Place {
     bool found = false;
     bool visible = false;
@@ -89,7 +89,7 @@ public:
 
     /// layout  layout for `setxkbmap`, e.g. "de", or "us,de" for two groups
     bool setLayout(const QString& layout);
-    /// Returns the position of a widget with this objectName, as reported by the application.
+    /// Returns the position and state of a widget with this objectName, as reported by the application.
     Place place(const QString& name);
     /// Describes the open windows, the focus, the limiter and the selected choices, for the report of a
     /// failure.
@@ -100,7 +100,7 @@ public:
     }
     /// Moves the pointer to the widget and clicks.
     bool click(const QString& name);
-    /// Brings the window to the front if necessary, and closes everything that is open above the window.
+    /// Brings the window to the front if it does not have the keyboard focus.
     bool toTheFront();
     /// Takes control with the button in the header if the window is not in control.
     bool takeControl();

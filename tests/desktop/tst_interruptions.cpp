@@ -31,8 +31,8 @@ private Q_SLOTS:
 
     // The server repeats a held key. Each repetition is sent as a release and a press.
     void autoRepeatDoesNotCountAsReleaseOrPress() {
-        // If the computer is blocked for 100 ms, a hold ends as intended. Auto-repeat would end every hold, so one
-        // uninterrupted hold is the proof.
+        // If the computer is blocked for 100 ms, a hold ends as intended. Auto-repeat would end every hold,
+        // so one uninterrupted hold is the proof.
         const QDeadlineTimer timeLimit(std::chrono::minutes(2));
         bool went = false;
         while (!went && !timeLimit.hasExpired()) {

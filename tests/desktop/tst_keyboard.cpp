@@ -39,8 +39,8 @@ private Q_SLOTS:
         verifyStands();
     }
 
-    // A keymap with two layouts. A desktop shortcut switches between them: the keymap stays the same, and only its
-    // active group changes.
+    // A keymap with two layouts. A desktop shortcut switches between them: the keymap stays the same, and
+    // only its active group changes.
     void theGroupIsSwitchedWhileHeld_data() {
         QTest::addColumn<QString>("map");
         for (const char* map : {"us,fr", "us,ru", "de,us", "es,jp"}) {

@@ -28,7 +28,7 @@ class TestPanels : public DesktopTest {
             const Place panel = cell().place(dock);
             return panel.visible && panel.window != 0 && !isInTheWindow();
         }));
-        // The window manager may need a moment to place the window.
+        // The window manager may place the window later.
         QVERIFY2(cell().until([&] {
             return !cell().place(dock).area.intersects(cell().place("jog.armKeyboard").area);
         }),
@@ -44,8 +44,8 @@ private Q_SLOTS:
         holdBy([&] { hand().press(kRight); }, [&] { hand().release(kRight); });
         hand().activate(cell().place("tabsDock").window);
         verifyStands();
-        // The arm stops as soon as the window manager takes the focus away. Until the panel has the focus, the
-        // main window would still count as active.
+        // The arm stops as soon as the window manager takes the focus away. Until the panel has the focus,
+        // the main window would still count as active.
         QVERIFY(cell().until([&] { return cell().place("tabsDock").active; }));
         QVERIFY(cell().toTheFront());
         QVERIFY2(arm().stays(0.3), "the arm moved again during the same hold");

@@ -157,7 +157,7 @@ private Q_SLOTS:
         hand().release(kControl);
         QVERIFY(cell().untilShown("commandPalette"));
         verifyStands();
-        // Shortly after a motion, Esc still stops.
+        // For a second after a motion, Esc only stops the arm, so repeat it until it closes the dialog.
         QVERIFY(cell().until([&] {
             hand().tap(kEscape);
             return !cell().place("commandPalette").visible;

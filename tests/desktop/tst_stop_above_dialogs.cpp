@@ -86,8 +86,8 @@ private Q_SLOTS:
         useUp();
     }
 
-    // The STOP button of another Tiller window is a window without a frame. Its shape omits areas that it must
-    // not cover.
+    // Areas that other windows cover are left out of the shape of the button. A window without a frame, such
+    // as the STOP button of another Tiller, does not count as covering.
     void windowsWithoutAFrameDoNotCoverIt() {
         openCommands();
         const QPoint stop = cell().place("stopButton").middle();

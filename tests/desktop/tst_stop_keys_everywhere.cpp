@@ -19,7 +19,7 @@ namespace {
 constexpr int kPrimaryPort = 30002;
 constexpr const char* kWindowManagers[] = {"openbox", "xfwm4", "metacity"};
 
-/// A window, the key that opens the window, and the window that then has the keyboard focus.
+/// A window or menu, and the shortcut that opens it. A menu is opened by a click.
 struct Opened {
     const char* name;
     const char* widget;

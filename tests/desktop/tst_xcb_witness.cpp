@@ -22,8 +22,8 @@ std::atomic<int> delayedPolls{0};
 
 }  // namespace
 
-// Replaces the function of the library in this program. On request, it returns without a reply only after the reply
-// has arrived, as if the thread had been interrupted.
+// Replaces the function of the library. On request, a call that finds no reply waits until the reply has
+// arrived and then still reports that there is none, as if the thread had been interrupted in between.
 extern "C" int xcb_poll_for_reply(xcb_connection_t* link, unsigned int request, void** reply,
                                   xcb_generic_error_t** error) {
     static const auto original =

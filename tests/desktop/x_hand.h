@@ -96,8 +96,8 @@ public:
     using WindowId = unsigned long;
     /// Shows a window of another program. The window manager treats it like any new window.
     WindowId openWindow(const QPoint& place);
-    /// Opens a window without a frame that the window manager has managed before, e.g. the STOP button of another
-    /// Tiller.
+    /// Opens a window without a frame that the window manager has managed before, e.g. the STOP button of
+    /// another Tiller.
     WindowId openUnmanaged(const QPoint& place);
     void closeWindow(WindowId window);
     /// Sets the focus without using the window manager.

@@ -25,7 +25,7 @@ class Robot:
 
 
 def until(condition, timeout=30.0):
-    """Waits for a condition; the timeout is only for hanging tests."""
+    """Waits for a condition; only a hanging test reaches the timeout."""
     end = time.monotonic() + timeout
     while time.monotonic() < end:
         if condition():

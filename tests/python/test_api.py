@@ -11,7 +11,7 @@ import unittest
 import tiller
 from tiller import errors
 
-LIMIT = 60.0  # only for hanging tests
+LIMIT = 60.0  # [s]; only a hanging test reaches it
 
 
 class TestArguments(unittest.TestCase):

@@ -12,7 +12,7 @@ from robot import Robot
 LIBRARY = os.environ["TILLER_C_LIBRARY"]
 PROGRAM = pathlib.Path(os.environ["TILLER_HELPERS"], "tiller_c_program")
 HEADER = pathlib.Path(os.environ["TILLER_SOURCE"], "robot/c/tiller_c.h").read_text(encoding="utf-8")
-TIMEOUT = 120  # [s]; only for hanging tests
+TIMEOUT = 120  # [s]; only a hanging test reaches it
 ATTEMPTS = 5
 
 

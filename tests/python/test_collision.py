@@ -7,7 +7,7 @@ import tiller
 from tiller import errors
 from tiller.collision import Box, CollisionCheck, Plane
 
-LIMIT = 60.0  # only for hanging tests
+LIMIT = 60.0  # [s]; only a hanging test reaches it
 READY = np.array([-1.57, -1.75, -1.92, -1.05, 1.57, 0.0])
 
 

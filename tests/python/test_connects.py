@@ -10,11 +10,12 @@ import unittest
 
 import tiller
 
-LIMIT = 60.0  # only for hanging tests
+LIMIT = 60.0  # [s]; only a hanging test reaches it
 AT_ONCE = 4
 WARM_UP, CONNECTS, MIN_CONNECTS = 100, 1000, 100
-SECONDS = 45.0  # a busy machine makes fewer connections
-#: Allowed growth of all connections. It does not depend on their number, which varies.
+SECONDS = 45.0  # time limit; a busy machine makes fewer than CONNECTS connections
+#: Allowed growth over the whole test: memory of C++ [bytes], number of Python objects. Independent of the number of
+#: connections, which varies.
 MAX_BYTES, MAX_BLOCKS = 64_000, 200
 
 
@@ -53,7 +54,7 @@ class TestConnects(unittest.TestCase):
         def connect_all(count):
             with concurrent.futures.ThreadPoolExecutor(AT_ONCE) as pool:
                 done = sum(pool.map(lambda simulator: connect(simulator.address, count // AT_ONCE), simulators))
-            time.sleep(1.0)  # the simulated controllers free a connection when they notice its end
+            time.sleep(1.0)  # the simulated controllers free a connection when they detect its end
             return done
 
         connect_all(WARM_UP)

@@ -22,7 +22,7 @@ from robot import Robot
 BRAKES_MS = 250
 AT_ONCE = 8
 ATTEMPTS = 3
-TEST_TIMEOUT = 60  # [s]; only for hanging tests
+TEST_TIMEOUT = 60  # [s]; only a hanging test reaches it
 START = [-1.57, -1.2, -2.3, -1.2, 1.57, 0.0]
 TABLE = pathlib.Path(os.environ["TILLER_SOURCE"], "robot/ENDS.md")
 HELPERS = pathlib.Path(os.environ["TILLER_HELPERS"])

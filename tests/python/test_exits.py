@@ -13,7 +13,7 @@ import numpy as np
 import tiller
 
 RUNS = int(os.environ.get("TILLER_EXIT_RUNS", "1"))
-HANG = 60.0  # [s]; only for hanging tests
+HANG = 60.0  # [s]; only a hanging test reaches it
 # If the computer is blocked for 100 ms, a motion ends as intended. Such a run does not test the exit.
 LATE = ("too late", "LinkLost", "DataStale", "EventLoopStalled", "did not come in time")
 ATTEMPTS = 5

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Listings 2, 4 and 5 of the ur_rtde paper as printed, except for the address of the robot. Packages that they import
-but are not installed are replaced by small ones in listings/."""
+"""Listings 2, 4 and 5 of the ur_rtde paper as printed, except for the address of the robot. Imported packages that
+are not installed are replaced by small ones in listings/."""
 import os
 import runpy
 import sys

@@ -20,7 +20,7 @@ import numpy as np
 import tiller
 from tiller import errors
 
-TIMEOUT = 60.0  # only for hanging tests
+TIMEOUT = 60.0  # [s]; only a hanging test reaches it
 TEST_TIMEOUT = TIMEOUT
 FAR = [1.5, 0, 0, 0, 0, 0]
 SOFT = {"compliant": [False, False, True, False, False, False], "wrench": [0.0] * 6, "limits": [0.1] * 3 + [0.5] * 3}

@@ -8,7 +8,7 @@ import numpy as np
 import tiller
 from tiller import errors
 
-TIMEOUT = 60.0  # only for hanging tests
+TIMEOUT = 60.0  # [s]; only a hanging test reaches it
 START = [-1.6, -1.7, -2.2, -0.8, 1.6, 0.0]
 TURNED = [-1.2, -1.7, -2.2, -0.8, 1.6, 0.0]
 
@@ -135,7 +135,7 @@ class TestSimulated(unittest.TestCase):
 
 
 def raising(error):
-    """For the context in which a handle waits."""
+    """Returns a replacement for the context in which a handle waits. It raises the error."""
 
     def waiting():
         raise error

@@ -29,7 +29,8 @@ class TestReadme(unittest.TestCase):
         pose = [float(number) for number in ran.stdout.strip().strip("[]").split(",")]
         self.assertEqual(len(pose), 6)
         self.assertLess(sum(x * x for x in pose[:3]), 1.5 ** 2)  # [m]; within the reach of the arm
-        # Both examples are contained literally in tests/integration/examples. test_examples runs the other one.
+        # tests/integration/examples checks that both code blocks are contained in robot/examples, and test_examples
+        # runs the other one.
 
 
 if __name__ == "__main__":

@@ -156,7 +156,8 @@ class TestWheel(unittest.TestCase):
             self.assertTrue(os.path.exists(os.path.join(folder, "rtde_control-stubs", "__init__.pyi")))
 
     def test_pytest_finds_the_fixtures(self):
-        """Tests of a user's program with these fixtures, which pytest finds only through the entry point, as after an installation."""
+        """Runs tests of a user that need the fixtures. As after an installation, pytest finds the fixtures only
+        through the entry point."""
         with tempfile.TemporaryDirectory() as folder:
             unpacked(self.wheel, folder)
             result = run_pytest(folder, MINE)

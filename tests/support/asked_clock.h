@@ -8,7 +8,7 @@
 
 namespace tiller::test {
 
-/// Counts how often it is read.
+/// Forwards to another clock, and counts how often the time is read.
 /// Threads  any
 class AskedClock final : public Clock {
 public:

@@ -26,7 +26,7 @@ public:
         }
         return out;
     }
-    /// Returns words in random order, some of which are damaged.
+    /// Returns up to `most` + 1 random words, possibly damaged at one position.
     QByteArray soup(const QList<QByteArray>& words, int most) {
         QByteArray out;
         for (int i = upTo(most); i >= 0; --i) {
@@ -58,7 +58,7 @@ private:
     std::mt19937_64 random_;
 };
 
-/// A service of the robot and one invalid input for it.
+/// A service of the robot and a generator of invalid input for it.
 struct AttackedService {
     const char* name;
     std::uint16_t simulator::Ports::*port;

@@ -24,8 +24,8 @@ private:
     QMetaObject::Connection connection_;
 };
 
-/// Calls `heard` with severity, text and origin of each later message. The origin may be omitted. If `heard` uses local
-/// variables, keep the result in a Listening.
+/// Calls `heard` with severity, text and origin of each later message. The origin may be omitted. If `heard`
+/// uses local variables, keep the result in a Listening.
 template <typename Heard>
 QMetaObject::Connection onMessage(const Journal& journal, const QObject* context, Heard heard) {
     return QObject::connect(&journal, &Journal::added, context, [heard](const JournalEvent& event) mutable {

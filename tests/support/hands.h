@@ -24,7 +24,8 @@
 
 namespace tiller::test {
 
-/// Simulates a display server: stores the pressed keys and whether the server responds.
+/// Simulates a display server: stores the pressed keys, the left mouse button, and whether the server
+/// responds.
 class FakeWitness : public KeyStateProbe {
 public:
     explicit FakeWitness(const Clock& clock) : clock_(clock) {}
@@ -74,7 +75,7 @@ private:
 };
 
 /// An arm that follows the contract. It has one command slot. A motion ends 100 ms after its last refresh,
-/// and a move ends at its target.
+/// and a move also ends after `moveNs`.
 struct TimedArm {
     explicit TimedArm(const Clock& clock_) : clock(clock_) {}
 
@@ -83,11 +84,11 @@ struct TimedArm {
     std::uint64_t running = 0;
     std::int64_t refreshedNs = 0;
     std::int64_t arrivesNs = 0;
-    std::int64_t moveNs = 3600 * kNsPerSecond;  ///< duration of a move
-    std::int64_t movedNs = 0;                   ///< time of the last motion [ns]
+    std::int64_t moveNs = 3600 * kNsPerSecond;  ///< duration of a move [ns]
+    std::int64_t movedNs = 0;                   ///< last time at which the arm moved [ns]
     QList<control::StopCause> ends;
     QSet<std::uint64_t> over;
-    bool broken = false;  ///< true if an ended motion was treated as active
+    bool broken = false;  ///< true if an ended motion was held, or a motion was ended without a cause
 
     bool moves() const {
         return running != 0 && clock.nowNs() - refreshedNs <= 100 * kNsPerMs && clock.nowNs() < arrivesNs;
@@ -188,8 +189,8 @@ struct Hands {
         column->addHoldKeys(keyboard);
         window.show();
         activate();
-        // Move the arm for some time, so that "Back" has a path. Then teach a waypoint away from the current
-        // position.
+        // Report a moving arm, so that "Back" has a path. Teach a waypoint at the start of the motion, away
+        // from the final position.
         SessionState state = readyState();
         for (int i = 0; i < 20; ++i) {
             state.q[0] += 0.05;
@@ -266,7 +267,7 @@ struct Hands {
     }
 
     // Each function simulates a user action. The display server stores the new state, and the window receives
-    // the event.
+    // the event unless `heard` is false.
     void mouse(QWidget& on, QEvent::Type type, Qt::MouseButton button = Qt::LeftButton, bool heard = true) {
         if (button == Qt::LeftButton && type != QEvent::MouseMove) {
             witness.leftDown = type != QEvent::MouseButtonRelease;

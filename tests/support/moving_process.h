@@ -74,7 +74,7 @@ public:
     double speed = 0;                                    ///< of the TCP [m/s]
     Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of the TCP [m]
     bool stands = true;
-    double lastMoved = 0;  ///< [s]
+    double lastMoved = 0;  ///< robot time of the last package with motion [s]
     double heardAt = 0;    ///< robot time of the last heartbeat that the control program received [s]
     control::ScriptState state = control::ScriptState::Ready;
     control::ScriptState heardIn = control::ScriptState::Ready;  ///< state of the script at `heardAt`
@@ -86,8 +86,9 @@ private:
     double heard_ = 0;
 };
 
-/// For use without any data connection. Queries the robot itself until the time `until` [s]. Returns the
-/// duration of the motion [s] observed after `since` or after the last heartbeat.
+/// For use without any data connection. Observes the robot itself until the time `until` [s]. Returns how
+/// long the arm moved after `since` or after the last package that the robot received, whichever is later
+/// [s].
 inline double movesOn(const simulator::Simulator& robot, double since, double until) {
     double moved = since;
     std::uint64_t heard = robot.inputPackages();
@@ -123,13 +124,14 @@ public:
     }
     /// True if the process has printed these words since the last call.
     bool hasSaid(const QByteArray& words) {
-        // Keep reading, because the robot would otherwise disconnect the observer.
+        // Do not wait for output, because the caller must continue to read RTDE packages. Otherwise, the
+        // robot would disconnect the observer.
         process_.waitForReadyRead(0);
         return process_.readAll().contains(words);
     }
     void suspend() const { setSuspended(process_.processId(), true); }
     void resume() const { setSuspended(process_.processId(), false); }
-    /// Ends the process without a chance to react, also if it is suspended.
+    /// Kills the process, even if it is suspended. The process cannot react.
     void kill() {
         process_.kill();
         process_.waitForFinished(kWaitTimeoutMs);

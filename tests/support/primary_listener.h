@@ -30,7 +30,7 @@ inline QByteArrayList keysOf(const std::vector<QByteArray>& messages) {
     return keys;
 }
 
-/// The relevant content of a part of the primary stream.
+/// The messages, and the number of states, in the packages that have been received but not read.
 struct Heard {
     QByteArrayList keys, texts;
     std::vector<QByteArray> errors, exceptions, safetyModes;
@@ -44,7 +44,7 @@ struct Heard {
                 continue;
             }
             if (package[4] != 20) {
-                continue;  // skip the variables of a program
+                continue;  // e.g. the variables of a program
             }
             const QByteArray body = package.mid(15);
             switch (package[14]) {

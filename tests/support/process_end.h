@@ -15,8 +15,8 @@
 
 namespace tiller::test {
 
-/// Does not return for known names. "fork" leaves a child process that keeps all connections open. Windows has
-/// neither "fork" nor "closed pipe".
+/// Does not return for known names. "fork" leaves a child process that keeps all connections open. Windows
+/// has neither "fork" nor "closed pipe".
 inline void endProcess(const std::string& how) {
     if (how == "exception") {
         throw std::runtime_error("the end that the test asked for");

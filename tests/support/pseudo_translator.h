@@ -15,7 +15,7 @@ inline QString pseudoText(const QString& source) {
         {'I', u'Î'}, {'O', u'Ö'}, {'U', u'Ü'}, {'c', u'ç'}, {'n', u'ñ'}, {'s', u'š'}, {'S', u'Š'},
         {'y', u'ý'}, {'z', u'ž'}, {'Z', u'Ž'}, {'C', u'Ç'}, {'N', u'Ñ'}, {'g', u'ğ'}, {'r', u'ř'}};
     QString text;
-    double owed = 0;  // letters
+    double owed = 0;  // number of letters still to be added
     bool inTag = false;
     for (qsizetype i = 0; i < source.size(); ++i) {
         const QChar c = source[i];

@@ -12,7 +12,7 @@ namespace tiller::test {
 /// Clicks a button of the next modal question, which otherwise blocks its caller until a user answers.
 class QuestionAnswer {
 public:
-    /// button  object name. A question without this button is refused
+    /// button  object name; a question without this button is rejected
     explicit QuestionAnswer(const char* button) {
         timer_.setInterval(20);
         QObject::connect(&timer_, &QTimer::timeout, &timer_, [this, button] {

@@ -84,7 +84,7 @@ public:
         }
         return std::exchange(buffer_, {});
     }
-    /// Reads until the peer closes the connection.
+    /// Reads until the peer closes the connection. Returns false on timeout.
     bool waitClosed() {
         QElapsedTimer timer;
         timer.start();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The server side of a connection for text and byte protocols. A thread runs the script of the test for each
-// client.
+// The server side of a connection for text and byte protocols. A thread runs the script of the test for one
+// client after the other.
 
 #include <QByteArray>
 #include <QHostAddress>
@@ -129,7 +129,7 @@ public:
     int port() const { return port_; }
     int clients() const { return clients_; }
 
-    /// A port without a listener.
+    /// Returns a port without a listener.
     static int deadPort() {
         QTcpServer server;
         server.listen(QHostAddress::LocalHost);

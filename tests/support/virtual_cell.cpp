@@ -20,7 +20,7 @@ constexpr int kPumpMs = 20;
 /// Windows repaint only at every fifth refresh, as on a slow computer, because painting takes most of a
 /// test's processor time.
 constexpr int kRefreshesPerPaint = 5;
-/// Real time that a peer thread may take before the test fails. A working computer never reaches this limit.
+/// Maximum real time to wait for another thread. A working computer never reaches this limit.
 constexpr std::chrono::seconds kTestTimeout{20};
 
 }  // namespace
@@ -39,7 +39,7 @@ public:
         QCoreApplication::processEvents();
         isDelaying_ = false;
     }
-    /// Delivers the delayed repaints when events are processed next.
+    /// Posts the delayed repaints, so that windows repaint when events are processed next.
     void release() {
         for (const QPointer<QObject>& window : std::exchange(waiting_, {})) {
             if (window) {

@@ -29,7 +29,7 @@ public:
 
     /// Starts the robot and connects to it. Returns false if no data arrive; what() then returns the reason.
     bool connect();
-    /// Like connect(), and takes control. Returns false on failure; what() then returns the failed step.
+    /// Like connect(), and takes control. Returns false on failure; what() then returns the reason.
     bool bringUp();
     QString what() const { return what_; }
 
@@ -39,7 +39,8 @@ public:
     void advanceMs(int ms);
     /// Advances until the condition is true, but at most for this virtual time.
     bool advanceUntil(const std::function<bool()>& condition, int atMostMs);
-    /// Like advanceMs(), but without processing user interface events, as if the window were hanging.
+    /// Like advanceMs(), but without `everyRefresh`, refreshes of the session and user interface events, as
+    /// if the window were hanging.
     void advanceWithFrozenInterface(int ms);
 
     std::function<void()> everyRefresh;

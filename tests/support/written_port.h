@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A motion port that only records the calls. It allows one jog at a time, and each jog has a unique number.
+// A motion port that only records the calls. Each jog has a unique number and replaces the previous jog.
 
 #include <QList>
 #include <cstdint>

@@ -29,7 +29,8 @@
 
 namespace tiller::test {
 
-/// E.g. "jog.X+ (JogKey)"; the name of the parent if the widget has no name.
+/// The name or text of the widget and its class, e.g. "jog.X+ (JogKey)"; without a name and text, the name of
+/// a parent.
 QString nameOf(const QWidget& widget);
 
 class PlacesWatch {
@@ -64,7 +65,7 @@ private:
     struct Place {
         QPointer<const QWidget> control;
         QRect rect;         ///< in window coordinates
-        bool seen = false;  ///< true if near the pointer
+        bool seen = false;  ///< true if visible near the pointer before the click
     };
 
     bool isNear(const QRect& rect) const;

@@ -26,11 +26,11 @@ namespace tiller::test {
 namespace {
 
 constexpr int kQuietEvery = 40;  // number of steps
-/// Percentage of clicks after which the pointer stays in place for the whole period in which nothing may
-/// move. The next value applies to a shorter period.
+/// Percentage of clicks after which the next step waits for the whole period in which nothing may move.
 constexpr int kLongWatch = 1;
+/// Percentage of the other clicks after which the next step waits for 10 to 40 ms of this period.
 constexpr int kShortWatch = 15;
-/// The window is painted after this percentage of steps, because painting takes most of the time of a step.
+/// The window is painted only in this percentage of steps, because painting takes most of the time of a step.
 constexpr int kPaintedOfHundred = 10;
 /// Maximum time from release to standstill [ms]. The limits of the contract are tested in virtual time.
 constexpr int kStandstillMs = 1000;
@@ -185,7 +185,7 @@ QString buttonName(Qt::MouseButton button) {
 
 }  // namespace
 
-// ---- waiting ------------------------------------------------------------------------------------------------
+// ---- waiting ----------------------------------------------------------------------------------------------
 
 TestTimeout::TestTimeout(const simulator::Simulator& robot) : robot_(robot), began_(robot.truth().timestamp) {
     real_.start();
@@ -206,7 +206,7 @@ bool TestTimeout::isHopeless() const {
     return real_.elapsed() > kHopelessMs;
 }
 
-// ---- start and end ------------------------------------------------------------------------------------------
+// ---- start and end ----------------------------------------------------------------------------------------
 
 RandomUser::RandomUser(quint32 seed, int place)
     : random_(seed)
@@ -326,7 +326,7 @@ bool RandomUser::eventFilter(QObject* watched, QEvent* event) {
     return QObject::eventFilter(watched, event);
 }
 
-// ---- a step -------------------------------------------------------------------------------------------------
+// ---- a step -----------------------------------------------------------------------------------------------
 
 const QList<RandomUser::Act>& RandomUser::acts() {
     static const QList<Act> all = {
@@ -421,7 +421,7 @@ void RandomUser::bringWindowBack() {
     }
 }
 
-// ---- selection ----------------------------------------------------------------------------------------------
+// ---- selection --------------------------------------------------------------------------------------------
 
 QList<QWidget*> RandomUser::windowsInReach() const {
     if (QWidget* popup = QApplication::activePopupWidget()) {
@@ -502,7 +502,7 @@ std::optional<RandomUser::Target> RandomUser::someHoldKey() {
     return Target{&window_, key->mapTo(&window_, key->rect().center()), nameOf(*key)};
 }
 
-// ---- user actions -------------------------------------------------------------------------------------------
+// ---- user actions -----------------------------------------------------------------------------------------
 
 void RandomUser::click(const Target& target) {
     if (!target.window) {
@@ -684,7 +684,7 @@ void RandomUser::wait() {
     watchOn(5 + below(40));
 }
 
-// ---- events of the robot ------------------------------------------------------------------------------------
+// ---- events of the robot ----------------------------------------------------------------------------------
 
 void RandomUser::inject(const QString& words) {
     note(QStringLiteral("robot: ") + words);
@@ -730,7 +730,7 @@ void RandomUser::faultOrCure() {
     }
 }
 
-/// Fixes the first problem directly at the robot, without using the window.
+/// Fixes the first problem found, at the robot or through the session, without clicks or keys.
 void RandomUser::care() {
     RobotSession& session = window_.session();
     const SessionState& state = session.state();
@@ -772,7 +772,7 @@ void RandomUser::tellPendant(const QByteArray& line) {
     socket->connectToHost(robot_.listenAddress(), robot_.ports().dashboard);
 }
 
-// ---- dialogs ------------------------------------------------------------------------------------------------
+// ---- dialogs ----------------------------------------------------------------------------------------------
 
 void RandomUser::endOldDialogs() {
     const QWidget* modal = QApplication::activeModalWidget();
@@ -812,8 +812,8 @@ void RandomUser::closeAllDialogs() {
     }
 }
 
-/// The timer event does not call this function directly, because a timer does not fire recursively and the
-/// action may open the next dialog with its own event loop.
+/// Called by a timer. Does not call endNestedLoop() directly, because that function may open the next dialog
+/// with its own event loop, and a timer does not fire again before its event has been handled.
 void RandomUser::visit() {
     if (QThread::currentThread()->loopLevel() == 0) {
         stuck_ = 0;
@@ -822,8 +822,8 @@ void RandomUser::visit() {
     QMetaObject::invokeMethod(this, &RandomUser::endNestedLoop, Qt::QueuedConnection);
 }
 
-/// Nested event loops (file dialog, some menus, dragging a row) block the step. A timer ends them from inside
-/// the loop.
+/// Nested event loops (file dialog, some menus, dragging a row) block the step. This function runs inside
+/// such a loop and ends it.
 void RandomUser::endNestedLoop() {
     if (QThread::currentThread()->loopLevel() == 0) {
         return;  // the nested loop has ended in the meantime
@@ -880,7 +880,7 @@ void RandomUser::endFileDialog() {
     }
 }
 
-// ---- checks -------------------------------------------------------------------------------------------------
+// ---- checks -----------------------------------------------------------------------------------------------
 
 void RandomUser::judgePlaces() {
     if (!places_.isOn()) {

@@ -76,7 +76,7 @@ private:
             places_.pop_front();
         }
     }
-    /// Holds the button for this time, and measures until the arm has stopped.
+    /// Holds the button for this time, and measures until 400 ms after the release, when the arm has stopped.
     void hold(const QString& name, int ms) {
         tcp_ = elbow_ = 0;
         places_.clear();

@@ -318,7 +318,7 @@ private Q_SLOTS:
         keepPicture(window(), QStringLiteral("collision-limiter"));
     }
 
-    // The arm remains at standstill.
+    // The arm does not move during this test.
     void theLimiterLineFollowsAnEditOfTheCell() {
         cell_ = &cell();
         cell_->advanceMs(300);

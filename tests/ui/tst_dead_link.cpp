@@ -170,8 +170,8 @@ struct DeadLinkBench : WindowBench {
                 break;
         }
     }
-    /// Robot time until standstill [ms]; -1 if the arm does not stop within a second. The threads get ten
-    /// times as much real time.
+    /// Robot time until standstill [ms]; -1 if the arm does not stop within a second. In each period, waits
+    /// ten times as long in real time, so that the communication threads can follow.
     int msToStandstill() {
         for (int ms = 0; ms <= 1000; ms += kPeriodMs) {
             if (standsStill(cell)) {

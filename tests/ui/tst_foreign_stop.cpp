@@ -35,7 +35,7 @@ constexpr const char* kFocuses[] = {"window", "text field", "table", "dialog", "
 enum class Path { Header, Command, Recovery };
 constexpr const char* kPaths[] = {"header", "command", "recovery page"};
 
-/// The process at the dashboard port sends nothing, because PolyScope X has no dashboard.
+/// Robot options for PolyScope X, which has no dashboard, so that a test can listen at the dashboard port.
 simulator::SimulatorOptions withoutDashboard() {
     simulator::SimulatorOptions options = VirtualCell::options();
     options.software = {10, 12, 0, 0};
@@ -349,8 +349,8 @@ private Q_SLOTS:
         QVERIFY2(bench.stopsAtOnce(), "the program did not stop");
         QVERIFY(bench.comesToRest());
         QVERIFY(dialog.isVisible() && dialog.isActiveWindow());
-        // The button above the dialog covers STOP after every change of the layout. Otherwise, a part of STOP would
-        // be visible but would not respond.
+        // The button above the dialog covers STOP after every change of the layout. Otherwise, a part of STOP
+        // would be visible but would not respond.
         const auto covers = [&] {
             const auto* above = bench.window.findChild<StopButton*>("stopAboveDialog");
             return above != nullptr && above->pos() == stop.mapToGlobal(QPoint(0, 0)) &&

@@ -230,7 +230,8 @@ private:
                 break;
         }
     }
-    /// Advances only robot and controller, as after a crash or hang of the client.
+    /// Advances only robot and controller, as after a crash or hang of the client. Returns the time to
+    /// standstill [ms]; -1 if the arm still moves at the end.
     int robotAlone(int ms) {
         int stood = -1;
         for (int t = 0; t < ms; t += 2) {
@@ -522,8 +523,8 @@ private Q_SLOTS:
                 break;
         }
         QVERIFY2(ms >= 0 && ms <= bound, qPrintable(QString::number(ms)));
-        // The robot may still receive the rest of the path. The arm must not move before the button is pressed
-        // again.
+        // The robot may still receive the rest of the path. The arm must not move before the button is
+        // pressed again.
         const Pose rest = cell().truth().tcpPose;
         if (how == End::SilentLink || how == End::ProcessKilled || how == End::WindowClosed) {
             robotAlone(1000);

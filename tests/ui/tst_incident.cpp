@@ -302,8 +302,8 @@ void TestIncident::theScrubberMovesAllViewsTogether() {
     QVERIFY(bench.within([&] { return !bench.state().recording.active; }));
 }
 
-/// The replay band of the log also stays visible while the pointer is on it. The log then shows live data
-/// again.
+/// After "Back to live", the log scrolls to new rows again, although its replay band stays visible while the
+/// pointer is on it.
 void TestIncident::theLogFollowsAgainAfterBackToLive() {
     Bench bench;
     QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
@@ -330,7 +330,7 @@ void TestIncident::theLogFollowsAgainAfterBackToLive() {
     for (int i = 0; i < 3; ++i) {
         bench.window.session().journal().add(Severity::Info, QStringLiteral("later %1").arg(i),
                                              Origin::Operator);
-        // The new row counts only after the next layout update.
+        // The scroll bar includes the new row only after the next layout update.
         QVERIFY(bench.within([&] { return bar->maximum() > before; }));
         QVERIFY(bench.within([&] { return bar->value() == bar->maximum(); }));
         before = bar->maximum();

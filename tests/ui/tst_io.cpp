@@ -56,7 +56,7 @@ private Q_SLOTS:
     void cleanup() { bench_.reset(); }
 
     void settingAnOutputStopsNoProgramAndNoMove() {
-        // A move to home takes some time and uses the control program of the window.
+        // A move to Home takes longer than the test needs and uses the control program of the window.
         press(find<HoldToRunButton>("homeKey"));
         cell().advanceMs(300);
         QVERIFY(!standsStill(cell()));

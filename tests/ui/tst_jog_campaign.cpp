@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Random operator inputs: press, hold for some time, and end in different ways. In all cases, the arm must
-// stop within the limit of the contract and not move before a new press. Three thousand inputs take 35 s;
-// TILLER_CAMPAIGN_SEQUENCES=1000 runs ten thousand.
+// Random operator inputs: press, hold for a random time, and end in different ways. In all cases, the arm
+// must stop within the limit of the contract and not move before a new press. Three thousand inputs take
+// 35 s; TILLER_CAMPAIGN_SEQUENCES=1000 runs ten thousand.
 
 #include <QRandomGenerator>
 #include <QTest>

@@ -29,7 +29,7 @@ namespace {
 
 constexpr double kSlow = 0.005;  // [m/s] the slowest speed, with 3 deg/s
 
-/// Parses the number format of the screen, which has a typographic minus sign.
+/// Parses a displayed number, which can have a typographic minus sign.
 double figure(QString text) {
     return text.replace(QChar(0x2212), QLatin1Char('-')).remove(QChar(0xB0)).remove(QChar(0x2007)).toDouble();
 }
@@ -47,7 +47,7 @@ private:
     QAbstractButton& segment(const char* name) { return bench_->find<QAbstractButton>(name); }
     void click(QWidget& widget) { QTest::mouseClick(&widget, Qt::LeftButton); }
 
-    /// "Go to" also uses the clock of the cell.
+    /// The button "Go to", which from now on uses the clock of the cell.
     HoldToRunButton& goTo() {
         HoldToRunButton& button = key("waypoint.goTo");
         button.guard().setClock(cell().clock);
@@ -473,7 +473,7 @@ private Q_SLOTS:
         QVERIFY(QTest::qWaitForWindowActive(&window()));
         arm.setFocus(Qt::TabFocusReason);
         QTRY_VERIFY_WITH_TIMEOUT(arm.hasFocus(), 60'000);
-        cell().advanceMs(2000);  // for some time after a motion, Space only stops
+        cell().advanceMs(2000);  // for a second after a motion, Space only stops
         QTest::keyClick(&arm, Qt::Key_Space);
         QVERIFY(!arm.isDown());
         QVERIFY(!keyboard().isArmed() && !arm.isArmed());

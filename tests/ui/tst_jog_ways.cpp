@@ -204,7 +204,8 @@ private:
         }
     }
 
-    /// Advances only robot and controller, as after a crash or hang of the client.
+    /// Advances only robot and controller, as after a crash or hang of the client. Returns the time to
+    /// standstill [ms], at most 1000.
     int robotAloneUntilStandstill() {
         int ms = 0;
         while (ms < 1000 && (ms < 10 || !standsStill(cell()))) {

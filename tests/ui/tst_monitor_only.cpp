@@ -165,7 +165,8 @@ private Q_SLOTS:
         key.click();
         QVERIFY(bench.window.findChild<QWidget*>("armedFrame") == nullptr);
         QCOMPARE(bench.warnings->size(), 1);
-        // A loss of control disarms the keyboard. Otherwise, a key could move the arm right after control is taken.
+        // A loss of control disarms the keyboard. Otherwise, a key could move the arm right after control is
+        // taken.
         bench.window.session().takeControl();
         QVERIFY(bench.within([&] { return bench.window.session().state().canMove(); }));
         key.click();

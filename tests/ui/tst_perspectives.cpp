@@ -61,7 +61,8 @@ void run(app::MainWindow& window, const char* id) {
         qFatal("there is no command %s", id);
     }
     action->trigger();
-    QCoreApplication::processEvents();  // a panel is floated and docked later
+    // Panels are floated and docked in the next iteration of the event loop.
+    QCoreApplication::processEvents();
 }
 
 /// Position of a dock in the window.
@@ -82,7 +83,7 @@ bool standsAsInTeach(app::MainWindow& window) {
     return view.right() < tabs.left() && view.bottom() < plots.top() && tabs.bottom() < plots.top();
 }
 
-/// Uses the shortcut in the window that a window manager would have activated.
+/// Selects the perspective with its shortcut. Activates the window first, as a window manager would.
 void chooseTeach(app::MainWindow& window) {
     window.activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(&window));
@@ -747,7 +748,7 @@ private Q_SLOTS:
     }
 
 private:
-    /// Simulates a stick that is neutral for a moment and then pushed upwards.
+    /// Simulates a stick that is neutral for 100 ms and then pushed upwards.
     static void tiltStick(WindowBench& bench) {
         driveKeys(bench.cell, bench.window.jogColumn().holdKeys(), &bench.window.jogColumn().axisJog());
         const auto hold = [&bench, pump = bench.cell.everyRefresh](double up) {

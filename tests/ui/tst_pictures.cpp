@@ -51,7 +51,7 @@ private:
 
     app::MainWindow& window() { return bench_->window; }
     void keep(QWidget& widget, const QString& name) { keep(widget.grab().toImage(), name); }
-    /// Fails if nothing was drawn, i.e. if the image has a single colour.
+    /// Saves an image. Fails if nothing was drawn, i.e. if the image has a single colour.
     void keep(const QImage& image, const QString& name) {
         const QRgb first = image.pixel(0, 0);
         bool drawn = false;
@@ -76,7 +76,7 @@ private:
             }
         }
     }
-    /// Saves an image, which must not be wider than a page of the manual.
+    /// Saves an image for the manual. An image that is wider than a page is scaled down.
     void keepForManual(const QImage& image, const char* name) {
         keep(image.width() > kPageWidth ? image.scaledToWidth(kPageWidth, Qt::SmoothTransformation) : image,
              QStringLiteral("manual-") + QLatin1String(name));

@@ -125,8 +125,8 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(action("control.take")->isEnabled(), 20'000);
     }
 
-    // Only the first attempt shows whether Local means that remote control is disabled or that commands are
-    // refused.
+    // A robot in Local may only have remote control disabled, or it may refuse commands. Only the first
+    // attempt to take control shows which of them is the case.
     void controlIsNotTakenAfterAStartInLocalControl() {
         begin({}, true);
         bool wasInControl = false;
@@ -295,7 +295,7 @@ private Q_SLOTS:
         QVERIFY(QTest::qWaitForWindowActive(window_.get()));
         key->setFocus(Qt::TabFocusReason);
         QTRY_VERIFY_WITH_TIMEOUT(key->hasFocus(), 60'000);
-        // Exceed the time for which Space keeps its stop function after a motion.
+        // Continue for longer than the second after a motion in which Space only stops.
         for (int i = 0; i < 15; ++i) {
             QTest::keyClick(key, Qt::Key_Space);
             QVERIFY2(key->isEnabled() && !key->isDown(), "Space closed the popup");

@@ -45,9 +45,9 @@ constexpr int kSteps = 10'000;
 constexpr int kRowSteps = 1000;
 constexpr quint32 kSeed = 20261116;
 
-// ---- expected warnings ----------------------------------------------------------------------------------------
+// ---- expected warnings ------------------------------------------------------------------------------------
 
-/// Warnings caused by the platform without a screen, and by the simulated robot about its faults.
+/// Patterns of the warnings that the platform without a screen causes.
 const char* const kExpectedWarnings[] = {
     "^This plugin does not support ",
 };
@@ -104,7 +104,7 @@ int numberFrom(const char* variable, int otherwise) {
     return ok && number > 0 ? number : otherwise;
 }
 
-// ---- windows for testing the checks ----------------------------------------------------------------------------
+// ---- windows for testing the checks -----------------------------------------------------------------------
 
 /// Two buttons near each other, and a third button that is far away.
 struct Keys {
@@ -185,7 +185,7 @@ private Q_SLOTS:
         QVERIFY2(QDir::homePath() == QDir::currentPath(), "files would be written to the user's home folder");
     }
 
-    // ---- tests of PlacesWatch -----------------------------------------------------------------------------------
+    // ---- tests of PlacesWatch -----------------------------------------------------------------------------
 
     void aWidgetMovedUnderThePointerIsDetected() {
         Keys keys;
@@ -309,7 +309,7 @@ private Q_SLOTS:
         QCOMPARE(watch.moved().size(), 1);
     }
 
-    // ---- tests of TruthCheck ------------------------------------------------------------------------------------
+    // ---- tests of TruthCheck ------------------------------------------------------------------------------
 
     void correctWindowPasses() {
         Board board;
@@ -396,7 +396,7 @@ private Q_SLOTS:
         QCOMPARE(lines.last(), QString("step 99"));
     }
 
-    // ---- the random user ------------------------------------------------------------------------------------
+    // ---- the random user ----------------------------------------------------------------------------------
 
     void nothingBreaks_data() {
         QTest::addColumn<quint32>("seed");

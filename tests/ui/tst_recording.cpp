@@ -190,7 +190,8 @@ private Q_SLOTS:
             QVERIFY2(active() && bench.window.session().state().link == LinkState::Live, action);
         }
 
-        // The page with the check closes when its button Connect is clicked, and the question must not close with it.
+        // The page with the check closes when its button Connect is clicked, and the question must not close
+        // with it.
         bench.window.actions().find("robot.check")->trigger();
         auto* page = bench.window.findChild<PreflightPage*>();
         QVERIFY(page != nullptr && QTest::qWaitForWindowActive(page));

@@ -34,7 +34,7 @@ namespace {
 constexpr char kCrash[] = "--crash";
 constexpr char kLastLine[] = "Connected to Lab UR5e at 10.0.0.7";
 
-/// Crashes like a program with an invalid pointer.
+/// Enables crash reports, stores lines for them, and raises the signal, like a crash of the program.
 int crash(const QString& path, int signal) {
     app::keepCrashReports(path);
     app::rememberForCrash(QStringLiteral("the first line\nof two"));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Settings take effect immediately and are restored at the next start. A settings file cannot contain dangerous
-// settings: only the user can raise the speed cap, and the header then shows it.
+// Settings take effect immediately and are restored at the next start. A settings file cannot contain
+// dangerous settings: only the user can raise the speed cap, and the header then shows it.
 
 #include <QCheckBox>
 #include <QComboBox>

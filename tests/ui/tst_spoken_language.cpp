@@ -96,7 +96,7 @@ Texts readTexts(const QString& path) {
     return texts;
 }
 
-/// The parts that a translation must contain: placeholders, tags, and "…" of a command with a dialog.
+/// The parts that a translation must also contain: placeholders and tags.
 QStringList fixedParts(const QString& text) {
     static const QRegularExpression kParts(QStringLiteral("%L?[0-9n]|</?[a-z][^>]*>"));
     QStringList parts;

@@ -153,7 +153,7 @@ private Q_SLOTS:
 
     void homeMovesToTheStoredPosition() {
         window().tools().showPage(ToolsTab::Positions);
-        // The page reads the robot's state a few times per second, in real time.
+        // The page reads the robot's state ten times per second, in real time.
         QTRY_VERIFY_WITH_TIMEOUT(
             (click("position.setHome"), window().document().positions().homePosition() != nullptr), 60'000);
         const JointPositions home = window().document().positions().homePosition()->joints;

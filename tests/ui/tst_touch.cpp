@@ -45,7 +45,8 @@ struct Bench : WindowBench {
     }
 };
 
-/// True for a widget inside a table row. The height of the row (44 px) limits the widget, so it is not checked.
+/// True for a widget inside a table row. The height of the row (44 px) limits the widget, so it is not
+/// checked.
 bool isInTableRow(const QWidget& widget) {
     for (const QWidget* up = widget.parentWidget(); up != nullptr; up = up->parentWidget()) {
         if (up->inherits("QAbstractItemView")) {

@@ -64,7 +64,7 @@ private:
         after.activePayload = payload.id;
         document().changeTooling(after, text);
     }
-    /// The pages update ten times per second, in real time.
+    /// Waits until the pages have the state of the robot. They update ten times per second, in real time.
     void pageSeesTheRobot() {
         QTest::qWait(150);
         cell().advanceMs(40);
@@ -227,7 +227,8 @@ private Q_SLOTS:
         QVERIFY(arm.hasFocus());
     }
 
-    // Return on a button that was used before would start a program, and Return on “Arm keyboard” would arm it.
+    // Return on a button that was used before would start a program, and Return on “Arm keyboard” would arm
+    // it.
     void aClickOnATabFocusesNoButton_data() {
         QTest::addColumn<bool>("hasPrograms");
         QTest::newRow("empty project") << false;

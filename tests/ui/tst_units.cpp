@@ -95,7 +95,7 @@ const QRegularExpression kMillimetres(QStringLiteral(R"(\bmm\b)"));
 /// Matches "in" only after a number or at the end of a column header, because "in" is also an English word.
 const QRegularExpression kInches(QStringLiteral(R"(\d\s?in(/s)?(?![a-z/])|^(Blend|Origin|TCP) in$)"));
 
-/// Returns all texts of the window with the unit, except those of the plots.
+/// Returns all texts that match, with their widgets. Excludes plots, log entries and the last message.
 QStringList figuresIn(const QRegularExpression& figure, const QWidget& root) {
     const auto* plots = root.findChild<PlotDock*>();
     QStringList found;
@@ -116,7 +116,7 @@ QStringList figuresIn(const QRegularExpression& figure, const QWidget& root) {
     return found;
 }
 
-/// Names of all widgets that display a length.
+/// Names of widgets that display a length.
 constexpr const char* kPlaces[] = {
     "lastStopChip", "jogMotion.1",     "jogMotion.3",         "jogSpeed.0",
     "jogSpeed.4",   "waypoint.table",  "waypoint.details.x",  "waypoint.details.facts",

@@ -103,7 +103,7 @@ private:
             QTest::qWait(1);
         }
     }
-    /// Advances time without data from the robot, because waiting for data would take real time.
+    /// Advances time without waiting for data from the robot, because no data arrive.
     void passWithoutLink(int ms) {
         for (int t = 0; t < ms; t += 20) {
             for (int tick = 0; tick < 10; ++tick) {

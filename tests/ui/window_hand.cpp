@@ -10,7 +10,6 @@
 
 namespace tiller::test {
 
-// Qt Test uses (0, 0) for the centre and prints a warning for positions outside the window.
 namespace {
 
 /// Returns the focus window. The offscreen platform sometimes returns a destroyed window.
@@ -21,6 +20,7 @@ QWindow* focusWindow() {
 
 }  // namespace
 
+// Qt Test uses (0, 0) for the centre and prints a warning for positions outside the window.
 QPoint WindowHand::inside(const QWindow& window, QPoint at) {
     const QSize size = window.geometry().size();
     return {std::clamp(at.x(), 1, std::max(1, size.width() - 1)),

@@ -32,8 +32,8 @@ QString asShown(QString text) {
     return sign == kPoint ? text : text.replace(kPoint, sign);
 }
 
-/// Calls a function when the widget is painted, because a spin box reports no change if setting a value changes
-/// only its text.
+/// Calls a function when the widget is painted, because a spin box reports no change if setting a value
+/// changes only its text.
 class PaintWatch : public QObject {
 public:
     PaintWatch(QWidget& watched, std::function<void()> painted)

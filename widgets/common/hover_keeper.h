@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Removes the hover state of widgets that the pointer has left without an event: after a touch release, because
-// there is no pointer, and while a menu or dialog is open, because the widgets below it receive no move events.
+// Removes the hover state of widgets that the pointer has left without an event: after a touch release,
+// because there is no pointer, and while a menu or dialog is open, because the widgets below it receive no
+// move events.
 
 #include <QObject>
 

@@ -10,7 +10,7 @@ namespace tiller {
 
 namespace {
 
-/// Minimum time after a letter during which another letter continues the search. It is longer than Qt's
+/// A letter that is typed within this time after the previous letter continues the search. Longer than Qt's
 /// default, for slow typists.
 constexpr qint64 kMinPauseMs = 1000;
 

@@ -50,8 +50,8 @@ public:
     /// Removes the notice with this cause, including a waiting one. Call this when the cause has been
     /// resolved.
     void resolve(const QString& cause);
-    /// Closes a question without a cause, because its data have changed and the answer would have a different
-    /// effect than shown. Messages remain open.
+    /// Closes a question that has no cause. Call this if the data have changed, because accepting the
+    /// question would then have a different effect than shown. Messages remain open.
     void dismissQuestion();
     /// Updates the text of a notice with Notice::liveText. Call this regularly with new robot data.
     void refresh();

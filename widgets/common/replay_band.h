@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A band below a part of the window that shows past data. The band displays the time and a button that returns
-// to live data. The widget above becomes lower while the band is visible, so that no button moves.
+// A band below a part of the window that shows past data. The band displays the time and a button that
+// returns to live data. The widget above becomes lower while the band is visible, so that no button moves.
 
 #include <QFrame>
 
@@ -20,8 +20,7 @@ public:
     /// above  widget in the same layout whose height is reduced; null if there is none
     explicit ReplayBand(const QString& name, QWidget* above = nullptr, QWidget* parent = nullptr);
 
-    /// Sets the text. If it is empty, the data are live and the band is hidden as soon as the pointer has
-    /// left it.
+    /// Sets the text. An empty text means live data: the band is hidden as soon as the pointer has left it.
     void tell(const QString& words);
     QString words() const;
 

@@ -13,8 +13,8 @@ namespace tiller {
 
 /// ink     colour of the symbol
 /// ground  background colour, for cutouts in a filled symbol
-/// mark    up to two letters, drawn in an octagon instead of the exclamation mark, or to the right of other
-/// symbols
+/// mark    up to two letters, drawn in an octagon instead of the exclamation mark, or to the right of any
+///         other symbol
 void drawShape(QPainter& painter, StateChip::Shape shape, const QRectF& box, const QColor& ink,
                const QColor& ground, const QString& mark = {});
 

@@ -6,8 +6,8 @@
 
 namespace tiller {
 
-/// Ignores the second click of a double click, for buttons whose second click would do something that the person has not
-/// read yet.
+/// Ignores the second press of a double click, for buttons that have a different effect after the first
+/// click, e.g. the button for the next step, or that must not act twice.
 class SingleClick : public QObject {
 public:
     explicit SingleClick(QAbstractButton& button) : QObject(&button) { button.installEventFilter(this); }

@@ -12,7 +12,7 @@ namespace tiller {
 
 namespace {
 
-constexpr char kRefused[] = "refused";  // name in the style sheet
+constexpr char kRefused[] = "refused";  // property name in the style sheet
 
 }  // namespace
 

@@ -9,8 +9,8 @@ namespace tiller {
 /// True for a widget with text input. While it has the focus, keys must not move the arm.
 bool takesText(const QWidget* widget);
 
-/// For a field that edits a value of the project. If the event is the shortcut for undo or redo, and the field
-/// has no typed text to undo or redo, ignores the event, so that the shortcut applies to the project.
+/// For a field that edits a value of the project. If the event is the shortcut for undo or redo, and the
+/// field has no typed text to undo or redo, ignores the event, so that the shortcut applies to the project.
 /// Returns  true if the event was ignored
 bool leavesUndoToProject(QEvent& event, bool canUndo, bool canRedo);
 

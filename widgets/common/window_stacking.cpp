@@ -45,14 +45,14 @@ xcb_atom_t stateAtom(xcb_connection_t* link) {
     return reply != nullptr ? reply->atom : xcb_atom_t{XCB_ATOM_NONE};
 }
 
-/// True for the window of a program that the window manager manages, and for the frame around it. Other windows, e.g.
-/// the one in which a compositor draws the whole screen, do not cover anything.
-/// depth  number of windows that may be nested around the window of the program
+/// True for a window that the window manager manages, and for the frame around such a window. Other windows,
+/// e.g. the one in which a compositor draws the whole screen, do not cover anything.
+/// depth  maximum number of frames around the managed window
 bool isManaged(xcb_connection_t* link, xcb_window_t window, xcb_atom_t state, int depth = 2) {
     const Owned<xcb_get_property_reply_t> property(xcb_get_property_reply(
         link, xcb_get_property(link, 0, window, state, XCB_GET_PROPERTY_TYPE_ANY, 0, 1), nullptr));
-    // A window that was hidden may have the state 0 (Withdrawn), even if it is on the screen again without the window
-    // manager, like the STOP button of another Tiller.
+    // A window may still have the state 0 (Withdrawn) from the last time it was hidden, even if it is on the
+    // screen again without the window manager, e.g. the STOP button of another Tiller.
     constexpr std::uint32_t kNormal = 1;
     if (property != nullptr && property->format == 32 && xcb_get_property_value_length(property.get()) >= 4 &&
         *static_cast<const std::uint32_t*>(xcb_get_property_value(property.get())) == kNormal) {
@@ -78,7 +78,8 @@ QRect areaOf(xcb_connection_t* link, xcb_window_t window) {
                            : QRect();
 }
 
-/// Returns the ancestor of a window that is a child of the root window: its frame, or the window itself. 0: none.
+/// Returns the ancestor of a window that is a child of the root window: its frame, or the window itself.
+/// Returns 0 if there is none.
 xcb_window_t frameOf(xcb_connection_t* link, xcb_window_t window) {
     for (Tree tree = treeOf(link, window); tree; tree = treeOf(link, window)) {
         if (tree->parent == tree->root) {

@@ -17,15 +17,17 @@ enum class Stacking {
     Unsupported,  ///< not available on this platform
 };
 
-/// Keeps a window that the window manager does not manage, e.g. a tooltip, above all reference windows. Some window
-/// managers, e.g. metacity, raise such a window above all others at any time, so the parts of it that belong to
-/// another program are returned instead of changing the order.
-/// covered  receives the parts of `unmanaged` that windows of other programs cover or would cover if they were not
-///          below it [px, device-independent, relative to `unmanaged`]
+/// Keeps a window that the window manager does not manage, e.g. a tooltip, above all reference windows.
+/// Windows of other programs are not moved, because some window managers, e.g. metacity, raise an unmanaged
+/// window above all others at any time. Instead, the function returns the area that these windows would
+/// cover.
+/// covered  receives the parts of `unmanaged` that windows of other programs cover or would cover if they
+///          were not below it [px, device-independent, relative to `unmanaged`]
 Stacking keepAbove(const QList<QWindow*>& references, const QWindow& unmanaged, QRegion& covered);
 
-/// Reports changes of the order and visibility of all windows on the screen, including those of other programs. Uses a
-/// connection of its own, because the event selection of Qt's connection belongs to Qt.
+/// Reports changes of the order and visibility of all windows on the screen, including those of other
+/// programs. Uses a separate connection to the display server, because Qt determines which events its own
+/// connection receives.
 /// Threads  GUI
 class StackingWatch : public QObject {
     Q_OBJECT

@@ -2,7 +2,7 @@
 #pragma once
 
 // Creates, moves, duplicates and deletes frames. FrameTeacher teaches their points. Waypoints move with their
-// frame. Every step is an undoable edit of the document. Moving waypoints by a touch-up requires a
+// frame. Every change is an undoable edit of the document. Moving waypoints by a touch-up requires a
 // confirmation.
 
 #include <QObject>
@@ -27,8 +27,8 @@ public:
     FrameEditing(ProjectDocument& document, FrameModel& model, NoticeBar& notice, Journal& journal,
                  QObject* parent = nullptr);
 
-    /// The new pose of a frame. `obstacle` is the reason why the pose cannot be stored now; empty if it can be
-    /// stored.
+    /// The new pose of a frame. `obstacle` is the reason why the pose cannot be stored now; empty if it can
+    /// be stored.
     struct NewPose {
         Pose T_base_frame;
         QString obstacle = {};
@@ -50,7 +50,8 @@ private:
     /// Returns  a text about the moved waypoints
     QString move(const QUuid& id, const Pose& T_base_frame, const QString& step);
 
-    /// Effect of a move on the waypoints. Checking their reach takes too long for each update of a question.
+    /// Result of the last check of a move. It is stored, because checking the reach of all waypoints takes
+    /// too long for each update of a question.
     struct CheckedMove {
         QUuid id;
         Pose T_base_frame;

@@ -104,7 +104,7 @@ int FrameTeacher::nextMissing() const {
 
 void FrameTeacher::takeNext() {
     const Problem problem = project::check(points_).problem;
-    // Start with the point that makes the frame invalid.
+    // If the second point is too close to the origin, record it again first.
     take(problem == Problem::XTooClose ? 1 : nextMissing() < 0 ? 2 : nextMissing());
 }
 

@@ -2,7 +2,8 @@
 #pragma once
 
 // Teaches a frame from three points. The points are recorded one after the other at the TCP position. Shows
-// the next point, the distance of the TCP, and why the recorded points do not define a frame.
+// which point is next, the distance of the TCP from the recorded points, and the reason if the points do not
+// define a frame.
 
 #include <QWidget>
 #include <array>
@@ -29,13 +30,14 @@ public:
     /// tip       TCP position in the base frame [m]; empty if no point can be recorded
     /// obstacle  the reason why no point can be recorded
     void setTip(const std::optional<Eigen::Vector3d>& tip, const QString& obstacle);
-    /// Records the next missing point, or the last point again if none is missing.
+    /// Records the next missing point. If none is missing, records the last point again. If the first two
+    /// points are too close to each other, records the second point again.
     void takeNext();
     /// Emits made() if the points define a frame.
     void finish();
 
-    /// The frame defined by the recorded points. If only one point is missing, the current TCP position is
-    /// used instead.
+    /// The frame defined by the recorded points. If only the third point is missing, the current TCP position
+    /// is used instead.
     std::optional<Pose> preview() const;
     QString feedback() const;
 

@@ -52,8 +52,8 @@ FramesTab::FramesTab(RobotSession& session, ProjectDocument& document, QWidget* 
 }
 
 FramesTab::~FramesTab() {
-    // The base class destroys the table after the model, and possibly after the document. Disconnect the table,
-    // because the slots use both.
+    // The base class destroys the table after the model, and possibly after the document. Disconnect the
+    // table, because the slots use both.
     disconnect(table_, nullptr, this, nullptr);
 }
 

@@ -86,7 +86,7 @@ private:
     QList<QAction*> actions_;
     QTimer liveTimer_;
     QUuid selected_;
-    QVector<QUuid> known_;  ///< frames before the last change, for finding an added frame
+    QVector<QUuid> known_;  ///< IDs of the frames before the last change, for finding an added frame
     bool teaching_ = false;
     QUuid teachingInto_;  ///< frame to touch up; null to create a new frame
 

@@ -76,8 +76,8 @@ bool HoldGuard::press(const HoldSource& grip) {
     rules_.begin(&key_, runsToEnd_ ? HoldSource{HoldSource::By::Nobody} : grip, bounds);
     timer_.start();
     Q_EMIT began();
-    // If the start has disabled the button, the button receives no release, and the rules were not active at
-    // that time.
+    // The start of the motion may have disabled the button, which then receives no release. The rules have
+    // not detected this, because they were not active yet.
     if (!key_.isEnabled()) {
         stop(StopCause::ControlLost);
     }

@@ -82,7 +82,7 @@ private:
     std::int64_t beganNs_ = 0;
     bool pressed_ = false;
     bool runsToEnd_ = false;
-    bool pauses_ = false;  ///< true after HoldMotion::pause
+    bool pauses_ = false;  ///< true after a call of HoldMotion::pause
     bool hasEnd_ = false;  ///< true if the motion ends automatically while the button is held
 };
 

@@ -23,7 +23,8 @@ using Kind = HoldEvent::Kind;
 
 namespace {
 
-/// Maximum time between two refreshes, and between two replies of the key-state check. A longer gap ends the motion.
+/// Maximum time between two refreshes, and between two replies of the key-state check. A longer gap ends the
+/// motion.
 constexpr std::int64_t kStallNs = std::chrono::nanoseconds(control::kHoldTime).count();
 
 bool isEvent(const HoldEvent& news, QEvent::Type type) {

@@ -26,8 +26,9 @@ HoldToRunButton::HoldToRunButton(const QString& text, HoldPolicy& policy, QWidge
     : QAbstractButton(parent), guard_(*this, policy) {
     setText(text);
     setAccessibleName(text);
-    // The guard sets the focus on a press. With a focus policy, Qt would do so earlier and take the focus
-    // from a button that another finger holds. The second press would then look like the first press.
+    // The guard sets the focus on a press. With a focus policy, Qt would set the focus earlier and take it
+    // from a button that another finger holds. The lost focus would end the first hold, and the second press
+    // would start another motion.
     setFocusPolicy(Qt::NoFocus);
     setMouseTracking(true);  // a move without a pressed button shows that the release was missed
     setAttribute(Qt::WA_AcceptTouchEvents);

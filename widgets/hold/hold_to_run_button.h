@@ -26,7 +26,7 @@ public:
     /// Time until the maximum hold duration is reached [ns].
     std::int64_t holdLeftNs() const { return guard_.leftNs(); }
 
-    /// True while the robot confirms the requested motion. The button then has a blue border and tint.
+    /// If true, the robot confirms the requested motion, and the button has a blue border and tint.
     void setConfirmed(bool confirmed);
     bool isConfirmed() const { return confirmed_; }
     /// Sets a second, smaller line below the name, for the speed of the motion. May be empty.

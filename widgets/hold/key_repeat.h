@@ -2,8 +2,9 @@
 #pragma once
 
 // Auto-repeat on X11. The server sends each repetition of a held key as a release and a press with the same
-// time. Qt marks the release as auto-repeat only if it has already received the press. On a busy computer, a
-// repetition therefore looks like a release and a new press, which ends a hold or triggers a shortcut again.
+// time stamp. Qt marks the release as auto-repeat only if it has already received the press. On a busy
+// computer, a repetition therefore looks like a release and a new press, which ends a hold or triggers a
+// shortcut again.
 
 #include <QKeyEvent>
 #include <QPointer>
@@ -19,7 +20,7 @@ namespace tiller {
 
 class KeyStateProbe;
 
-/// Delays the release of a key until the key-state check has replied, at most `kLongestMs`. If the key is
+/// Delays the release of a key until the key-state check has replied, for at most `kLongestMs`. If the key is
 /// still pressed, the release and the following press are delivered as auto-repeat events.
 /// Threads  GUI
 class KeyRepeat : public QObject {

@@ -13,8 +13,8 @@ struct XWindowEvent {
     quint8 type;
     quint8 detail;
     quint16 sequence;
-    quint32 receiver;  ///< window that requested the event
-    quint8 mode;       ///< FocusOut
+    quint32 receiver;  ///< window for which the event is reported
+    quint8 mode;       ///< valid for FocusIn and FocusOut
 };
 static_assert(offsetof(XWindowEvent, mode) == 8);
 

@@ -71,8 +71,8 @@ public:
             return false;
         }
         // Read the second reply first, because each call reads the connection. If the first reply were read
-        // first, and both replies arrived between the calls, the second call would put the first reply into the
-        // queue of the library, and the thread would wait for data that the library has already read.
+        // first, and both replies arrived between the calls, the second call would put the first reply into
+        // the queue of the library, and the thread would wait for data that the library has already read.
         if (!taken(link_, keysRequest_, keys_)) {
             return false;
         }
@@ -98,7 +98,7 @@ private:
 XcbKeyStateProbe::XcbKeyStateProbe() {
     std::array<int, 2> ends{-1, -1};
     if (::pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) != 0) {
-        return;  // the check is not available without a thread
+        return;  // without the pipe, there is no thread and no check
     }
     wakeRead_ = ends[0];
     wakeWrite_ = ends[1];
@@ -119,7 +119,7 @@ XcbKeyStateProbe::~XcbKeyStateProbe() {
 
 void XcbKeyStateProbe::wake() {
     const char token = 0;
-    [[maybe_unused]] const auto written = ::write(wakeWrite_, &token, 1);  // full: a wake-up is pending
+    [[maybe_unused]] const auto written = ::write(wakeWrite_, &token, 1);  // full: wake-ups are pending
 }
 
 void XcbKeyStateProbe::want(bool wanted) {
@@ -201,7 +201,8 @@ void XcbKeyStateProbe::run() {
             waitingSinceNs_ = 0;
         }
         if (!link.isAlive()) {
-            // The connection is lost, so no more replies will arrive. A long waiting time ends every hold.
+            // The connection is lost, so no more replies will arrive. Report a waiting time of at least 1 s,
+            // which ends every hold.
             waitingSinceNs_ = waitingSinceNs_ == 0 ? clock.nowNs() - kNsPerSecond : waitingSinceNs_.load();
             return;
         }

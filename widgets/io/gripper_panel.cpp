@@ -31,7 +31,7 @@ constexpr int kGripperRefreshMs = 50;
 /// press it.
 constexpr int kSettleMs = 500;
 constexpr int kMaxTcpPort = 65535;
-/// Low initial speed; not saved.
+/// Initial speed and force [%]. They are low, and they are not saved.
 constexpr double kFirstSpeed = 50;
 constexpr double kFirstForce = 20;
 constexpr int kRemedyLines = 4;

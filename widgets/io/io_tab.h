@@ -43,7 +43,7 @@ public:
 
     IoChannel* input(int channel) const { return inputs_[channel]; }
     IoChannel* output(int channel) const { return outputs_[channel]; }
-    /// 0, 1 standard; 2, 3 tool
+    /// channel  0, 1 standard; 2, 3 tool (inputs only)
     AnalogRow* analogInput(int channel) const { return analogInputs_[channel]; }
     AnalogRow* analogOutput(int channel) const { return analogOutputs_[channel]; }
     RegisterPanel* registers() const { return registers_; }
@@ -55,7 +55,8 @@ public:
     void focusSearch();
     static constexpr int kPulseMs = 500;
 
-    /// Rename, switch or pulse the row with the focus. If no row has the focus, they show a hint.
+    /// Commands that rename, switch or pulse the row with the focus. If no row has the focus, they show a
+    /// hint.
     void renameChosen();
     void switchChosen();
     void pulseChosen();

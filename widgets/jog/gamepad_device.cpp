@@ -36,7 +36,7 @@ namespace {
 
 constexpr double kFull = 32767;
 
-// Keeps the SDL owner, so that SDL remains initialized for the lifetime of the gamepad.
+// Shares the owner of SDL, so that SDL remains initialized for the lifetime of the gamepad.
 template <class Owner>
 class Gamepad : public InputDevice {
 public:
@@ -58,8 +58,8 @@ public:
         DeviceShape shape;
         static_cast<DeviceTuning&>(shape) = kGamepadTuning;
         shape.kind = kGamepadKind;
-        // SDL reports only changes. The values of a gyroscope change continuously, but the sticks of a gamepad
-        // without a gyroscope may not change while they are held.
+        // SDL reports only changes. The values of a gyroscope change continuously, but the sticks of a
+        // gamepad without a gyroscope may not change while they are held.
         shape.maxReportInterval = std::chrono::milliseconds(gyro_ ? 100 : 2000);
         shape.deadManName = QCoreApplication::translate("Gamepad", "left bumper");
         shape.directions = QCoreApplication::translate("Gamepad",

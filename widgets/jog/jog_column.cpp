@@ -46,11 +46,12 @@ constexpr int kSideMargin = 12;
 constexpr int kSmallMargin = 6;
 constexpr int kRefusalShownMs = 6000;
 constexpr int kDetailTab = 30;  // height of the selector for pose or joints [px]
-/// Below this column height (a screen of 1280 x 720 with a title bar), the pad buttons and the rows above the
-/// pad are slightly smaller.
+/// If the column is lower than this [px], e.g. on a screen of 1280 x 720 with a title bar, the pad buttons
+/// and the rows above the pad are smaller.
 constexpr int kTightBelow = 570;
 
-/// Button sizes of the pad [px]: normal, minimum with all joints visible, and minimum if folded.
+/// Button sizes of the pad [px]: kKey for Open and Pairs, kSnugKey for Snug, and for Folded kFoldedKey, or
+/// kTightKey if the column is lower than kTightBelow.
 constexpr int kKey = 72;
 constexpr int kSnugKey = 60;
 constexpr int kFoldedKey = 56;
@@ -317,7 +318,7 @@ std::optional<ShownJog> JogColumn::shownJog() const {
     if (axisJog_->isActive()) {
         wish = axisJog_->input().axes;
     }
-    // The name of the displayed direction omits smaller components.
+    // Components below this fraction of the largest component are not named.
     constexpr double kNamed = 0.2;
     const double most = wish.cwiseAbs().maxCoeff();
     for (int axis = 0; axis < 6; ++axis) {
@@ -366,7 +367,7 @@ void JogColumn::showFactor() {
                     : isActiveWindow()   ? heldFactor()
                                          : 1;
     if (selection().motion == MotionChoice::UntilContact) {
-        factor = std::min(factor, 1.0);  // moves until contact must not be faster than selected
+        factor = std::min(factor, 1.0);  // a move until contact must not be faster than the selected speed
     }
     pose_->setFactor(factor);
 }

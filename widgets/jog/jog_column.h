@@ -110,7 +110,7 @@ public Q_SLOTS:
 Q_SIGNALS:
     /// A press had no effect. `reason` is a sentence with the reason and a suggested action.
     void refused(const QString& reason);
-    /// A jog has started or changed direction. Empty if the jog has ended.
+    /// A jog has started, changed direction or ended. `jog` is empty after the end.
     void jogShown(const std::optional<tiller::ShownJog>& jog);
     /// heldSpeed() may have changed.
     void speedChanged();

@@ -21,7 +21,7 @@ public:
 
     const CartesianKey& key() const { return key_; }
     /// Sets the remaining distance in this direction, e.g. "312 mm". Empty if it is not displayed.
-    /// near  true if the limit is near
+    /// near  if true, the limit is near, and the text is bold and in the warning colour
     void setTravel(const QString& text, bool near);
     QString travel() const { return travel_; }
     /// True while the distance is being computed again. The old value is then shown in grey, or "…" if there

@@ -92,7 +92,8 @@ private:
     JointBar* bar_;
     bool compact_ = false;
     bool low_ = false;
-    int speedWidth_ = 0;  ///< width of the speed before the bar [px]; 0: the speed is shown elsewhere
+    int speedWidth_ = 0;  ///< width of the speed before the bar [px]; 0: the speed is below the name or in
+                          ///< the tooltip
     bool grey_ = true;
 };
 

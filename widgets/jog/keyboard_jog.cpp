@@ -118,7 +118,8 @@ void KeyboardJog::tell(HoldEvent::Kind kind) {
     jog_.requireNeutral(HoldSource::By::Keys);  // rule: release all keys first
 }
 
-/// Clears all pressed keys, because their releases in another window would not be received.
+/// Ends the motion held by keys and clears all pressed keys, because their releases in another window would
+/// not be received.
 void KeyboardJog::forget(control::StopCause cause) {
     for (HoldGuard* guard : std::as_const(holdKeys_)) {
         guard->stop(cause);

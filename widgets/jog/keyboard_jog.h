@@ -2,9 +2,10 @@
 #pragma once
 
 // Jogging by keyboard in armed mode. A frame around the window indicates armed mode, which ends after 30 s
-// without a key press, and when an input field receives the focus. PhysicalKeys tracks the keys. The meaning of a key is determined when it is pressed.
-// An unexpected press or release ends the motion, and so do keys with opposite directions. A changed modifier
-// also ends the motion, because it selects a different speed or direction.
+// without a key press, and when an input field receives the focus. PhysicalKeys tracks the keys. The meaning
+// of a key is determined when it is pressed. An unexpected press or release ends the motion, and so do keys
+// with opposite directions. A changed modifier also ends the motion, because it selects a different speed or
+// direction.
 
 #include <QMap>
 #include <QObject>
@@ -48,8 +49,8 @@ public:
     /// why  the reason why the keyboard cannot be armed, as a sentence; empty if it can be armed
     void setLock(const QString& why);
     bool isArmed() const { return armed_; }
-    /// Disarms the keyboard after a loss of control, so that a key cannot move the arm right after control is taken
-    /// again. A motion that is still active ends first, with its own cause.
+    /// Disarms the keyboard after a loss of control, so that a key cannot move the arm right after control is
+    /// taken again. A motion that is still active ends first, with its own cause.
     void followControl(bool isInControl);
     /// Checks the timeout of 30 s. Called by a timer every second.
     void checkIdle();
@@ -59,7 +60,8 @@ public:
 Q_SIGNALS:
     void armedChanged(bool armed);
     void refused(const QString& why);
-    /// The keyboard was disarmed, because an input field received the focus. The jog keys would edit its value.
+    /// The keyboard was disarmed because an input field received the focus. The jog keys would edit its
+    /// value.
     void fieldFocused();
 
 protected:

@@ -2,7 +2,8 @@
 #pragma once
 
 // Shows the limit that the arm has reached and, on a second line, how to move away from it. Without a limit,
-// shows the measured stop of the last jog. The height is constant, so that widgets below do not move.
+// shows another text, e.g. the measured duration and distance of the last stop. The height is constant, so
+// that widgets below do not move.
 
 #include <QFont>
 #include <QList>

@@ -21,7 +21,7 @@ constexpr int kCaptionHeight = 17;
 /// The arm counts as stopped below these speeds, because the measured speed is noisy at standstill.
 constexpr double kStandstillTolerance = 5e-5;  // [m/s]
 constexpr double kTurnsNot = toRadians(0.5);   // [rad/s]
-constexpr double kAtFlange = 5e-5;             // [m]
+constexpr double kAtFlange = 5e-5;             // TCP offsets below this length count as "at the flange" [m]
 
 /// Formats with two decimals at standstill. During motion, uses one decimal and a space, so that the width is
 /// constant.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The current TCP pose in the selected frame. Shows the position in mm with the distance since the press (or
-// since "zero here"), and the orientation as roll, pitch and yaw in degrees, or in the selected notation. The
-// line above shows the TCP speed and the factor of a pressed modifier key. Numbers change at most ten times
-// per second. Values older than 0.3 s are grey.
+// The current TCP pose in the selected frame, in the units and notation of the settings. Shows the position
+// with the distance since the press (or since "zero here"), and the orientation. The line above shows the TCP
+// speed and the factor of a pressed modifier key. Numbers change at most ten times per second. Values older
+// than 0.3 s are grey.
 
 #include <QTimer>
 #include <QWidget>

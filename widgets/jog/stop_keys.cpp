@@ -102,8 +102,8 @@ StopKeys::Use StopKeys::useAt(std::int64_t nowNs) const {
     if (!inControl_ && !controlIsJustLost(nowNs)) {
         return Use::Control;
     }
-    // The state is delayed by a few milliseconds, so a press just after the arm has stopped is also intended as
-    // a stop.
+    // A press up to kReflexMs after a motion is also intended as a stop, because the state is delayed and the
+    // operator needs time to react.
     return isYounger(lastMotionNs_, nowNs, kReflexMs) ? Use::StopOnly : Use::StopAndControl;
 }
 

@@ -65,13 +65,15 @@ private:
     std::function<void(control::StopCause)> stop_;
     std::function<Use()> use_;
     std::vector<QPointer<QWidget>> modals_;  ///< modal dialogs that have the shortcuts
-    int claimedKey_ = 0;  ///< last stop key that was pressed without another function; 0 if there is none
+    int claimedKey_ = 0;  ///< last stop key that was pressed, if the focus widget did not receive it;
+                          ///< otherwise 0
 
     bool owned_ = false;  ///< in control or taking control in the last state
     bool inControl_ = false;
     std::optional<std::int64_t>
         controlLostNs_;  ///< time of the loss of control; empty if control was released
-    std::optional<std::int64_t> lastMotionNs_;  ///< last motion while in control, or shortly after
+    std::optional<std::int64_t> lastMotionNs_;  ///< time of the last motion while in control, or up to
+                                                ///< kControlLostMs after a loss of control
     bool dark_ = false;             ///< robot data are stale or lost, so the motion of the arm is unknown
     bool movedBeforeDark_ = false;  ///< the arm moved less than kReflexMs before the robot data were lost
     std::optional<std::int64_t>

@@ -88,8 +88,8 @@ void TravelWatch::look() {
         return;
     }
     const Eigen::Matrix3d axes = frameAxes(selection_, state_.tcpPose);
-    // While the arm moves, the tool frame rotates only slightly between two calls. A larger change means that
-    // a different frame was selected.
+    // A large change of the axes means that a different frame was selected, except during a motion, in which
+    // the tool frame rotates.
     const bool otherFrame = !state_.motionActive && !axes.isApprox(lookedIn_, 2e-2);
     if (otherFrame || state_.check != lookedWith_) {
         setOutdated();

@@ -20,7 +20,8 @@ public:
         friend bool operator==(const Label&, const Label&) = default;
     };
 
-    /// alignment  alignment of each text in its box. Right-aligned texts use a smaller font if they do not fit.
+    /// alignment  alignment of each text in its box; right-aligned texts use a smaller font if they do not
+    ///            fit
     AxisLabels(Qt::Alignment alignment, QGraphicsItem* parent);
 
     void setLook(const QFont& font, const QColor& color);

@@ -40,7 +40,7 @@ AxisRange::Scale AxisRange::best(double low, double high) const {
     high = std::clamp(high, -kMaxValue, kMaxValue);
     const double smallest = std::max(smallestStep_, std::max(std::abs(low), std::abs(high)) / kMaxLine);
     for (double step = niceStep(smallest);; step = niceStep(step * 1.5)) {
-        // The outermost grid lines [steps]. A curve may exceed them slightly.
+        // The outermost grid lines [steps]. A curve may exceed them by kReach.
         double bottom = std::floor(low / step + kReach);
         double top = std::ceil(high / step - kReach);
         // Include zero if it is at most two steps away.

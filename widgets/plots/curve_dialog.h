@@ -26,7 +26,7 @@ public:
         ScaledSignal signal;
         CurveStyle style;
     };
-    /// automatic  the colour that the curve has without a chosen one
+    /// automatic  colour of the curve if the user does not select a colour
     /// apply      applies the choice; returns the error as a sentence, or an empty text
     CurveDialog(const Choice& choice, const QColor& automatic, std::function<QString(const Choice&)> apply,
                 QWidget* parent = nullptr);

@@ -19,7 +19,8 @@ namespace {
 constexpr int kOpaque = 255;
 /// A column is drawn as a bar if its extent exceeds this multiple of its slope.
 constexpr double kBand = 2;
-/// Many columns with a larger change make a curve dense. Its columns are drawn as bars without slanted ends.
+/// If more than 1/kDenseShare of the columns of a curve have a larger change, the curve is dense. Its columns
+/// are drawn as bars without slanted ends.
 constexpr double kSteep = 6;  // [px]
 constexpr std::size_t kDenseShare = 4;
 /// Excess over the adjacent dashes above which a curve is also drawn between the dashes.
@@ -255,7 +256,7 @@ void CurveRaster::paintColumn(const Curve& curve, std::size_t at, double perUnit
                            [full](QRgb below) { return over(full, below); });
         }
     };
-    // A huge or infinite value would overflow the numbers below. The line is vertical.
+    // A huge or infinite value would overflow the numbers below, so draw a vertical line.
     constexpr double kMaxRows = 1e9;
     const double top = rowOf(column.high);
     const double base = rowOf(column.low);

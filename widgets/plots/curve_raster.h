@@ -28,8 +28,8 @@ public:
     /// Paints the changes since the last call.
     /// area  rectangle of t0 ... t1 and y0 ... y1 in chart coordinates
     void setView(const QRectF& area, double t0, double t1, double y0, double y1);
-    /// Repaints everything at the next setView(). Until then, the painted columns remain. Call this after a change of
-    /// a pen or of the visibility.
+    /// Repaints everything at the next setView(). Until then, the painted columns remain. Call this after a
+    /// change of a pen or of the visibility.
     void forget() { isOutdated_ = true; }
     /// Number of columns painted by the last setView(); for tests and benchmarks.
     int columnsPainted() const { return columnsPainted_; }

@@ -22,7 +22,7 @@ public:
     struct Axis {
         QString title;
         std::optional<ValueLimits> limits;
-        ValueLimits shown;  ///< the present scale, which is the suggestion for limits
+        ValueLimits shown;  ///< current scale, suggested as limits
     };
     explicit LimitsDialog(const std::vector<Axis>& axes, QWidget* parent = nullptr);
 

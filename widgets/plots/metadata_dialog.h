@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Form for the metadata of recordings, such as the operator and the sample. The names of the fields are a template
-// for all recordings.
+// Form for the metadata of recordings, such as the operator and the sample. The names of the fields are a
+// template for all recordings.
 
 #include <QDialog>
 #include <QStringList>

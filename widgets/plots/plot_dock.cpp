@@ -182,8 +182,8 @@ PlotDock::PlotDock(RobotSession& session, LiveHistory& live, QWidget* parent)
     beneath->addWidget(analysis_);
     beneath->setStretchFactor(0, 1);
     splitter->addWidget(beneath);
-    // The minimum width does not depend on the parts that are shown. Otherwise, a narrow panel would grow and move the
-    // button that shows them away from the pointer.
+    // The minimum width does not depend on the parts that are shown. Otherwise, a narrow panel would grow and
+    // move the button that shows them away from the pointer.
     splitter->setMinimumWidth(kMinContent);
     beneath->setMinimumWidth(1);
     splitter->setStretchFactor(1, 1);

@@ -69,10 +69,10 @@ public:
     /// .hdf5 or .mcap.
     bool exportTo(const QString& path, ExportRange range = ExportRange::Visible);
 
-    /// Opens a recording of any format on a separate page next to the live data. By default, its end is aligned
-    /// to the end of the history. If cursor A is set, its start is aligned to cursor A. An incident recording
-    /// is placed at the time of the incident if the history of its robot includes that time, and cursor A is
-    /// set to the stop. The file is read in the background, and the result is shown to the user.
+    /// Opens a recording of any format on a separate page next to the live data. By default, its end is
+    /// aligned to the end of the history. If cursor A is set, its start is aligned to cursor A. An incident
+    /// recording is placed at the time of the incident if the history of its robot includes that time, and
+    /// cursor A is set to the stop. The file is read in the background, and the result is shown to the user.
     /// moment  position of cursor A on the time axis of the recording [s]; if empty, as described above
     /// format  for a table of another program. A dialog asks for missing parts.
     void openRecording(const QString& path, std::optional<double> moment = {},
@@ -220,7 +220,7 @@ private:
     RecordingChoice choice_;
     QMap<QString, recording::TableFormat> tables_;  ///< as PlotLayout::tables
     bool recording_ = false;
-    bool waiting_ = false;  ///< for the trigger of the recording
+    bool waiting_ = false;  ///< true while the recording waits for its trigger
     double recordingSeconds_ = 0;
     int framesToHistoryText_ = 0;
     int framesToAnalysis_ = 0;

@@ -19,7 +19,7 @@
 
 namespace tiller {
 
-/// Appearance of a curve, as far as the user has chosen it.
+/// The user's choices for the appearance of a curve.
 struct CurveStyle {
     enum class Line { Automatic, Solid, Dashed, Dotted };
     QColor color{};  ///< invalid: automatic

@@ -66,7 +66,7 @@ void PlotMenu::fill(QMenu& menu, const QPointF& place) {
         menu.addSeparator();
         // Thresholds apply only to new data, which a recorded signal does not receive.
         if (!store_.isRecorded(signal)) {
-            // In the legend, the height has no meaning.
+            // A position in the legend does not correspond to a value, so suggest the newest value.
             const auto newest = named ? store_.valueAt(signal, view_.window().end()) : std::nullopt;
             addThresholds(
                 menu, pane, signal,
@@ -81,7 +81,8 @@ void PlotMenu::fill(QMenu& menu, const QPointF& place) {
               [view, time = view_.timeAt(place.x())] { Q_EMIT view->noteWanted(time); });
 }
 
-/// Replaces the curve by a signal with the chosen name, unit, scale and offset. Returns the error as a sentence.
+/// Replaces the curve by a signal with the chosen name, unit, scale and offset. Returns the error as a
+/// sentence; empty if there is none.
 QString PlotMenu::applyCurve(PlotView& view, SignalStore& store, int at, const QString& key,
                              const ScaledSignal& signal, const CurveStyle& style) {
     const QString wanted = signal.key(store);

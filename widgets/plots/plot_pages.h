@@ -34,8 +34,8 @@ public:
     void addPage();
     /// Returns  false, without adding a page, if there are already kMaxPages pages
     bool addPage(const PageLayout& page);
-    /// Removes all signals of recordings, and the pages that showed nothing else,
-    /// except pages that the user has renamed.
+    /// Removes all signals of recordings, and the pages that showed nothing else, except pages that the user
+    /// has renamed.
     void dropRecordings();
     /// Removes a page. The last remaining page is instead reset to the standard plots.
     void removePage(int page);
@@ -54,7 +54,8 @@ public:
     /// Sets a function that returns the time of day for a time on the time axis.
     void setClock(std::function<QDateTime(double)> clock);
 
-    /// Replaces the pages without recordings by one page with the standard plots, and shows the newest samples on it.
+    /// Replaces the pages without recordings by one page with the standard plots, and shows the newest
+    /// samples on it.
     /// Returns  false, without changes, if all kMaxPages pages show recordings
     bool showStandard();
 
@@ -80,7 +81,8 @@ protected:
 private:
     PlotView& addView();
     bool hasRecording(int page) const;
-    /// Returns  true if signals of a recording were removed from the page
+    /// Removes the signals of recordings, and signals that do not exist, from the page.
+    /// Returns  true if any were removed
     bool takeRecordingsFrom(PageLayout& page) const;
     void turnedTo(int page);
     void nameTabs();
@@ -92,8 +94,8 @@ private:
     QStackedWidget* stack_;
     std::vector<PlotView*> views_;
     int shown_ = 0;
-    double liveSpan_ = 0;     // span before a recording was shown [s]; 0 without such a span
-    double carriedSpan_ = 0;  // span of the recording, which the live page inherited [s]
+    double liveSpan_ = 0;     // span of the live page before a recording was shown [s]; 0: not stored
+    double carriedSpan_ = 0;  // span that the live page has taken over from a recording [s]
     TimeAxis timeAxis_ = TimeAxis::Relative;
     std::function<QDateTime(double)> clock_;
 };

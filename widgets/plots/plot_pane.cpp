@@ -48,8 +48,8 @@ double finestStep(const SignalStore& store, const std::vector<int>& shown) {
     return step;
 }
 
-/// Returns the labels of the value axis, all of them complete or marked with "…". The last number is followed by the
-/// unit, which is an additional text if there is no space for it.
+/// Returns the labels of the value axis, all of them complete or marked with "…". The last number is followed
+/// by the unit, which is an additional text if there is no space for it.
 QStringList valueTexts(const std::vector<double>& values, double step, const QString& unit) {
     const QFontMetricsF metrics(textFont(kLabelPixels));
     const double room = PlotPane::kValueWidth - kValueGap;
@@ -62,7 +62,7 @@ QStringList valueTexts(const std::vector<double>& values, double step, const QSt
     if (!std::all_of(texts.begin(), texts.end(), fits)) {
         QStringList shorter;
         for (const double value : values) {
-            // As many digits as distinguish the value from its neighbours.
+            // Use enough significant digits to distinguish the value from its neighbours.
             const double steps = std::round(value / step);
             const int significant = 2 + static_cast<int>(std::log10(std::max(1.0, std::abs(steps))) + 1e-9);
             shorter << format::exponential(steps == 0 ? 0 : value, significant);

@@ -92,7 +92,7 @@ public:
     bool isHidden(int signal) const;
     /// The signal whose legend entry is at this position in the scene.
     std::optional<int> legendAt(const QPointF& place) const;
-    /// The visible signal whose curve is at this position in the scene, or a few pixels from it.
+    /// The visible signal whose curve is within 6 px of this position in the scene.
     std::optional<int> curveAt(const QPointF& place) const;
     /// Rectangle of a legend entry in the scene; empty before the first layout.
     QRectF legendEntry(int signal) const;
@@ -106,7 +106,7 @@ public:
     void zoomValues(Side side, double factor, double y);
     /// Shows this range of values of the left axis until releaseValues().
     void holdValues(double low, double high);
-    /// Shows the values between two vertical scene positions, of both axes.
+    /// Shows the values of both axes between two vertical scene positions until releaseValues().
     void holdBetween(double bottom, double top);
     double valueAt(double y, Side side = Side::Left) const;
     double yAt(double value, Side side = Side::Left) const;

@@ -33,8 +33,8 @@ public:
     /// Returns the time of day for a time on the time axis of the current page, i.e. of its recording or of
     /// the history. Invalid if unknown.
     QDateTime clockAt(double time) const;
-    /// Inverse of clockAt(): the first time on the time axis whose data were displayed at this time of day. Empty if
-    /// unknown.
+    /// Inverse of clockAt(): the first time on the time axis whose data were displayed at this time of day.
+    /// Empty if unknown.
     std::optional<double> timeAt(const QDateTime& clock) const;
     /// The recording of the current page; empty for live signals.
     QString recordingInFront() const;

@@ -23,7 +23,7 @@ namespace tiller {
 
 namespace {
 
-constexpr int kPatience = 80;  // delay after the last change [ms]
+constexpr int kDelayMs = 80;  // delay after the last change [ms]
 constexpr int kGoesOn = 20;    // interval for checking whether the statistics are complete [ms]
 constexpr int kMinTable = 66;  // minimum height: the titles and one row [px]
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
@@ -79,7 +79,7 @@ PlotValues::PlotValues(const SignalStore& store, QWidget* parent)
 void PlotValues::follow(const PlotView& view) {
     view_ = &view;
     if (isVisible() && !soon_.isActive()) {
-        soon_.start(kPatience);
+        soon_.start(kDelayMs);
     }
 }
 
@@ -182,7 +182,8 @@ QString PlotValues::toText() const {
     for (int row = 0; row < table_->rowCount(); ++row) {
         line.clear();
         for (int column = 0; column < table_->columnCount(); ++column) {
-            // Use an ASCII minus sign in numbers, so that other programs can parse them. Column 0 contains names.
+            // Use an ASCII minus sign in numbers, so that other programs can parse them. Column 0 contains
+            // names.
             QString cell = table_->item(row, column)->text();
             line << (column == 0 ? cell : cell.replace(QChar(0x2212), QLatin1Char('-')));
         }

@@ -52,7 +52,7 @@ double niceTickStep(double span, double width) {
     return 28800;
 }
 
-// A curve that moves by fewer columns per frame is repainted only every kCalmFrame seconds.
+// Curves that have moved by fewer columns since the last repaint are repainted only after kCalmFrame.
 constexpr double kQuickColumns = 3;
 constexpr double kCalmFrame = 0.03;  // [s]
 constexpr double kGrab = 6;          // distance within which a cursor is grabbed [px]
@@ -250,7 +250,7 @@ bool PlotView::want(const QSet<int>& shown) {
             all.unite(QSet<int>(ofLane.begin(), ofLane.end()));
         }
     }
-    // If the store cannot provide the signals of the lane in addition, the curves are shown without the lane.
+    // If the store cannot also provide the signals of the state lanes, show the curves without them.
     return store_.want(this, all) || store_.want(this, shown);
 }
 
@@ -471,7 +471,8 @@ double PlotView::xAt(double time) const {
 // ---- time
 
 void PlotView::measure() {
-    // During an outage, the lane extends beyond the last sample. Live data do not extend a page of recordings.
+    // During an outage, the lane extends beyond the last sample. Live data do not extend a page of
+    // recordings.
     const SeriesBuffer& history = store_.live();
     double oldest = showsLive_ ? history.firstTime() : 0;
     double newest = showsLive_ ? std::max(history.lastTime(), lane_.endTime()) : 0;
@@ -619,8 +620,9 @@ void PlotView::setTimeAxis(TimeAxis axis, std::function<QDateTime(double)> clock
 }
 
 void PlotView::placeTicks() {
-    // Reference of the labels. The time of day refers to midnight, so that ticks are round numbers. A recording
-    // has its own clocks. If the recording lacks the selected clock, the axis shows the time since its start.
+    // Reference of the labels. The time of day refers to midnight, so that ticks are round numbers. A
+    // recording has its own clocks. If the recording lacks the selected clock, the axis shows the time since
+    // its start.
     const RecordedClock* recorded = recordedClock();
     const auto controllerTime = [&](double time) {
         return recorded ? recorded->controllerTime(time).value_or(time - recorded->begin())

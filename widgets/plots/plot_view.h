@@ -141,7 +141,7 @@ Q_SIGNALS:
     /// The time range, pause state or position in the history has changed.
     void windowChanged();
     void readoutChanged();
-    /// The age of the cursor times has changed while following the data; at most 10 times per second.
+    /// The displayed ages of the cursor times have changed while following; at most 10 times per second.
     void readoutAged();
     void zeroChanged();
     /// Plots, signals or lanes have changed.
@@ -190,7 +190,7 @@ private:
     /// Requests the signals of the page and of the state lanes of its recordings.
     /// Returns  false if the signals of the page cannot be shown
     bool want(const QSet<int>& shown);
-    /// True if enough has changed to require a repaint.
+    /// True if the curves have moved far enough, or enough time has passed, since the last repaint.
     bool isDue() const;
     void placeTicks();
     /// The clocks of the recording if the page shows nothing else; otherwise null.

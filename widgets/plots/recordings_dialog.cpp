@@ -33,7 +33,7 @@ constexpr QSize kThumbnail(90, 30);  // [px]
 constexpr int kCellSpace = 40;       // [px]
 constexpr int kPathRole = Qt::UserRole;
 
-/// The course of a signal from minimum to maximum. Null without values.
+/// Draws the minimum and the maximum of a signal over time. Returns a null pixmap if there are no values.
 QPixmap thumbnailOf(const recording::RecordingOverview& overview, qreal scale) {
     double low = INFINITY;
     double high = -INFINITY;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Searchable list of the recordings in a folder, with date, robot, duration, metadata, notes and a small picture of
-// the force. The files are read in the background.
+// Searchable list of the recordings in a folder, with date, robot, duration, metadata, notes and a small
+// picture of the force. The files are read in the background.
 
 #include <QDialog>
 #include <QHash>
@@ -52,7 +52,8 @@ private:
     void showCount();
 
     QString folder_;
-    int turn_ = 0;         ///< number of calls of refresh(); jobs of earlier ones are ignored
+    int turn_ = 0;         ///< number of calls of refresh(); the results of jobs started by earlier calls are
+                           ///< ignored
     QStringList waiting_;  ///< files that have not been read yet
     QHash<QString, Known> known_;
     QLabel* place_;

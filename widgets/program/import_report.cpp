@@ -19,7 +19,7 @@ namespace {
 constexpr int kStepRole = Qt::UserRole;
 constexpr QSize kReportSize(860, 500);
 
-/// Numbers of the steps as in the tree of their program.
+/// Returns the step numbers, which start at 1 in each program, as in the step tree.
 QHash<QUuid, int> stepNumbers(const program::ImportedProgram& imported) {
     QHash<QUuid, int> numbers;
     int number = 0;
@@ -86,7 +86,7 @@ ImportReport::ImportReport(const program::ImportedProgram& imported, QWidget* pa
         items.append(item);
     }
     rows->addTopLevelItems(items);
-    // The result is more important than the statement, but its reason can be long.
+    // The result has priority over the statement, but it may contain a long reason, so limit its width.
     constexpr int kMaxResult = kReportSize.width() * 3 / 5;
     const QAbstractItemView& view = *rows;
     if (view.sizeHintForColumn(2) > kMaxResult) {

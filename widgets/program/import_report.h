@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The report of an import: each node or statement of the program file with the step that it became. Activating a
-// row selects the step.
+// The report of an import: each node or statement of the program file with the step that it became.
+// Activating a row selects the step.
 
 #include <QDialog>
 #include <QUuid>

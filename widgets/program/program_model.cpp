@@ -167,7 +167,7 @@ void ProgramModel::setRun(const program::ProgramScript& script, const program::S
         }
     }
     showTimings(script, log.timings());
-    // After a lost connection, the log keeps the last known step.
+    // Use the step of the log only during a run. After a lost connection, the log keeps the last known step.
     const QUuid before = running_;
     running_ =
         isActive && log.step() > 0 ? script.steps[static_cast<std::size_t>(log.step() - 1)].step : QUuid();

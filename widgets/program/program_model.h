@@ -71,7 +71,8 @@ Q_SIGNALS:
     void treeChanged();
     void stepsDropped(const tiller::program::StepPosition& at,
                       const std::vector<tiller::project::ProgramStep>& steps);
-    /// Both are invalid if no step of this program runs.
+    /// The running step has changed.
+    /// before, now  invalid if no step of this program was or is running
     void runningStepMoved(const QModelIndex& before, const QModelIndex& now);
     void stepsMoved(const tiller::program::StepPosition& at, const QSet<QUuid>& ids);
 

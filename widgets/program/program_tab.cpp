@@ -284,20 +284,20 @@ void ProgramTab::showRunningStep(const program::ProgramRunner& runner) {
     const QString name = program::stepName(runner.project(), runner.script(), number);
     const bool isWaiting = runner.isWaiting();
     const bool isPausedOnRobot = runner.isPausedOnRobot();
-    showStatus(
-        isPausedOnRobot ? tr("Paused on the robot in step %1 (%2)").arg(step).arg(name)
-        : runner.waitsForPress()
-            ? tr("Paused before step %1 (%2) because of the maximum hold time. Hold “Continue (hold)” to continue.")
-                  .arg(step)
-                  .arg(name)
-        : isWaiting           ? tr("Paused before step %1 (%2)").arg(step).arg(name)
-        : step == 0           ? tr("Running")
-        : runner.isPaused()   ? tr("Pausing after step %1 (%2)").arg(step).arg(name)
-        : runBar_->isSlowed() ? tr("Running step %1 (%2). Joint moves are slow because the preview did not "
-                                   "run the whole program from this position.")
-                                    .arg(step)
-                                    .arg(name)
-                              : tr("Running step %1 (%2)").arg(step).arg(name));
+    showStatus(isPausedOnRobot          ? tr("Paused on the robot in step %1 (%2)").arg(step).arg(name)
+               : runner.waitsForPress() ? tr("Paused before step %1 (%2) because of the maximum hold time. "
+                                             "Hold “Continue (hold)” to continue.")
+                                              .arg(step)
+                                              .arg(name)
+               : isWaiting         ? tr("Paused before step %1 (%2)").arg(step).arg(name)
+               : step == 0         ? tr("Running")
+               : runner.isPaused() ? tr("Pausing after step %1 (%2)").arg(step).arg(name)
+               : runBar_->isSlowed()
+                   ? tr("Running step %1 (%2). Joint moves are slow because the preview did not "
+                        "run the whole program from this position.")
+                         .arg(step)
+                         .arg(name)
+                   : tr("Running step %1 (%2)").arg(step).arg(name));
     const bool isOther = std::exchange(wasWaiting_, isWaiting) != isWaiting;
     if (std::exchange(wasPausedOnRobot_, isPausedOnRobot) != isPausedOnRobot || isOther) {
         session_->journal().add(isPausedOnRobot ? Severity::Warning : Severity::Info, status_->fullText());
@@ -428,7 +428,7 @@ program::ProgramScript ProgramTab::completeScript() const {
     return program::writeScript(document_.project(), program_, options);
 }
 
-// Does not highlight steps after an edit of the programs, because it changes the step numbers, and its effect
+// Does not highlight steps after an edit of the programs, because such an edit changes the step numbers and
 // is visible in the tree.
 void ProgramTab::highlightLastEdit(const program::ProgramScript& before) {
     if (!std::exchange(hasEdit_, false)) {
@@ -474,7 +474,8 @@ void ProgramTab::check() {
     recoverAction_->setEnabled(script_.ok());
     const bool endsOffer = std::exchange(mayEndOffer_, false) && !runBar_->offersContinuation();
     if (runBar_ != nullptr && runBar_->runner().isActive()) {
-        // Keep showing the state of the run, with the new step numbers. Changes take effect at the next start.
+        // Keep showing the state of the run, with the new step numbers. Changes take effect at the next
+        // start.
         if (runBar_->runner().state() == program::ProgramRunner::State::Running) {
             showRunningStep(runBar_->runner());
         }

@@ -484,8 +484,8 @@ void RunBar::updateAvailability() {
     using State = program::ProgramRunner::State;
     const bool isStarting =
         isHeld_ && (runner_.state() == State::Sending || runner_.state() == State::Running);
-    // Do not disable a held button. The motion ends automatically, and a disabled button would not receive the
-    // release.
+    // Do not disable a held button. The motion ends automatically, and a disabled button would not receive
+    // the release.
     for (HoldToRunButton* key : {hold_, start_}) {
         if (!key->isHolding() && !(key == hold_ && isStarting)) {
             key->setUnavailable(programReason.isEmpty() ? robot : programReason);

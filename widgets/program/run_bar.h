@@ -2,9 +2,9 @@
 #pragma once
 
 // The buttons that run the program of the Program tab: "Run (hold)", "Move to start (hold)", and "Run", which
-// also stops a program that runs without hold-to-run. After a release, "Run (hold)" continues the program. "Pause", "Step" and "Finish cycle" control the running
-// program. "Start from here" makes the selected step the first step. HoldRules determines when a held motion
-// ends.
+// also stops a program that runs without hold-to-run. After a release, "Run (hold)" continues the program.
+// "Pause", "Step" and "Finish cycle" control the running program. "Start from here" makes the selected step
+// the first step. HoldRules determines when a held motion ends.
 
 #include <QWidget>
 #include <functional>
@@ -59,8 +59,8 @@ public:
     std::vector<program::InputChange> inputs() const;
     void clearStartStep();
     /// After a held run was stopped in a step that can continue where the arm is, makes it the first step of
-    /// the next run. After a completed run, the next run starts from the beginning again. Call this when a run
-    /// has ended.
+    /// the next run. After a completed run, the next run starts from the beginning again. Call this when a
+    /// run has ended.
     /// Returns  why the program cannot continue, as a sentence; empty if it can, or if the run was not held
     QString keepPlace();
     void showSpeed();
@@ -69,7 +69,8 @@ public:
     /// text  as typed
     void changeVariable(const QString& name, const QString& text);
     void setBreakpoints(const QSet<QUuid>& steps) { runner_.setBreakpoints(steps); }
-    /// True while a held program runs whose joint moves use the speed limit for unknown paths; see heldLimits().
+    /// True while a held program runs whose joint moves use the speed limit for unknown paths; see
+    /// heldLimits().
     bool isSlowed() const { return isHeld_ && isSlowed_ && runner_.isActive(); }
     /// True while a program runs without hold-to-run.
     bool runsFreely() const { return runner_.isActive() && !isHeld_; }

@@ -32,7 +32,7 @@ StepTree::StepTree(ProgramModel& model, QWidget* parent) : QTreeView(parent), mo
     header()->setSectionResizeMode(QHeaderView::Fixed);
     header()->setStretchLastSection(false);
     header()->setSectionResizeMode(ProgramModel::Result, QHeaderView::Stretch);
-    // A run changes the results often.
+    // Combine several changes into one fit, because a run changes the results often.
     fitTimer_.setSingleShot(true);
     connect(&fitTimer_, &QTimer::timeout, this, &StepTree::fitColumns);
     for (const auto changed : {&QTreeView::collapsed, &QTreeView::expanded}) {
@@ -107,7 +107,7 @@ void StepTree::fitColumns() {
     const auto contents = [this](int column) {
         return std::max(sizeHintForColumn(column), header()->sectionSizeHint(column));
     };
-    // The titles remain readable, so a very narrow tree is scrolled. The names of the steps come first.
+    // Keep all titles readable, even if a very narrow tree must be scrolled. The step names have priority.
     const auto title = [this](int column) { return header()->sectionSizeHint(column); };
     const int room = viewport()->width();
     const int others = title(ProgramModel::Values) + title(ProgramModel::Result);

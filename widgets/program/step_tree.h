@@ -31,9 +31,9 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    /// Distributes the width: first the results, then the steps, then the values.
+    /// Distributes the width. If there is not enough, the step column has priority, then the result column.
     void fitColumns();
-    /// Shows the running step, unless the person has scrolled away from it.
+    /// Shows the running step, unless the user has scrolled away from it.
     void followRun(const QModelIndex& before, const QModelIndex& now);
     /// The step, or the outermost collapsed section that contains it.
     QModelIndex shownRowOf(const QModelIndex& step) const;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kVariableColumns = 3;
 
-/// A flag is chosen or typed, other values are typed.
+/// A flag is selected from a list or typed. Other values are typed.
 class VariableDelegate : public ProgramRowDelegate {
 public:
     VariableDelegate(const program::ProgramRunner& runner, const VariableModel& model, QObject* parent)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The variables of the running program with their types and values. While the program waits, values of numbers and
-// flags can be edited.
+// The variables of the running program with their types and values. While the program waits, values of
+// numbers and flags can be edited.
 
 #include <QAbstractTableModel>
 #include <QTreeView>
@@ -29,7 +29,7 @@ public:
     void follow();
     /// The reason why the value of this row cannot be changed now, as a sentence; empty if it can be changed.
     QString obstacleAt(const QModelIndex& index) const;
-    const script::ProgramVariable& at(const QModelIndex& index) const;  ///< Variable of this row.
+    const script::ProgramVariable& at(const QModelIndex& index) const;  ///< the variable of this row
 
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;

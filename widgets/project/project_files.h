@@ -2,7 +2,8 @@
 #pragma once
 
 // Opens and saves projects interactively: prompts for the file, reports errors, and offers to load the
-// readable part of a damaged file. Messages are added to the journal; the main window decides where to show the notices.
+// readable part of a damaged file. Messages are added to the journal. The main window determines where
+// notices are shown.
 
 #include <QObject>
 
@@ -44,8 +45,8 @@ public:
     bool mayReplace(QWidget* over);
     /// The project may be replaced again, so the message of mayReplace() no longer applies.
     void endRefusal();
-    /// Saves the project now. Asks for a name if the project has no file, and asks again what to do if another
-    /// window has the file open or another program has changed it.
+    /// Saves the project now. Asks for a name if the project has no file, and asks again what to do if
+    /// another window has the file open or another program has changed it.
     void save(QWidget* over);
     /// Saves unsaved changes. If saving is not possible, asks whether to discard the changes.
     /// over  parent window of the question

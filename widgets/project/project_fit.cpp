@@ -22,7 +22,7 @@ bool isSameTcp(const Pose& a, const Pose& b) {
     return by.distance <= kSameDistance && by.angle <= kSameAngle;
 }
 
-/// Lists the first names, and the number of further names.
+/// Lists up to kNamed names, and the number of the other names.
 QString namesText(const QStringList& names) {
     constexpr int kNamed = 8;
     const QString first = names.mid(0, kNamed).join(QStringLiteral(", "));

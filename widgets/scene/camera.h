@@ -14,7 +14,7 @@ namespace tiller {
 
 /// Viewing direction. Axes of the base frame in the image: Front has X to the right and Z up, Side has Y to
 /// the right and Z up, Top has X to the right and Y up. Home is the initial view, between Front and Side and
-/// slightly from above.
+/// 13 deg above the horizontal.
 enum class StandardView { Home, Front, Side, Top };
 
 class Camera {

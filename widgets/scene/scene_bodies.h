@@ -43,8 +43,8 @@ public:
     void setGhost(const std::optional<JointPositions>& q);
     /// Sets a second ghost, in a different colour.
     void setSecondGhost(const std::optional<JointPositions>& q);
-    /// model  the model of the replayed arm, which must outlive the object; drawn without a tool if it differs from
-    ///        the model of the arm
+    /// model  the model of the replayed arm, which must outlive the object; drawn without a tool if it
+    ///        differs from the model of the arm
     void setReplay(const std::optional<JointPositions>& q, const RobotModel& model);
     /// If the tool has no radius, a thin rod connects flange and TCP.
     void setTool(const collision::ToolBody& tool);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The trace of the TCP during the last minutes. The number of points depends on the curvature.
+// The trace of the TCP during the last 180 s. The number of points depends on the curvature.
 
 #include <Eigen/Core>
 #include <deque>
@@ -16,7 +16,7 @@ public:
         Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< base frame [m]
     };
 
-    static constexpr double kSeconds = 180;       ///< duration of the trace
+    static constexpr double kSeconds = 180;       ///< duration of the trace [s]
     static constexpr double kTolerance = 0.0005;  ///< maximum deviation of the line from the real path [m]
 
     /// Adds the current TCP position. If `time` is before the last time, the controller was restarted and a

@@ -276,7 +276,7 @@ void SceneView::setState(const SessionState& state) {
     setSpeedFraction(state.speedFraction);
     setJoints(state.q);
     setStale(state.link != LinkState::Live);
-    // The end of the trace is at the arm and is drawn together with the arm.
+    // New points are drawn together with the arm. Repaint only if the start of the trace has changed.
     const double began = trace_.begins();
     trace_.extend(state.robotTime, kinematics::forwardTcp(model_.dh, q_, tcpOffset_).position);
     if (trace_.begins() != began) {

@@ -52,7 +52,7 @@ public:
     void setJoints(const JointPositions& q);
     void setTcpOffset(const Pose& offset);
     void setGhost(const std::optional<Ghost>& ghost);
-    /// Sets a second ghost in another colour, shown as the replacement of the first ghost. Texts also
+    /// Sets a second ghost in another colour: the position that would replace the first ghost. Texts also
     /// distinguish the two ghosts.
     void setSecondGhost(const std::optional<Ghost>& ghost);
     const std::optional<Ghost>& secondGhost() const { return secondGhost_; }
@@ -137,7 +137,7 @@ private:
     void changed();
     /// True if the arm has visibly moved since the last image.
     bool armHasMoved() const;
-    /// Repeats the check of the move to the ghost.
+    /// Repeats the check of the move to the ghost, and updates the texts about the ghost.
     void updateGhost();
     QString ghostValues() const;
     void rebuildCheck();

@@ -25,7 +25,8 @@ namespace {
 constexpr int kKeys = Qt::UserRole + 1;   // QStringList: keys of the signals
 constexpr int kWords = Qt::UserRole + 2;  // text searched by the filter
 constexpr int kGroup = Qt::UserRole + 3;  // bool: a group, which can only be expanded and collapsed
-constexpr int kMinList = 24;              // minimum height of one row, so that the panel does not grow [px]
+constexpr int kMinList = 24;              // minimum height of the list, so that the panel does not grow: one
+                                          // row [px]
 
 class Model : public QStandardItemModel {
 public:

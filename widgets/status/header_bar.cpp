@@ -28,9 +28,10 @@ namespace tiller {
 namespace {
 
 constexpr int kLinkPeriodMs = 500;      // update interval of values that change with every packet
-constexpr int kStackingMs = 30;         // delay after a change of the order of windows, for several changes
-constexpr int kStackingCheckMs = 1000;  // if such changes are reported
-constexpr int kStackingPollMs = 250;    // if they are not
+constexpr int kStackingMs = 30;         // delay after a change of the window order, so that several changes
+                                        // cause one update
+constexpr int kStackingCheckMs = 1000;  // interval of the checks if changes of the window order are reported
+constexpr int kStackingPollMs = 250;    // interval of the checks if they are not reported
 constexpr double kOrdinaryCap = 0.250;  // [m/s]; the header shows a higher speed cap
 constexpr int kBannerHeight = 28;
 constexpr int kNarrowBelow = 1900;
@@ -43,8 +44,8 @@ StateChip* chip(const QString& caption, const char* name, QWidget* parent) {
     return made;
 }
 
-/// True if the operator must confirm a change of the slider. Not required for a program of Tiller, because the
-/// operator may slow down that program at any time.
+/// True if the operator must confirm a change of the slider. Not required for a program of Tiller, because
+/// the operator may slow down that program at any time.
 bool asksBeforeSlider(const RobotSession& session) {
     return session.state().foreignProgramRuns() && session.mustAskBeforeChange();
 }
@@ -136,7 +137,7 @@ HeaderBar::HeaderBar(HeaderPort port, QWidget* parent)
     // arrange() sets the layout from the width of the bar.
     layout_->setSizeConstraint(QLayout::SetNoConstraint);
     stepButton_->setObjectName(QStringLiteral("nextStepButton"));
-    new SingleClick(*stepButton_);  // the next step appears at the same place
+    new SingleClick(*stepButton_);  // a second click would trigger the next step before the user has read it
     stepButton_->setAccessibleName(tr("Next step"));
     stepButton_->setProperty("primary", true);
     QSizePolicy keepsItsPlace(QSizePolicy::Fixed, QSizePolicy::Fixed);
@@ -399,7 +400,7 @@ void HeaderBar::offerStopAbove() {
     stopAbove_->setKeysStop(state_.keysStop());
     placeStopAbove();
     stopAbove_->show();
-    // A child of the button, so that nothing is reported without a dialog.
+    // The watch is a child of the button, so that it exists only while a dialog is open.
     stackingWatch_ = new StackingWatch(stopAbove_);
     connect(stackingWatch_, &StackingWatch::changed, this, [this] {
         if (stacking_.remainingTime() > kStackingMs) {
@@ -414,10 +415,10 @@ void HeaderBar::stackStopAbove() {
         return;
     }
     stacking_.start(stackingWatch_->isActive() ? kStackingCheckMs : kStackingPollMs);
-    // The display server puts windows of this type in front of all others, where the button would cover windows
-    // of other programs, e.g. the STOP button of another robot. Show only the part that they do not cover, but
-    // keep the button above all windows of this program.
-    // QWidget::winId() is outdated here, because Qt has created the native window again.
+    // The display server puts windows of this type in front of all others, where the button would cover
+    // windows of other programs, e.g. the STOP button of another robot. Show only the part that they do not
+    // cover, but keep the button above all windows of this program. QWidget::winId() is outdated here,
+    // because Qt has created the native window again.
     QList<QWindow*> windows;
     const QWidgetList all = QApplication::topLevelWidgets();
     for (const QWidget* each : all) {

@@ -44,7 +44,7 @@ public:
     explicit HeaderBar(HeaderPort port, QWidget* parent = nullptr);
     explicit HeaderBar(RobotSession& session, QWidget* parent = nullptr);
 
-    /// The chip that opens the menu.
+    /// Menus that are opened by chips with an arrow.
     enum class Menu { Robot, Power, Control };
     QWidget* menuChip(Menu menu) const;
     NextStep shownStep() const { return step_; }
@@ -116,7 +116,7 @@ private:
     StateChip* lastStop_;
     StopButton* stop_;
     /// STOP button above a modal dialog that blocks this window, at the same position as the blocked button.
-    QPointer<StopButton> stopAbove_;         ///< covers STOP while a dialog blocks the window
+    QPointer<StopButton> stopAbove_;
     QTimer stacking_;                        ///< active while stopAbove_ exists
     QPointer<StackingWatch> stackingWatch_;  ///< exists as long as stopAbove_
     QLabel* cap_;  ///< the banner below the bar; hidden unless the speed cap was raised

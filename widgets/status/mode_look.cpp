@@ -71,7 +71,7 @@ constexpr auto kSafety = std::to_array<Row<SafetyStatus>>({
     {kIoPlaneStop, Shape::Octagon, Emphasis::Alarm, "23"},
 });
 
-// Dots mean that the state has not been reached yet.
+// The mark "…" means that the state has not been reached yet.
 constexpr auto kRuntime = std::to_array<Row<RuntimeState>>({
     {RuntimeState::Stopping, Shape::Square, Emphasis::Normal, "…"},
     {RuntimeState::Stopped, Shape::Square, Emphasis::Muted},

@@ -26,14 +26,15 @@ ModeLook robotModeLook(RobotMode mode, bool moving, bool freedrive = false);
 ModeLook safetyModeLook(SafetyStatus status);
 ModeLook runtimeLook(RuntimeState state);
 ModeLook controlLook(const SessionState& state);
-/// The functions below return every appearance for known modes.
+/// The next three functions return the appearances of all known modes.
 std::vector<ModeLook> robotModeLooks();
 std::vector<ModeLook> safetyModeLooks();
 std::vector<ModeLook> controlLooks();
 /// Shows the packet rate, the numbers of late and lost packets, and the round-trip time, or the problem with
 /// the connection.
 ModeLook linkLook(const SessionState& state);
-/// Returns the consequence of the connection quality for jogging, in two or three words.
+/// Returns the caption of the connection chip: "LINK" and the consequence of the connection quality for
+/// jogging.
 QString linkCaption(const SessionState& state);
 
 /// The operator's next step before the robot can move.

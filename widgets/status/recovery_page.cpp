@@ -174,7 +174,7 @@ void RecoveryPage::build() {
     waiting_->setProperty("role", QStringLiteral("secondary"));
     key_ = new QPushButton(this);
     key_->setObjectName(QStringLiteral("recoveryKey"));
-    key_->setMinimumWidth(180);  // constant width, because its text changes
+    key_->setMinimumWidth(180);  // so that a changed text does not change the width
     QSizePolicy keepsItsPlace = key_->sizePolicy();
     keepsItsPlace.setRetainSizeWhenHidden(true);
     key_->setSizePolicy(keepsItsPlace);
@@ -182,7 +182,7 @@ void RecoveryPage::build() {
     // An accidental Return must not unlock the robot. The user must click the button, or press Space while
     // the button has the focus.
     key_->setAutoDefault(false);
-    new SingleClick(*key_);  // the next step appears at the same place
+    new SingleClick(*key_);  // a second click would trigger the next step before the user has read it
     connect(key_, &QPushButton::clicked, this, &RecoveryPage::takeStep);
     row->addWidget(waiting_, 1);
     row->addWidget(key_);

@@ -113,7 +113,7 @@ void RobotPopup::hear(const script::ControllerMessage& message) {
 // reader.
 void RobotPopup::showSoon() {
     if (nextUpdate_.isActive()) {
-        showKey();  // the displayed popup cannot be closed
+        showKey();  // disables the button, because the newest popup has not been read
         return;
     }
     obstacle_ = obstacleNow(session_.state());
@@ -153,8 +153,8 @@ void RobotPopup::followCommand(RobotCommand command, bool done) {
         return;
     }
     const qsizetype newest = popups_.size() - 1;
-    // Another popup may have arrived since the request. If another client has closed a popup, that was the
-    // newest popup.
+    // Use the popup of the request, because another popup may have arrived since. Without a request, another
+    // client has closed the newest popup.
     const qsizetype which = std::exchange(asked_, std::nullopt).value_or(newest);
     if (done) {
         remove(which);

@@ -5,7 +5,7 @@
 // robot. The widget covers the view, does not take the focus and does not move other widgets. A click
 // intended for the covered widget, or Space, which stops the arm, must not close the popup, because a program
 // that waits for the popup would continue. If a program opens many popups, e.g. in a loop, their number is
-// limited and the display is updated only a few times per second.
+// limited and the display is updated at most five times per second.
 
 #include <QFrame>
 #include <QList>

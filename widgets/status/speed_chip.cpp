@@ -136,7 +136,7 @@ void SpeedChip::keyPressEvent(QKeyEvent* event) {
         case Qt::Key_End:
         case Qt::Key_PageUp:
         case Qt::Key_PageDown:
-            event->ignore();  // such a key would make the arm many times faster
+            event->ignore();  // one press of such a key could multiply the speed of the arm
             break;
         default:
             QAbstractSlider::keyPressEvent(event);

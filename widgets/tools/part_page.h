@@ -29,8 +29,8 @@ class PartPage : public QWidget {
 public:
     /// Index of the selected row; -1 if there is none.
     int currentRow() const;
-    /// The entry in the current row, or null. While a project is being opened, the rows may be those of the previous
-    /// project.
+    /// The entry in the current row, or null. While a project is being opened, the rows may be those of the
+    /// previous project.
     template <class List>
     auto currentIn(const List& list) const -> decltype(&list.at(0)) {
         const int row = currentRow();

@@ -43,7 +43,7 @@ public:
     /// All actions for the menus, the command list and the help page.
     QList<QAction*> commandActions() const;
     /// Sets the function that returns the speed limit for moves to suggested poses. Each press calls it.
-    /// Initially none.
+    /// Without a function, the default HeldSpeed applies.
     void setHeldSpeed(std::function<HeldSpeed()> speed);
 
 Q_SIGNALS:

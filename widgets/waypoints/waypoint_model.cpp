@@ -26,8 +26,8 @@ constexpr double kMinTcpSpeed = 0.001;   ///< [m/s]
 constexpr double kMaxTcpSpeed = 1.0;     ///< [m/s]
 constexpr double kMaxBlendRadius = 1.0;  ///< [m]
 
-/// The curve colours of the light theme, after black for the default. They are distinguishable for people with
-/// colour vision deficiencies.
+/// The curve colours of the light theme, after black for the default. They are distinguishable for people
+/// with colour vision deficiencies.
 QColor colourOf(project::WaypointColour colour) {
     static constexpr QRgb kColours[] = {0x000000, 0x0072B2, 0xD55E00, 0x009E73, 0xCC79A7, 0xE69F00, 0x56B4E9};
     return QColor(kColours[static_cast<int>(colour)]);

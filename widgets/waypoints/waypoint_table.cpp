@@ -95,7 +95,7 @@ void WaypointTable::resizeEvent(QResizeEvent* event) {
 }
 
 void WaypointTable::fitColumns() {
-    // Column widths [px] for the longest usual text. The name column fills the remaining width.
+    // Column widths [px] that fit typical texts. The name column fills the remaining width.
     struct Width {
         int column;
         int wide;
@@ -126,8 +126,7 @@ void WaypointTable::fitColumns() {
     const int digits = fontMetrics().horizontalAdvance(QString::number(model_.rowCount()));
     setColumnWidth(WaypointModel::Number,
                    std::max(columnWidth(WaypointModel::Number), digits + kCellMargins));
-    // Hide columns to keep a minimum width for the name. The values of the hidden columns are also displayed
-    // elsewhere.
+    // Hide columns in a narrow table to keep a minimum width for the name.
     setColumnHidden(WaypointModel::Blend, room < 500);
     setColumnHidden(WaypointModel::Number, room < 440);
 }

@@ -39,7 +39,7 @@
 namespace tiller {
 namespace {
 
-/// Cause of the notice about a press that had no effect because of a passing state.
+/// Cause of the notices that close automatically.
 constexpr char kPassing[] = "waypoint.passing";
 
 }  // namespace
@@ -339,7 +339,8 @@ bool WaypointsTab::eventFilter(QObject* watched, QEvent* event) {
     // The user has answered the touch-up question.
     if (watched == notice_ && event->type() == QEvent::Hide) {
         setTouchUpGhost(std::nullopt);
-        // Otherwise, the next widget of the window would get the focus, such as a button that records.
+        // Move the focus. Otherwise, the next widget of the window would get it, such as a button that
+        // records.
         if (notice_->isHidden() && notice_->isAncestorOf(QApplication::focusWidget())) {
             (table_->isVisible() ? static_cast<QWidget*>(table_) : this)->setFocus(Qt::OtherFocusReason);
         }
@@ -398,7 +399,8 @@ void WaypointsTab::selectRow(int row) {
     if (row < 0 || row >= model_->rowCount()) {
         table_->selectionModel()->clear();
     } else {
-        // The view would extend the selection according to the modifier keys of the shortcut.
+        // Use the selection model, because the view would extend the selection according to the modifiers of
+        // the shortcut.
         const QModelIndex index = model_->index(row, WaypointModel::Name);
         table_->selectionModel()->setCurrentIndex(
             index, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
@@ -695,7 +697,7 @@ void WaypointsTab::teachByKey() {
     if (!isElsewhere || model_->rowCount() == before || holdPolicy_.holding != nullptr) {
         return;
     }
-    // The key may have been pressed by mistake. In the table, F2 renames the waypoint.
+    // Offer to undo, because the key may have been pressed by mistake. In the table, F2 renames the waypoint.
     table_->setFocus(Qt::ShortcutFocusReason);
     const project::Waypoint& taught = document_.waypoints().at(currentRow());
     const auto undo = [this, id = taught.id] {

@@ -63,9 +63,10 @@ public:
 
     /// Shows the limit on the path to the selected waypoint next to "Go to (hold)"; empty if there is none.
     void setPathLimitText(const QString& text);
-    /// Sets the function that returns the speed limit for "Go to". Each press calls it. Initially none.
+    /// Sets the function that returns the speed limit for "Go to". Each press calls it. Without a function,
+    /// the default HeldSpeed applies.
     void setHeldSpeed(std::function<HeldSpeed()> speed);
-    /// Sets the gripper used by "Run route". Initially none.
+    /// Sets the gripper used by "Run route". Initially, no gripper is set.
     void setGripper(GripperPort gripper);
 
     std::optional<Ghost> ghost() const;
@@ -77,7 +78,7 @@ public:
     /// Row of the selected waypoint; -1 for none.
     int currentRow() const;
 
-    /// Minimum time for which a notice about a passing state is shown [ms].
+    /// Minimum time for which a notice that closes automatically is shown [ms].
     static constexpr int kPassingMs = 5000;
 
     /// Includes the details, even if they are hidden.
@@ -118,7 +119,8 @@ Q_SIGNALS:
 private:
     void buildActions();
     void buildLayout(MotionPort port, HoldPolicy& policy);
-    /// Like teach(). If the focus is elsewhere, also moves it to the table and shows what was taught.
+    /// Like teach(). If the focus is outside the tab, also moves it to the table and shows a notice with
+    /// "Undo".
     void teachByKey();
     void fitRoutes();
     void showPathRecording();

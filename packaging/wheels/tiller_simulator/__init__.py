@@ -25,7 +25,7 @@ _numbers = itertools.count(1)
 
 
 def _own_address() -> str:
-    """A loopback address that is not used on this computer, so that tests with standard ports can run in parallel."""
+    """A loopback address, different per process and call, so that tests with standard ports can run in parallel."""
     pid = os.getpid()
     return f"127.{10 + pid % 200}.{pid // 200 % 250}.{next(_numbers) % 250 + 2}"
 

@@ -255,8 +255,8 @@ void ControlLink::run(script::PrimaryClient& primary) {
     const std::int64_t begunNs = doneNs;
     std::int64_t lookedNs = doneNs;
     int looks = 0;  // unsuccessful checks since the newest packet
-    // A controller may send no data while it compiles a program. No motion through this connection is active
-    // then.
+    // A controller may send no data while it compiles a program. During this time, no motion of this client
+    // is active.
     constexpr std::int64_t kTakingTimeoutNs = 2 * kNsPerSecond;
     const auto isDead = [&](std::int64_t nowNs) {
         // Minimum number of checks. After a delay of this PC, data may have arrived that were not read yet.

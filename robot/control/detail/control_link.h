@@ -43,7 +43,7 @@ public:
     /// Errors  NotInControl if it is not a control program, Timeout, Cancelled
     Result<Echo> findProgram(const Deadline& deadline);
     SoftwareVersion version() const { return connection_->version(); }
-    /// [s]
+    /// Period of the data stream [s].
     double period() const { return connection_->period(); }
 
     /// Starts the thread.

@@ -96,8 +96,8 @@ void ControlLoop::permitScript(bool permitted) {
 
 void ControlLoop::permitForce(bool permitted) {
     // Write the permission before checking for a stop. A stop writes in the opposite order: first the stop,
-    // then the revocation. Exchanges of the same atomic are ordered, so the later one sees everything before
-    // the earlier one. A plain store would break this order.
+    // then the revocation. Exchanges of the same atomic are ordered, so the later exchange sees all writes
+    // that precede the earlier exchange. A plain store would break this order.
     forcePermitted_.exchange(permitted, std::memory_order_acq_rel);
 }
 
@@ -329,8 +329,8 @@ void ControlLoop::followEcho(const Feedback& data) {
     }
     const std::int32_t behind = sequence_ - echo.sequence;
     if (behind >= 0 && static_cast<std::size_t>(behind) >= kSentMemory) {
-        // The command is older than all stored send times, so the round trip takes at least the time that
-        // they span.
+        // The command is older than all stored send times, so the round trip takes at least the time between
+        // the first and the last of these send times.
         status_.roundTripMs = static_cast<double>(kSentMemory) * period_ * 1000.0;
     }
     if (behind >= 0 && static_cast<std::size_t>(behind) < kSentMemory) {
@@ -494,7 +494,7 @@ void ControlLoop::noteLook(std::int64_t nowNs) {
     lookedNs_ = nowNs;
 }
 
-// Longest time between two of the last packages.
+// Longest time between two consecutive packages, from the stored send times.
 std::int64_t ControlLoop::longestSendGapNs() const {
     const auto sent = static_cast<std::size_t>(sequence_ - kBeforeFirstSequence);
     std::int64_t longest = 0;
@@ -639,8 +639,8 @@ void ControlLoop::noteEnded(std::int64_t nowNs) {
     if (cause != StopCause::LimitReached) {
         status_.limiter = {};
     }
-    // Replacement or completion of a motion is not a stop. If the operator input has ended, force mode ends
-    // too.
+    // Replacement or completion of a motion is not a stop. A motion that ends because of a missing refresh or
+    // late data also ends force mode.
     if (cause == StopCause::EventLoopStalled || cause == StopCause::DataStale ||
         cause == StopCause::LinkLost) {
         forcePermitted_.exchange(false, std::memory_order_acq_rel);

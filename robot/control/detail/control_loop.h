@@ -96,7 +96,8 @@ public:
     /// Call after loss of the connection.
     void lost(std::int64_t nowNs, ControlLoss loss);
 
-    /// Requests the end of the program starting with the next tick. `loss` is reported when the program has ended.
+    /// Requests the end of the program starting with the next tick. `loss` is reported when the program has
+    /// ended.
     void requestEnd(ControlLoss loss = ControlLoss::Released) {
         endLoss_.store(loss, std::memory_order_relaxed);
         endRequested_.store(true, std::memory_order_release);
@@ -114,15 +115,15 @@ public:
     void permitFinish();
     /// True if the robot has received this permission.
     bool isFinishPermitted() const { return finishReceived_.load(std::memory_order_acquire); }
-    /// Accepts only the program with this session, starting with the next tick.  Withdraws earlier requests to
+    /// Accepts only the program with this session, starting with the next tick. Withdraws earlier requests to
     /// end a program.
     void expectSession(std::int32_t session) {
         endRequested_.store(false, std::memory_order_release);
         takingAbandoned_.store(false, std::memory_order_release);
         nextSession_.store(session, std::memory_order_release);
     }
-    /// Call if the control program could not be sent, or not sent again after a script: starting with the next tick,
-    /// the loss is ScriptStopped.
+    /// Call if the control program could not be sent, or not sent again after a script: starting with the
+    /// next tick, the loss is ScriptStopped.
     void abandonTaking() { takingAbandoned_.store(true, std::memory_order_release); }
 
     /// Adds a request to each package until the next request replaces it.

@@ -125,7 +125,7 @@ Result<void> ControlProgram::upload(std::int32_t session, const QString& section
 }
 
 std::chrono::milliseconds ControlProgram::abandonedAfter() const {
-    // A delivered program is a node of the operator's program, which continues after it.
+    // A delivered program is a node of the operator's program, which continues after this node.
     return options_.deliver
                ? kNeverAbandoned
                : std::max({kMinAbandonedAfter, options_.dataTimeout, options_.connectionTimeout});
@@ -229,7 +229,7 @@ Result<void> ControlProgram::sendAgain(const QString& section, const Deadline& d
     loop_.expectSession(next);
     auto sent = upload(next, section, deadline);
     if (!sent) {
-        // The robot may start the program later. It must then end.
+        // If the robot starts the program later, the program must end.
         loop_.requestEnd(ControlLoss::ScriptStopped);
         loop_.abandonTaking();
     }

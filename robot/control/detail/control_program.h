@@ -23,7 +23,7 @@ class ControlProgram {
 public:
     /// Messages from the controller about a user script.
     struct ScriptFeedback {
-        QString name;         ///< of the script; empty: it has no name
+        QString name;         ///< name of the script; empty if it has no name
         QString startedAs{};  ///< name in the message about its start
         bool started = false;
         bool stopped = false;
@@ -46,8 +46,8 @@ public:
     script::PrimaryClient& listener() { return *primary_; }
     SoftwareVersion version() const;
     ArmLimits arm() const;
-    /// Errors  VersionUnsupported below these versions. cb3 zeros: not available on CB3. Zeros for PolyScope
-    ///         X: available in all versions
+    /// Errors  VersionUnsupported below these versions. Zeros in `cb3`: not available on CB3. Zeros in
+    ///         `polyScopeX`: available in all versions of PolyScope X
     Result<void> needs(const SoftwareVersion& eSeries, const SoftwareVersion& cb3, const QString& context,
                        const SoftwareVersion& polyScopeX = {}) const;
     /// Errors  VersionUnsupported if the controller does not have this built-in function

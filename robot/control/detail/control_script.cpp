@@ -57,7 +57,7 @@ bool isCalled(const SoftwareVersion& version, const QString& mark, const QString
 QString linesFor(const SoftwareVersion& version, const QString& source, const QString& section,
                  const QStringList& refused) {
     QStringList lines = source.split(QLatin1Char('\n'));
-    QList<bool> wanted;  // for each enclosing block
+    QList<bool> wanted;  // one entry per enclosing block
     for (QString& line : lines) {
         const QString mark = line.trimmed();
         if (mark.startsWith(QLatin1String("#{{SINCE "))) {

@@ -19,8 +19,8 @@ const char* controlScriptTemplate();
 
 /// Minimum of `abandonedAfter`, used by a client with the default timeouts.
 inline constexpr std::chrono::milliseconds kMinAbandonedAfter{500};
-/// Value of `abandonedAfter` for programs that other clients must not replace without confirmation. Exceeds the
-/// time for which the program runs without a client.
+/// Value of `abandonedAfter` for programs that other clients must not replace without confirmation. Exceeds
+/// the time for which the program runs without a client.
 inline constexpr std::chrono::milliseconds kNeverAbandoned{60'000};
 
 struct ControlScript {
@@ -29,15 +29,16 @@ struct ControlScript {
     int sectionLine = 0;   ///< first line of the section in `text`, counted from 1
     int sectionLines = 1;  ///< number of lines of the section
 
-    /// Description of a line of `text`, counted from 1, e.g. "control_cycle.script line 13", or "line 2" of the
-    /// section.
+    /// Description of a line of `text`, counted from 1, e.g. "control_cycle.script line 13", or "line 2" of
+    /// the section.
     QString place(int line, int column) const;
 };
 
 /// version  selects the lines whose functions are available in this software version
 /// session  identifies this start of the program; the program echoes it
 /// arm      joint limits, for checking servo targets and for braking after torques
-/// section  lines of a path or a function, run by ScriptCommand::Section. Names starting with tiller_ are reserved
+/// section  lines of a path or a function, run by ScriptCommand::Section. Names starting with tiller_ are
+///          reserved
 /// refused  functions in CALLS that this controller lacks; the program avoids them
 /// abandonedAfter  time without a client after which other clients may replace the program without
 ///                 confirmation

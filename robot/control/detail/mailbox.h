@@ -31,8 +31,8 @@ struct MotionCommand {
     std::int32_t program = 0;  ///< only for Program: a ScriptCommand
     /// Program: see control.script; Script: script::StepGate::value()
     std::int32_t choice = 0;
-    /// MoveJ: q [rad]; MoveL: pose in the base frame [m, rad]; Program: see control.script; Script: value, variable and
-    /// number of a script::VariableChange
+    /// MoveJ: q [rad]; MoveL: pose in the base frame [m, rad]; Program: see control.script; Script: value,
+    /// variable and number of a script::VariableChange
     std::array<double, 6> target{};
     double speed = 0;
     double acceleration = 0;

@@ -51,7 +51,7 @@ private:
     ControlLoop& loop_;
     const ControlLink& link_;
     Turn turn_;
-    /// Numbers 6 to 17 as stored in the program; empty if unknown. Protected by the mutex.
+    /// Values 7 to 18 of request() as stored in the program; empty if unknown. Protected by `turn_`.
     std::array<std::optional<std::array<double, 6>>, 2> stored_;
 };
 

@@ -55,8 +55,8 @@ constexpr int kElbow = 2;
 constexpr int kWrist2 = 4;
 
 struct Geometry {
-    Matrix6 jacobian;                   // of the TCP, base frame
-    Eigen::Matrix<double, 3, 6> elbow;  // of the elbow, linear part only
+    Matrix6 jacobian;                   // Jacobian of the TCP in the base frame
+    Eigen::Matrix<double, 3, 6> elbow;  // Jacobian of the elbow in the base frame, linear part only
 };
 
 // The robot reports the TCP position, so TCP offset and calibration are not needed.
@@ -214,8 +214,8 @@ double VelocityLimiter::brakingTime(bool cartesian, const Twist& twist, const Ve
 }
 
 // Makes the arm stop at the safety distance from all objects. The approach speed to each object is calculated
-// from the distances after a very short motion (kMoment) and at the expected stop position, because the nearest
-// object at that position may differ from the current one.
+// from the distances after a very short motion (kMoment) and at the expected stop position, because the
+// nearest object at that position may differ from the current one.
 void VelocityLimiter::keepClear(Limiter& limiter, const Motion& motion, const Situation& situation) const {
     using collision::CollisionCheck;
     const CollisionCheck& check = *situation.check;

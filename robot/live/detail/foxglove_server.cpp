@@ -231,7 +231,7 @@ void FoxgloveServer::countIncoming(QTcpSocket* socket, Incoming& incoming) {
     }
 }
 
-// Replies and pongs are written to the socket directly.
+// Replies and pongs are written to the socket directly, so LiveLimits::maxQueueBytes does not limit them.
 void FoxgloveServer::closeIfUnread(QWebSocket* socket) {
     if (socket->bytesToWrite() > kMaxUnreadAnswers) {
         disconnectLater(socket, QStringLiteral("the viewer is not reading the responses"));

@@ -30,7 +30,7 @@ struct LiveCounters {
 
 /// Options and shared objects of a sink.
 struct LiveSinkContext {
-    LiveOptions options;           ///< with the names of all published fields
+    LiveOptions options;           ///< options; `fields` contains the names of all published fields
     std::int64_t steadyToUtc = 0;  ///< [ns]
     std::shared_ptr<LiveCounters> counters;
 };

@@ -5,7 +5,7 @@
 
 #ifdef _WIN32
 #include <winsock2.h>
-// After winsock2.h
+// This header must be included after winsock2.h.
 #include <ws2tcpip.h>
 #else
 #include <netdb.h>

@@ -113,7 +113,7 @@ CellBox PartReader::box(const QString& where, const QJsonObject& object) {
     CellBox box;
     box.id = fields_.id(where, object, "id");
     box.name = fields_.text(where, object, "name");
-    // Keep the object without its frame, because the arm would not avoid a removed object. See
+    // Keep an object whose frame is missing, because the arm would not avoid a removed object. See
     // collision::CellSurroundings::unplaced.
     box.frame = fields_.frameId(where, object);
     box.pose = fields_.pose(where, object, "pose");

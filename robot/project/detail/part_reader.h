@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Reads frames, tools, payloads, positions, patterns, the cell and recorded paths from their JSON objects. Private
-// to robot/project.
+// Reads frames, tools, payloads, positions, patterns, the cell and recorded paths from their JSON objects.
+// Private to robot/project.
 
 #include <QSet>
 

@@ -31,7 +31,7 @@ LINKS = {0: "base", 1: "shoulder", 2: "upper arm", 3: "forearm", 4: "wrist 1", 5
 class Box:
     """A solid box."""
 
-    pose: Floats  #: of its centre in the base frame; the edges are parallel to its axes [m, rad]
+    pose: Floats  #: pose of the centre in the base frame; the edges are parallel to the axes of this pose [m, rad]
     size: Floats  #: edges along X, Y, Z [m]
     name: str = "box"
 
@@ -60,12 +60,12 @@ class Contact:
 class MoveReport:
     """Result of CollisionCheck.examine()."""
 
-    duration: float  #: of the whole move, with the speed slider at 100 % [s]
-    limit: MoveLimit | None  #: the first limit; None: none
+    duration: float  #: duration of the whole move, with the speed slider at 100 % [s]
+    limit: MoveLimit | None  #: the first limit; None: no limit
     blocked: bool  #: the move ends at this limit. Near a singularity, the move only slows down
     fraction: float  #: position of the limit on the path, 0 ... 1; 1: no limit
-    joint: int | None  #: for "joint_range": 0-5
-    contact: Contact | None  #: for "collision"
+    joint: int | None  #: limiting joint 0-5 for "joint_range"; otherwise None
+    contact: Contact | None  #: the contact for "collision"; otherwise None
 
 
 def _number(value: float, name: str, least: float) -> float:

@@ -55,7 +55,7 @@ class Kinematics:
 
 
 def pose_product(a: Floats, b: Floats) -> Pose:
-    """T_a_c = T_a_b * T_b_c of two poses [m, rad]."""
+    """The product T_a_c = T_a_b * T_b_c of two poses [m, rad]."""
     return Pose(_native.pose_product(pose_numbers(a, "a"), pose_numbers(b, "b")))
 
 

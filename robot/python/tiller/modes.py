@@ -14,7 +14,7 @@ class Name(str, enum.Enum):
 
     @classmethod
     def _missing_(cls, value: object) -> Any:
-        """A value that only newer software of the robot has: UNKNOWN_ and its number."""
+        """Creates a member for a value that this version does not define: UNKNOWN_ and the number of the value."""
         if not isinstance(value, str) or not value.startswith("UNKNOWN_"):
             return None
         member = str.__new__(cls, value)
@@ -138,7 +138,7 @@ class LimiterKind(Name):
     BORDER = "Border"
 
 
-# By their RTDE numbers.
+# The members by RTDE number.
 ROBOT_MODES = {-1: RobotMode.NO_CONTROLLER, 0: RobotMode.DISCONNECTED, 1: RobotMode.CONFIRM_SAFETY,
                2: RobotMode.BOOTING, 3: RobotMode.POWER_OFF, 4: RobotMode.POWER_ON, 5: RobotMode.IDLE,
                6: RobotMode.BACKDRIVE, 7: RobotMode.RUNNING, 8: RobotMode.UPDATING_FIRMWARE}

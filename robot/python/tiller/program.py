@@ -93,7 +93,7 @@ class Finding:
 class Preview:
     """A simulated run. Workpieces are not simulated."""
 
-    completed: bool  #: the program ended normally, or two cycles of an endless program
+    completed: bool  #: the program ended normally, or is endless and completed two cycles
     endless: bool  #: the program has an endless loop
     duration: float  #: [s]
     findings: tuple[Finding, ...]  #: problems in chronological order
@@ -164,7 +164,7 @@ class ProgramRun:
     @property
     def variables(self) -> dict[str, Any]:
         """The global variables of the program, with their last values after its end. The robot sends them ten times per
-        second; empty before.
+        second; the dictionary is empty before the first values arrive.
 
         Values: bool, int, float (in single precision), str, Pose, or a list of numbers. A list with other items is a
         string in URScript; None: no value yet.
@@ -175,7 +175,7 @@ class ProgramRun:
     def set_variable(self, name: str, value: bool | float, timeout: float | None = 5.0) -> None:
         """Changes a variable while `state` is "waiting", and waits until the robot has confirmed the new value.
 
-        name: of a number or a True or False value that a "Set variable" step sets. value: in the type of the variable.
+        name: a variable that a "Set variable" step sets to a number, True or False. value: in the type of the variable.
         timeout [s]. The simulation of Program.start() did not use this value: before resume(), make sure that the rest
         of the program is safe with it.
         Raises InvalidArgument with the reason if the variable cannot be changed now, and if the value may have been
@@ -251,7 +251,8 @@ class ProgramRun:
         self._native.step_once()
 
     def finish_cycle(self, ends: bool = True) -> None:
-        """Ends the program at standstill before the next cycle of its outermost endless loop; False cancels this."""
+        """Ends the program at standstill before the next cycle of its outermost endless loop; False cancels
+        this request."""
         self._native.finish_cycle(ends)
 
     def stop(self) -> None:

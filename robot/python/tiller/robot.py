@@ -117,7 +117,7 @@ class LoopReport:
     late: int  #: cycles that began more than half a period late
     overruns: int  #: calls that took longer than a period
     longest_call: float  #: [s]
-    longest_wait: float = 0.0  #: for the interpreter lock [s]
+    longest_wait: float = 0.0  #: maximum wait of a call for the interpreter lock [s]
     fast_wake_ups: bool = False  #: the system kept its processors out of deep sleep
 
 
@@ -145,7 +145,7 @@ class ControlStatus:
     """The state of control."""
 
     in_control: bool  #: motions can be commanded
-    loss: ControlLoss  #: why not in control
+    loss: ControlLoss  #: why motions cannot be commanded; NONE while in control
     fresh: bool  #: False: no data for 100 ms, so the modes are unknown and the other values are outdated
     robot_mode: RobotMode
     safety_mode: SafetyMode
@@ -301,7 +301,7 @@ class Robot:
         return float("inf") if links is None else links[0].age()
 
     def wait_for_data(self, timeout: float | None = 5.0) -> Sample:
-        """Waits for a packet that is at most 100 ms old. Raises an error with the reason if there is none."""
+        """Waits for a packet that is at most 100 ms old. Raises an error with the reason if none arrives in time."""
         with self._waiting():
             return Sample(self._receiver.wait_for_data(timeout), self._layout)
 
@@ -508,8 +508,8 @@ class Robot:
             self._controller.run_script(program, timeout, unattended)
 
     def _handle_waits(self) -> AbstractContextManager[Any]:
-        """For handles. The bound method keeps the Robot alive, so that an uncaught exception and take_control() of
-        another Robot find the active motion."""
+        """Passed to the handles. The bound method keeps the Robot alive, so that an uncaught exception and
+        take_control() of another Robot find the active motion."""
         return self._waiting()
 
     def _receiver_of(self, fields: Sequence[str], timeout: float | None) -> _native.Receiver:
@@ -623,12 +623,12 @@ class Robot:
 
     @property
     def tool(self) -> arm.Tool:
-        """Further settings: target payload, gravity, external sensor, force mode, watchdog."""
+        """Settings of the tool and the controller: target payload, gravity, external sensor, force mode, watchdog."""
         return arm.Tool(self._controller, self._handle_waits)
 
     @property
     def queries(self) -> arm.Queries:
-        """Further queries: safety limits, joint limits, torques, contact, TCP offset."""
+        """Queries to the robot: safety limits, joint limits, torques, contact, TCP offset."""
         return arm.Queries(self._controller, self._handle_waits)
 
     @property

@@ -67,8 +67,8 @@ class Simulator:
     model: e.g. "UR5e". software: e.g. "5.22.1". address: address to listen on; None: a separate loopback address, available
     immediately as `simulator.address`. start: joint positions [rad]. programs: folder from which the dashboard server
     loads programs.
-    priority: SCHED_FIFO priority of the simulator's thread in real time, if permitted; 0: none. A real controller does
-    not wait for clients, so this thread has precedence over their threads.
+    priority: SCHED_FIFO priority of the simulator's thread in real time, if permitted; 0: normal priority. A real
+    controller does not wait for clients, so this thread has precedence over their threads.
     virtual: time advances only in step() and while a method of one of its robots waits. The simulation runs as fast as
     the machine allows, with the same result on every machine. Create the robots with simulator.robot().
     """

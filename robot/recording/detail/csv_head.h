@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The lines above the header of a CSV file that describe the recording: "# name: value". The start time has the
-// name "start", and the units of all columns have the name "units". Private to robot/recording.
+// The lines above the header of a CSV file that describe the recording: "# name: value". The start time has
+// the name "start", and the units of all columns have the name "units". Private to robot/recording.
 
 #include <cstdint>
 #include <optional>

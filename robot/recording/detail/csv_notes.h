@@ -16,7 +16,8 @@
 
 namespace tiller::recording {
 
-/// True for notes of the operator, warnings and errors. Other log lines would create a second file for every recording.
+/// True for notes of the operator, warnings and errors. Other log lines would create a second file for every
+/// recording.
 bool isCsvNote(int level, const QString& source);
 /// "a.csv" becomes "a.notes.csv".
 QString csvNotesPath(const QString& recording);

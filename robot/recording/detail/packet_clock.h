@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The UTC time of packets and notes of a file. The system clock may be set while the file is being written. Then the
-// packets keep the clock that was valid at the start, and the notes follow them.
+// The UTC time of packets and notes of a file. The system clock may be set while the file is being written.
+// The times of packets and notes then still refer to the setting of the clock at the start of the file.
 
 #include <chrono>
 #include <cstdint>
@@ -21,7 +21,7 @@ public:
 
     /// steadyNs  time of SteadyClock [ns]
     std::int64_t utcOf(std::int64_t steadyNs) const { return steadyNs + offset_; }
-    /// utcNs  time of the system clock, as it is set now
+    /// utcNs  time of the system clock with its current setting [ns since 1970]
     std::int64_t utcOfNote(std::int64_t utcNs) const {
         constexpr std::int64_t kPrecision = 1'000'000;
         const std::int64_t set = system_() - utcOf(SteadyClock::shared().nowNs());

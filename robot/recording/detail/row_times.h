@@ -18,8 +18,8 @@ public:
     std::uint64_t rowsBefore(std::int64_t utcNs) const;
 
 private:
-    /// A row whose time does not follow from the mark before it. Between two marks, the interval of the rows is
-    /// constant.
+    /// A row whose time does not follow from the mark before it. Between two marks, the interval of the rows
+    /// is constant.
     struct Mark {
         std::uint64_t row;
         std::int64_t utcNs;

@@ -20,8 +20,8 @@ constexpr std::size_t kMaxRestarts = 100;
 // Number of intervals used to determine the typical interval.
 constexpr std::size_t kStepsForPeriod = 1000;
 
-// Values in this range are a time since 1970 in seconds, milliseconds, microseconds or nanoseconds: the ranges do
-// not overlap, and the time since the start of a device is below them for 11 days.
+// Values in this range are a time since 1970 in seconds, milliseconds, microseconds or nanoseconds: the
+// ranges do not overlap, and the time since the start of a device is below them for 11 days.
 constexpr double kFirstEpoch = 978'307'200;   // 2001
 constexpr double kLastEpoch = 4'102'444'800;  // 2100
 // With a longer interval, a count of milliseconds could be a count of nanoseconds since the start.
@@ -49,7 +49,7 @@ std::optional<double> factorOf(std::string_view unit) {
     constexpr std::array<std::string_view, 6> kSeconds{"s", "sec", "secs", "second", "seconds", "sekunden"};
     constexpr std::array<std::string_view, 6> kMilli{"ms",     "msec",        "msecs",
                                                      "millis", "millisecond", "milliseconds"};
-    // The micro sign and the Greek letter.
+    // With the micro sign, and with the Greek letter mu.
     constexpr std::array<std::string_view, 8> kMicro{"us",    "\xC2\xB5s", "\xCE\xBCs",   "usec",
                                                      "usecs", "micros",    "microsecond", "microseconds"};
     constexpr std::array<std::string_view, 8> kNano{"ns",      "nsec",     "nsecs",      "nanos",
@@ -121,7 +121,7 @@ Heading headingOf(const RecordedColumn& column) {
         unit = std::string(stripped(name.substr(slash + 3)));
         name = stripped(name.substr(0, slash));
     }
-    // The last part of a path, such as /joint_states/header/stamp.
+    // Use only the last part of a path such as /joint_states/header/stamp.
     name = name.substr(std::min(name.find_last_of("/.") + 1, name.size()));
     Heading heading;
     heading.isTime = isTimeName(name) || isReservedName(name);
@@ -139,7 +139,7 @@ Heading headingOf(const RecordedColumn& column) {
     return heading;
 }
 
-/// The nanoseconds that belong to a column of whole seconds.
+/// The column of nanoseconds that belongs to a column of whole seconds; empty if there is none.
 std::optional<std::size_t> nanosecondsOf(const std::vector<RecordedColumn>& columns, std::size_t seconds) {
     const std::string name = lowered(columns[seconds].name);
     for (const std::string_view ending : {"secs", "sec"}) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The time of the rows of a table: finds the time column and its unit, and converts time stamps to the time axis
-// of a recording.
+// The time of the rows of a table: finds the time column and its unit, and converts time stamps to the time
+// axis of a recording.
 
 #include <QString>
 #include <cstdint>
@@ -37,10 +37,11 @@ struct TimeLine {
     std::vector<double> seconds{};          ///< since the first row, in ascending order
     double period = 0;                      ///< median interval [s]; 0 if unknown
     std::vector<RecordedEvent> restarts{};  ///< where the time stamps run backwards, at most 100
-    std::vector<RecordedGap> breaks{};  ///< at the segments after a step back; empty for a robot controller
+    std::vector<RecordedGap> breaks{};      ///< one for each segment after a step back; empty for a robot
+                                            ///< controller
 };
 
-/// stamps, nanoseconds  columns of the axis; empty if it has none
+/// stamps, nanoseconds  values of the columns of `axis`; empty for a column that the axis does not have
 /// The time continues after a step back.
 TimeLine timeLine(const TimeAxis& axis, std::span<const double> stamps, std::span<const double> nanoseconds,
                   std::size_t rows);

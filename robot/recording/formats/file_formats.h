@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The file formats of recordings, one row per format. Dialogs, settings, the options of tiller-cli and their help,
-// Python and detection on opening use these rows, so a new format needs only its reader, its writer and one row.
+// The file formats of recordings, one row per format. Dialogs, settings, the options of tiller-cli and their
+// help, Python and detection on opening use these rows, so a new format needs only its reader, its writer and
+// one row.
 
 #include <QByteArray>
 #include <QString>
@@ -24,7 +25,7 @@ struct FileFormat {
     QStringList suffixes;  ///< lower case, without the period; new files get the first suffix
     QByteArray magic;      ///< first bytes of a file, at most 8; empty: any file that matches no other row
     QString readers;       ///< programs that read it, in English, e.g. "pandas and spreadsheets"
-    const char* label;     ///< in lists of formats for recording, translated in the context
+    const char* label;     ///< text in lists of formats for recording, translated in the context
                            ///< tiller::PlotDock; null if `recorder` is null
     /// Errors and threads: same as openRecording().
     Result<std::unique_ptr<Recording>> (*open)(const Text& path, const TableFormat& format);
@@ -42,8 +43,8 @@ struct FileFormat {
 enum class FormatSet {
     All,       ///< every format can be opened and exported
     Recorded,  ///< formats that a recorder can write
-    Complete,  ///< those of them that are complete
-    Selected,  ///< those of them for which fields must be selected
+    Complete,  ///< formats that a recorder can write and that are complete
+    Selected,  ///< formats that a recorder can write and for which fields must be selected
 };
 
 /// All formats, in the order of lists for users.
@@ -63,7 +64,8 @@ const FileFormat& fileFormatOfContent(const QByteArray& begin);
 /// The first suffix of each format as text for users, e.g. ".csv or .mcap".
 /// before  text before each suffix, e.g. "FILE"
 QString suffixWords(FormatSet set, const QString& before = {});
-/// All suffixes with the programs that read them, e.g. ".csv for pandas and spreadsheets, or .mcap for ROS tools".
+/// All suffixes with the programs that read them, e.g. ".csv for pandas and spreadsheets, or .mcap for ROS
+/// tools".
 QString suffixHelp(FormatSet set);
 /// Name filters of all suffixes for a file dialog, e.g. "*.csv *.mcap".
 QString suffixFilter(FormatSet set);

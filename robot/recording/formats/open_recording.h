@@ -14,14 +14,14 @@ namespace tiller::recording {
 
 /// Opens a recording. The format is detected from the first bytes of the file.
 /// format   for tables that other programs wrote
-/// Errors   FileNotReadable; FileCorrupt with the reason; InvalidArgument with the members of `format` that the
-///          file needs
+/// Errors   FileNotReadable; FileCorrupt with the reason; InvalidArgument with the members of `format` that
+///          the file needs
 /// Threads  any. Blocks: depends on the format
 Result<std::unique_ptr<Recording>> openRecording(const Text& path, const TableFormat& format = {});
 
-/// Format for RecorderOptions::format, selected by the extension of the path (case-insensitive), from the rows
-/// of fileFormats() that a recorder can write.
-/// Errors   InvalidArgument for other extensions; the message contains those that are possible
+/// Format for RecorderOptions::format, selected by the extension of the path (case-insensitive), from the
+/// rows of fileFormats() that a recorder can write.
+/// Errors   InvalidArgument for other extensions; the message contains the supported extensions
 /// Threads  any. Blocks: never
 Result<std::shared_ptr<const RecordingFormat>> formatForPath(const Text& path);
 

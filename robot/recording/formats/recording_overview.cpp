@@ -17,7 +17,7 @@ constexpr std::uint64_t kThumbnailBlocks = 60;
 constexpr std::uint64_t kMaxRowsToRead = 200'000;
 constexpr std::int64_t kNsPerMillisecond = 1'000'000;
 
-/// The column whose course is shown; empty if there is none.
+/// The column that the overview shows as a curve; empty if there is none.
 std::optional<std::size_t> shownColumn(const Recording& file) {
     for (const char* name : {"actual_TCP_force_2", "actual_current_0", "actual_q_0"}) {
         if (const auto column = file.indexOf(name)) {

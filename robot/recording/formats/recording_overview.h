@@ -18,14 +18,16 @@ namespace tiller::recording {
 struct RecordingOverview {
     QString path{};
     QString format{};   ///< as Recording::format()
-    QDateTime start{};  ///< of the first row; without a start time in the file, the time of its last change
+    QDateTime start{};  ///< time of the first row; if the file does not contain it, time of the last change
+                        ///< of the file
     double seconds = 0;
     std::uint64_t rows = 0;
     std::int64_t bytes = 0;
     Metadata facts{};
     QStringList notes{};  ///< notes of the operator and causes of triggers
-    /// Course of the TCP force or, if the recording does not contain it, of its first column with measured values.
-    /// Empty for long recordings without summaries, because all rows would have to be read.
+    /// Name of the signal shown as a curve: the TCP force along Z or, if the recording does not contain this
+    /// force, another column. Empty for long recordings without summaries, because all rows would have to be
+    /// read.
     QString signal{};
     std::vector<double> low{};  ///< minimum of each part of the recording; NaN without values
     std::vector<double> high{};

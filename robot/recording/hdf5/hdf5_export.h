@@ -3,9 +3,9 @@
 
 // Exports a recording as an HDF5 file for h5py, MATLAB and Octave. The file contains one data set per field
 // in the type sent by the robot, with one row per packet, one column per component, and the attributes
-// `unit` and `meaning`. It also contains `time` [s], and `gaps` with row, packets and seconds. If there are notes,
-// warnings or errors, the group `notes` contains one data set each for their `time` [s], `level`, `source` and
-// `text`. HDF5 is not used for live recording, because a crash would destroy the whole file.
+// `unit` and `meaning`. It also contains `time` [s], and `gaps` with row, packets and seconds. If there are
+// notes, warnings or errors, the group `notes` contains one data set each for their `time` [s], `level`,
+// `source` and `text`. HDF5 is not used for live recording, because a crash would destroy the whole file.
 
 #include "robot/recording/export.h"
 

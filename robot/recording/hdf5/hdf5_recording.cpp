@@ -311,7 +311,7 @@ private:
                 }
                 timeStart_ = std::isfinite(first.value().front()) ? first.value().front() : 0;
             }
-            // A part of a recording has the start of the whole recording.
+            // A file with a part of a recording contains the start time of the whole recording.
             constexpr double kMaxSeconds = 1e9;
             if (start_ && std::abs(timeStart_) < kMaxSeconds) {
                 *start_ += std::llround(timeStart_ * 1e9);

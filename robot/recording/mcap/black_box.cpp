@@ -92,7 +92,7 @@ struct BlackBox::Worker : publish::SampleSink {
     std::uint64_t lastConnection = 0;
     std::optional<Incident> pending;
     bool isDue = false;                 ///< the pending incident is complete and must be written
-    std::optional<std::string> raised;  ///< alarm to be processed in this call sequence of the publisher
+    std::optional<std::string> raised;  ///< alarm to be processed in this turn of the publisher
     std::int64_t stopNs = 0;            ///< time of the stop on the receiver's clock
     double stopTimestamp = 0;           ///< time of the stop on the controller's clock [s]
 

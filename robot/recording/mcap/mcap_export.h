@@ -8,8 +8,8 @@
 
 namespace tiller::recording {
 
-/// Times are rounded to nanoseconds since 1970. They start at 1970 if the recording does not contain its
-/// start time. Characters that ROS does not permit in column names are replaced by _. `packages_lost`
+/// Times are rounded to nanoseconds since 1970. If the recording does not contain its start time, the times
+/// start at 0. Characters that ROS does not permit in column names are replaced by _. `packages_lost`
 /// contains the number of missing packets.
 /// Errors   FileNotWritable, DiskFull, FieldUnknown, Cancelled, and read errors
 /// Blocks   until the file is written

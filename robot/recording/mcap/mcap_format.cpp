@@ -215,8 +215,8 @@ private:
     ClockMap clock_;
     steady_clock::time_point opened_ = steady_clock::now();
     std::string bytes_;
-    RecordedPart part_;    ///< not yet in a closed chunk
-    RecordedPart closed_;  ///< in chunks closed since the last take()
+    RecordedPart part_;    ///< data not yet in a closed chunk
+    RecordedPart closed_;  ///< data in chunks closed since the last take()
 };
 
 class McapFormat : public RecordingFormat {

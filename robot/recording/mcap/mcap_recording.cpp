@@ -208,7 +208,7 @@ public:
                                       [&](std::uint64_t time, const RowChunk& each) {
                                           return time < reader_->chunks()[each.chunk].startTime;
                                       });
-        // Log times are arrival times, slightly later than the requested times.
+        // Log times are arrival times, which are later than the send times, so begin with the previous chunk.
         chunk = chunk == rowChunks_.begin() ? chunk : chunk - 1;
         std::uint64_t best = chunk->firstRow;
         for (auto each = chunk; each != rowChunks_.end() && each < chunk + 2; ++each) {
@@ -288,7 +288,7 @@ private:
     }
 
     void findRows() {
-        std::map<std::size_t, std::uint64_t> counts;  // by chunk index
+        std::map<std::size_t, std::uint64_t> counts;  // number of rows by chunk index
         for (const auto& [channel, state] : states_) {
             const auto found = shares_.find(channel);
             for (std::size_t i = 0; found != shares_.end() && i < found->second.size(); ++i) {

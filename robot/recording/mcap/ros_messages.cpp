@@ -77,7 +77,7 @@ void writeCdr(std::string& out, std::size_t room, Fill fill) {
 /// Returns  false if the data are truncated or invalid
 template <class Take>
 bool readCdr(std::string_view message, Take take) {
-    // The library requires a writable buffer but only reads here.
+    // The library requires a writable buffer, although it only reads the message here.
     FastBuffer buffer(const_cast<char*>(message.data()), message.size());
     CdrStream cdr(buffer);
     try {

@@ -91,7 +91,7 @@ private:
     std::array<std::uint8_t, 8192> bytes_;
     std::size_t lastBytes_ = 0;
     bool understands_ = true;
-    std::optional<std::int64_t> heardNs_;  ///< time of the last received bytes; initially of the first wait
+    std::optional<std::int64_t> heardNs_;  ///< time of the last received bytes, or start of the first wait
 };
 
 }  // namespace tiller::script

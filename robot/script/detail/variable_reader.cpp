@@ -52,8 +52,8 @@ public:
     bool read(ProgramVariable& into) { return value(into, kMaxDepth) && in_.ok(); }
 
 private:
-    static constexpr int kMaxDepth = 8;  // nested lists
-    static constexpr int kDigits = 7;    // of a number in single precision
+    static constexpr int kMaxDepth = 8;  // maximum nesting of lists
+    static constexpr int kDigits = 7;    // significant digits of a number in single precision
 
     bool value(ProgramVariable& into, int depth) {
         const std::uint8_t number = in_.u8();
@@ -114,7 +114,7 @@ private:
         const std::size_t rows = length();
         const std::size_t columns = length();
         if (columns == 0) {
-            return rows == 0;  // rows without data would not end
+            return rows == 0;  // the size of the package does not limit the number of rows without columns
         }
         QStringList parts;
         for (std::size_t i = 0; i < rows; ++i) {

@@ -123,7 +123,7 @@ struct Arm::Parts {
         return static_cast<std::size_t>(state.controlStep - static_cast<std::uint64_t>(steps)) % size;
     }
 
-    const RobotModel model;  // a copy, because the arm outlives the caller's model
+    const RobotModel model;  // a copy, because the arm may outlive the caller's model
     double period;
     ArmGeometry geometry;
     MotionGenerator generator;

@@ -108,8 +108,8 @@ public:
     // history and model
     /// Joint positions `steps` control periods ago (0 = now); empty beyond the last 10 s.
     std::optional<JointPositions> jointHistory(int steps) const;
-    /// tool_contact(): number of control periods since contact began, 0 = no contact. Direction in base axes;
-    /// zero = any direction.
+    /// tool_contact(): number of control periods back to the last period before the contact; 0: no contact.
+    /// direction  in base axes; zero: any direction
     int toolContact(const Eigen::Vector3d& direction) const;
     /// rotors  whether to include the inertia of the motors, as seen by the joints
     Matrix6 massMatrix(const JointPositions& q, bool rotors = false) const;

@@ -36,7 +36,7 @@ public:
     /// Returns   false if there is no solution near q; q is then the closest position that was found
     bool follow(const Eigen::Isometry3d& T, Vector6& q, Posture& posture) const;
 
-    /// Returns whether any joint positions reach this TCP pose.
+    /// True if any joint positions reach this TCP pose.
     bool isReachable(const Eigen::Isometry3d& T) const;
 
     /// Joint velocities for a TCP twist; damped near singularities.
@@ -62,7 +62,7 @@ private:
     double determinantScale_ = 1;
 };
 
-/// Exponential of a rotation vector as a quaternion, and the inverse. Optimized for small angles.
+/// Conversion between rotation vectors and quaternions. Also accurate for rotations near zero.
 Eigen::Quaterniond quaternionFromVector(const Eigen::Vector3d& rotation);
 Eigen::Vector3d vectorFromQuaternion(const Eigen::Quaterniond& q);
 

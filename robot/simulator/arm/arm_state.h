@@ -90,8 +90,8 @@ struct ArmState {
     double collisionRatio{};
 
     // motion
-    /// Current speed scaling of the motion by the trajectory limiter, a pause or a resume, 0..1
-    /// (speed_scaling). Does not include the speed slider.
+    /// speed_scaling: factor 0..1 by which the trajectory limiter, a pause or a resume slows the motion. Does
+    /// not include the speed slider.
     double speedScaling = 1;
     TimeScaleSource scaledBy =
         TimeScaleSource::NotScaled;  ///< reason for a scaling below 1, time_scale_source

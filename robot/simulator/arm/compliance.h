@@ -18,7 +18,7 @@ public:
     /// Starts force mode, or changes it if it is active. May be called every period.
     /// Errors    InvalidArgument, NotOperational
     MotionError startForceMode(const ForceModeParameters& parameters);
-    /// Returns to position control. No effect if neither mode is active.
+    /// Returns to position control. No effect if force mode is not active.
     void endForceMode();
     bool isForceMode() const;
     void setDamping(double damping);      ///< 0..1 (clamped); remains set until changed

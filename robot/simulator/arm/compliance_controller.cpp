@@ -7,8 +7,9 @@
 namespace tiller::simulator::arm {
 
 namespace {
-// Virtual mass moved by a force. With this value, 10 N at half gain and little damping result in a few cm/s,
-// as in the published force-mode run of a UR5e, and contact with a stiff surface is well damped.
+// Virtual mass moved by a force. With this mass and the damping below, 10 N at half gain and the initial
+// damping result in 3 cm/s, as in the published force-mode run of a UR5e, and contact with a stiff surface is
+// well damped.
 constexpr double kMass = 10;            // kg
 constexpr double kInertia = 0.4;        // kg m2
 constexpr double kDampingLinear = 150;  // N s/m
@@ -200,7 +201,7 @@ void ComplianceController::stepForceMode(const Wrench& measured) {
     Vector6 wanted;  // velocity, in the force frame
     wanted << R.transpose() * programTwist.head<3>(), R.transpose() * programTwist.tail<3>();
     if (onPath) {
-        // The motion of this step is not a deviation.
+        // The deviation does not include the motion of this step.
         const Vector6 covered = 0.5 * (posture_.jacobian * command_.qd + programTwist) * period_;
         const Eigen::Vector3d way =
             program_.T_base_tcp.translation() - posture_.T_base_tcp.translation() - covered.head<3>();
@@ -297,7 +298,7 @@ void ComplianceController::comeToRest() {
     generator_.rebase(command_);
 }
 
-// Advances the command by a TCP twist. Returns false if the joint limits do not permit it.
+// Advances the command by a TCP twist. Returns false if the joint limits do not permit this motion.
 bool ComplianceController::takeTwist(const Vector6& twist) {
     const JointLimits& limits = generator_.limits();
     Vector6 qd = Vector6::Zero();

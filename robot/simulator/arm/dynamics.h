@@ -34,7 +34,7 @@ public:
     /// Momentum of all links and the payload, base frame.
     struct Momentum {
         Eigen::Vector3d linear = Eigen::Vector3d::Zero();       ///< [kg m/s]
-        Eigen::Vector3d angular = Eigen::Vector3d::Zero();      ///< about the base's origin [kg m2/s]
+        Eigen::Vector3d angular = Eigen::Vector3d::Zero();      ///< about the origin of the base [kg m2/s]
         double mass = 0;                                        ///< [kg]
         Eigen::Vector3d firstMoment = Eigen::Vector3d::Zero();  ///< mass times centre [kg m]
     };

@@ -88,10 +88,10 @@ protected:
     void supersede();
 
     void adoptTcp();
-    /// pace  rate of program time that is the time base of the stop; 1: real time
+    /// pace  rate of the time base of the stop relative to real time
     bool jointRunOut(double deceleration, Segment& segment, double pace = 1) const;
     void startStop(double deceleration, MotionId id, bool scaled = false);
-    /// Time base of a stop that begins in this period.
+    /// Rate of the time base of a stop that begins in this period, relative to real time.
     double stopPace(bool scaled) const;
     /// Rate of time for speed and servo commands.
     double velocityScale() const { return readings_.speedCommandsScaled ? programScale_ : pauseScale_; }

@@ -255,8 +255,8 @@ MotionStart MotionGenerator::servoC(const Pose& target, double a, double v, doub
 
 namespace {
 
-/// Replaces an infinite acceleration by the maximum. A program can compute infinity by dividing by a
-/// vanishing time.
+/// Replaces an infinite acceleration by the maximum. A program can compute an infinite acceleration by
+/// dividing by a time of 0.
 double finiteAcceleration(double a) {
     return std::isfinite(a) ? a : kJointAccelerationLimit;
 }

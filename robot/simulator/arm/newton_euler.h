@@ -3,8 +3,8 @@
 
 // Joint torques of a motion by the recursive Newton-Euler algorithm, with each link in its own frame: outward
 // recursion of velocities and accelerations, inward recursion of forces. Optimized for six revolute joints
-// with Denavit-Hartenberg parameters, because the simulated controller runs this algorithm twice per control
-// period.
+// with Denavit-Hartenberg parameters, because the simulated controller runs this algorithm at least twice per
+// control period.
 
 #include <array>
 

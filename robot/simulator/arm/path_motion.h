@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Executes planned moves in sequence, blended, or started while an earlier motion decelerates. The result is
-// always the sum of two motions: the end of the previous motion, which alone would come to rest at the
-// corner, and the start of the next motion, which alone would start from rest there. Position and velocity
-// are continuous by construction, and the sum stays inside the blend zone.
+// Executes planned moves in sequence, blended, or started while an earlier motion decelerates. Where two
+// motions overlap, the result is their sum: the end of the previous motion, which alone would come to rest at
+// the corner, and the start of the next motion, which alone would start from rest there. Position and
+// velocity are continuous by construction, and the sum stays inside the blend zone. A rounded corner of movep
+// is part of the path of the next move and does not overlap the previous move.
 
 #include "robot/simulator/arm/path_segment.h"
 

@@ -43,7 +43,7 @@ public:
     void zeroForce();
     void place(const Vector6& q);
 
-    /// Updates everything in `state` that depends on the new target.
+    /// Updates the members of `state` that depend on the new target.
     void update(const JointTarget& target, DriveState drive, const Environment& environment, ArmState& state);
 
     Dynamics& dynamics() { return model_; }

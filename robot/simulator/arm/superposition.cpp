@@ -192,10 +192,10 @@ std::optional<StopReason> Superposition::step(const JointTarget& program, bool f
     return std::nullopt;
 }
 
-// Moves to the goal itself if this motion is smooth, and otherwise towards the goal.
+// Moves to the goal if the arm can reach it in this period without a jump, and otherwise towards the goal.
 void Superposition::settle(const Vector6& given, const Vector6& goal, JointTarget& state) {
     const double possible = limits_.acceleration * period_;
-    // A jump of the goal is not a speed.
+    // If the goal has jumped, `given` is not a velocity. Keep the previous rate.
     Vector6 rate = given;
     if (given.cwiseAbs().maxCoeff() > 2 * limits_.speed.maxCoeff()) {
         rate = rate_;

@@ -252,8 +252,8 @@ std::optional<StopReason> VelocityMotion::stepCartesian(double timeScale, JointT
 std::optional<StopReason> VelocityMotion::stepServoJ(double timeScale, JointTarget& state, int& joint) {
     const double dt = period_ * timeScale;
     // Feed-forward of the target velocity avoids a lag at constant speed. It is filtered over a fifth of the
-    // lookahead time. The gain is the stiffness. Lookahead time times gain is the damping, which is never far
-    // below critical.
+    // lookahead time. The gain is the stiffness. The damping is lookahead time times gain, but at least 90 %
+    // of critical damping.
     servoFiltered_ += (servoRate_ - servoFiltered_) * (dt / (0.2 * lookahead_ + dt));
     const double K = gain_;
     const double D = std::max(gain_ * lookahead_, 1.8 * std::sqrt(gain_));

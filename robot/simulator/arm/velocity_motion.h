@@ -3,7 +3,7 @@
 
 // Motions with a speed or a moving target instead of a path: speedj, speedl, servoj, servoc. Every step stays
 // within the joint limits. Near the end of a joint range and near a singular position, the speed decreases
-// with the distance, except for motion away from it.
+// with the distance, unless the motion leads away from this end or position.
 
 #include <optional>
 

@@ -191,7 +191,7 @@ template <class Matches>
 std::optional<DeviceAnswer> DeviceTable::next(Matches matches) {
     Row* found = nullptr;
     for (Row& row : rows_) {
-        // Finds the first matching row and the rows that continue it.
+        // Examine the first matching row, and later rows with the same name and arguments.
         const bool continues =
             found != nullptr && row.name == found->name && row.argumentText == found->argumentText;
         if (found != nullptr ? continues : matches(row)) {

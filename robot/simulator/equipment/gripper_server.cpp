@@ -43,7 +43,7 @@ void GripperServer::step(double dt, bool powered) {
     if (powered) {
         gripper_.step(dt);
     } else {
-        gripper_.set("ACT", 0);  // the gripper loses its activation
+        gripper_.set("ACT", 0);  // the gripper must be activated again
     }
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A Modbus device and the controller's signals for it. The same device responds at every address. It has
-// discrete inputs, coils, input registers and registers, all initially 0. Fault injection changes the inputs.
-// Signals are updated at their frequency. If a signal receives no response for longer than its watchdog time,
-// programs that read it get an error. Source: URScript manual, modbus functions.
+// A Modbus device and the controller's signals for it. The same device responds at every IP address. The
+// device has discrete inputs, coils, input registers and registers, all initially 0. Fault injection changes
+// the inputs. Signals are updated at their frequency. If a signal receives no response for longer than its
+// watchdog time, programs that read this signal get an error. Source: URScript manual, modbus functions.
 
 #include <array>
 #include <cstdint>

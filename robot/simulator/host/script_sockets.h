@@ -39,7 +39,7 @@ public:
     std::string_view receivedBytes(std::string_view name) const override;
     void consumeBytes(std::string_view name, std::size_t count) override;
     void closeAllSockets() { sockets_.clear(); }
-    bool hasSockets() const { return !sockets_.empty(); }  ///< Sockets require event processing.
+    bool hasSockets() const { return !sockets_.empty(); }  ///< If true, events must be processed.
 
     void serviceSockets();
 

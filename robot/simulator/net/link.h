@@ -46,7 +46,7 @@ public:
     /// True if bytes pass unchanged and without delay.
     bool isPlain() const { return plain_; }
     bool isLost() const { return conditions_.lost; }
-    /// Returns whether to drop this RTDE data package.
+    /// Decides at random, with the configured fraction, whether this RTDE data package is dropped.
     bool drops();
     /// Arrival time of data sent at the current time [s].
     double arrival();

@@ -183,7 +183,7 @@ void Peer::put(std::span<const std::uint8_t> bytes) {
 
 bool Peer::send(std::span<const std::uint8_t> bytes, std::optional<double> stamp) {
     if (!open_ || closing_ || isUnresponsive_) {
-        return true;  // no client to notify
+        return true;  // the connection is ending, so this is not an error
     }
     flush();
     if (!isPlain() || !held_.empty()) {

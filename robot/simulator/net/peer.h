@@ -41,7 +41,7 @@ public:
     ///          is not reading
     bool send(std::span<const std::uint8_t> bytes, std::optional<double> stamp = {});
     bool send(std::string_view text);
-    /// Time stamp of the newest bytes that the client can read completely; empty if they have no time stamp.
+    /// Time stamp of the newest stamped bytes that the client can read completely; empty if there are none.
     std::optional<double> delivered() const { return delivered_; }
     std::uint16_t port() const { return port_; }  ///< Port of the client.
     /// Sends all data that are due and that the socket accepts.
@@ -85,7 +85,7 @@ private:
     bool open_ = true;
     bool closing_ = false;
     bool isUnresponsive_ = false;  ///< data no longer reach the client
-    bool wasLost_ = false;         ///< the cable was unplugged since the last data
+    bool wasLost_ = false;         ///< the cable has been unplugged since the last read from the socket
     bool ended_ = false;           ///< the client has closed the connection; earlier data may still arrive
 };
 

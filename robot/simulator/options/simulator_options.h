@@ -39,7 +39,7 @@ struct SimulatorOptions {
     bool gateLocalControl =
         false;  ///< refuse the same requests as a robot in Local control (the vendor's simulator does not)
     bool gateLoopbackClients = false;  ///< refuse dashboard clients on this PC too
-    bool fastTransitions = false;      ///< power on and brake release within a few control periods
+    bool fastTransitions = false;      ///< each step of power on and brake release takes 10 ms
     double startTime = 60.0;  ///< `timestamp` at start [s]; below 40, some clients wait for the boot to end
     double bootTime = 0;      ///< time from the start to POWER_OFF [s]; above 0, `timestamp` starts at 0
     bool safetyUnconfirmed = false;  ///< the start waits in CONFIRM_SAFETY for the operator

@@ -230,7 +230,7 @@ void readPayloads(const XmlElement& root, Installation& to) {
             }
         }
     }
-    // Before software 5.10, each TCP had a payload.
+    // Before software 5.10, the TCP settings contained the payload.
     const XmlElement* const tcps = root.child("TCPSettings");
     if (!to.defaultPayload && tcps != nullptr) {
         const QString mass = numberList(tcps->attribute("toolPayload"), 1);

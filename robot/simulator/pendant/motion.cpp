@@ -86,7 +86,7 @@ const XmlElement* firstMotion(const XmlElement& node) {
 }  // namespace
 
 struct Motion::Definer {
-    const XmlElement* node = nullptr;  ///< null: no Until node
+    const XmlElement* node = nullptr;  ///< the Move node; null: the waypoint is not below a Move node
     QString function;
     bool ignoresTcp = false;  ///< positions refer to the flange
     bool usesJoints = false;  ///< joint angles define the target, independent of the TCP

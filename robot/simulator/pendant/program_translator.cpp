@@ -480,7 +480,8 @@ void ProgramTranslator::markOmitted(const XmlElement& node) {
     }
 }
 
-/// A disabled node need not be supported.
+/// Translates a disabled node between marks. If a part of the node is unsupported or unfinished, the whole
+/// node is replaced by a mark with the reason.
 void ProgramTranslator::writeDisabled(const XmlElement& suppressed) {
     using Kind = NodeMark::Kind;
     const Translation::Reasons reasons = t_.reasons();
@@ -823,7 +824,7 @@ void ProgramTranslator::writeSetPayload(const XmlElement& node) {
     }
 }
 
-/// Repeats the child nodes in a thread that ends when the condition is met.
+/// Repeats the child nodes in a thread that is killed when `condition` is no longer true.
 void ProgramTranslator::writeWhileHolds(const XmlElement& node, const QString& condition) {
     const QString name = t_.uniqueName(QStringLiteral("check_%1").arg(t_.nextNumber()));
     statement(QStringLiteral("thread %1():").arg(name));

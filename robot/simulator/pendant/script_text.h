@@ -43,7 +43,7 @@ public:
     void mark(NodeMark::Kind kind, int number, const QString& text = {}) {
         marks_.push_back({kind, lines_, number, text});
     }
-    /// Returns the number of statements to an earlier value, so that the statements since then do not count.
+    /// Resets the number of statements to an earlier value, so that the statements since then do not count.
     void setStatements(int statements) { statements_ = statements; }
     void indent() { ++depth_; }
     void outdent() { --depth_; }

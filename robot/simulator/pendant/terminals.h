@@ -13,7 +13,7 @@ namespace tiller::simulator::pendant {
 enum class TerminalValue { Boolean, Integer, Float, Analog };
 
 struct TerminalKind {
-    const char* name;          ///< default name unless the installation defines another, e.g. "digital_in[3]"
+    const char* name;          ///< default name without the index, e.g. "digital_in"
     const char* namesElement;  ///< element of the installation that contains the list of names
     const char* read;          ///< script function with the argument `number`
     const char* write;         ///< script function with the arguments `number` and `value`; null: input

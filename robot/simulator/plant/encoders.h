@@ -22,7 +22,7 @@ public:
     void set(int encoder, double ticks);
     double ticks(int encoder) const { return at(encoder).ticks; }
     /// Count since the start, without wrap-around. A count set by a program while pulses are decoded does not
-    /// change it.
+    /// change this value.
     double travel(int encoder) const { return at(encoder).travel; }
     /// The count as reported by RTDE.
     std::int32_t raw(int encoder) const;

@@ -79,7 +79,8 @@ public:
     /// Sets the reading of an external sensor, received through RTDE [N, Nm].
     void setExternalForceTorque(const Wrench& wrench) { externalForce_ = wrench; }
     void setExternalSensorInUse(bool inUse) { externalSensor_ = inUse; }
-    /// Sets the Local/Remote switch of the teach pendant. Leaving Remote ends the script connections.
+    /// Sets the Local/Remote switch of the teach pendant. Use ControllerServices::setRemoteControl(), which
+    /// also closes the script connections and stops the program, depending on the options.
     void setRemoteControl(bool remote);
     bool isRemoteControl() const { return remoteControl_; }
     /// True if a connection opened now may send scripts. CB3 has no local control.
@@ -107,8 +108,8 @@ public:
 
     /// Shows a popup, reports it to primary clients, and returns its ID.
     int showPopup(const std::string& text, bool blocking);
-    /// Reports pendant log messages that the sender of the program needs. They are sent to primary clients as
-    /// text messages and written to stderr.
+    /// Reports a message that a real controller shows only in the log of the teach pendant: sends it to
+    /// primary clients as a text message and writes it to stderr.
     void appendToLog(const std::string& text);
     /// Queues a message for primary clients.
     void publish(primary::Bytes message) { outbox_.push_back(std::move(message)); }

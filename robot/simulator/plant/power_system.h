@@ -26,7 +26,7 @@ public:
     /// Starts the controller: DISCONNECTED, then BOOTING, each for half of `seconds` [s], then POWER_OFF. If
     /// the safety configuration is unconfirmed, the controller waits in CONFIRM_SAFETY between the two.
     void boot(double seconds, bool safetyUnconfirmed);
-    /// Actions of the operator on the teach pendant.
+    /// Confirms the safety configuration, as the operator does on the teach pendant.
     void confirmSafety();
 
     /// No effect in IDLE and RUNNING. If the arm is being powered off, it is powered on again afterwards.

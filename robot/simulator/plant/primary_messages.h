@@ -37,7 +37,7 @@ Bytes errorCode(std::uint64_t timestampNs, const ErrorCode& error);
 Bytes runtimeException(std::uint64_t timestampNs, std::int32_t line, std::int32_t column,
                        std::string_view text);
 Bytes safetyMode(std::uint64_t timestampNs, tiller::SafetyMode mode);
-/// Returns whether safetyMode() created the message.
+/// True for messages created by safetyMode().
 bool isSafetyMode(const Bytes& message);
 
 struct PopupMessage {

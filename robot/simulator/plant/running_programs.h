@@ -19,7 +19,7 @@ public:
     bool isActive() const { return state() != RuntimeState::Stopped; }
     bool isPaused() const { return state() == RuntimeState::Paused; }
     virtual std::uint32_t currentLine() const = 0;
-    /// True if the program that is ending is the main program. For the host during a frame.
+    /// True if the program that is ending is the main program. The host calls this function within a frame.
     virtual bool isEndingMain() const = 0;
 
     /// Ends the main program in the next period.
@@ -28,9 +28,9 @@ public:
     virtual void stopNow() = 0;
     virtual void pause() = 0;
     virtual void resume() = 0;
-    /// Handles a protective stop. A program from a file waits for `play`. A program sent over a socket ends
-    /// and must be sent again. Source: Dashboard Server guide, "unlock protective stop"; the ROS 2 driver,
-    /// which sends the program again.
+    /// Handles a protective stop. A program from a file waits for `play`. By default, a program sent over a
+    /// socket ends and must be sent again, see BehaviourOptions::protectiveStop. Source: Dashboard Server
+    /// guide, "unlock protective stop"; the ROS 2 driver, which sends the program again.
     virtual void haltForProtectiveStop() = 0;
 
 protected:

@@ -49,7 +49,8 @@ public:
 
     void step(double dt);
 
-    /// Value of safety_mode. The two newer safeguard stops are reported as SAFEGUARD_STOP.
+    /// Value of safety_mode. The automatic mode safeguard stop and the three-position enabling stop are
+    /// reported as SAFEGUARD_STOP.
     SafetyMode mode() const;
     /// Value of safety_status, which distinguishes all causes.
     SafetyMode status() const;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// rtde_set_watchdog(): stops a program if an input is no longer refreshed. Source: URScript manual.
+// rtde_set_watchdog(): pauses or stops the program if a client no longer refreshes an input. Source: URScript
+// manual.
 
 #include <cstdint>
 #include <optional>

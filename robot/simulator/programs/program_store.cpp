@@ -29,7 +29,7 @@ Error notThere(const QString& name) {
 
 }  // namespace
 
-/// Returns whether the file exists within the folder, after resolving links.
+/// True if the file exists and, after resolving links, is within the folder.
 bool ProgramStore::isWithin(const QString& path) const {
     const QString root = QDir(folder_).canonicalPath();
     const QString real = QFileInfo(path).canonicalFilePath();

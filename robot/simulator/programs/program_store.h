@@ -6,8 +6,7 @@
 // through symbolic links. The folder is checked at each access. Program files are:
 //
 // - `.urp` or `.urpx` files saved by the teach pendant. The `.script` file that the teach pendant saved with
-// the program
-//   runs. If there is none, pendant/pendant_program.h translates the nodes.
+//   the program runs. If there is none, pendant/pendant_program.h translates the nodes.
 // - Any other file, which contains URScript text.
 
 #include <QString>

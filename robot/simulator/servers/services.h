@@ -40,8 +40,7 @@ public:
     void publish();
     /// Closes all connections except those of the fault port.
     void closeClients();
-    /// Closes the script connections, as a robot does when it enters or leaves remote control with scripts
-    /// restricted in Local.
+    /// Closes the script connections, as a robot does when it changes to local control.
     void closeScriptClients();
 
     RtdeServer& rtde() { return rtde_; }

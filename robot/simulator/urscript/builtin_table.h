@@ -65,8 +65,9 @@ inline constexpr Since kPolyScopeX{{kNever, 0, kNever}, FirstVersions{kNever, 11
 inline constexpr Since kAfter33{{0, 0, 4}, FirstVersions{5, 0, 11}};
 /// The function is not in the lists of 2019, but in the list of 5.15.
 inline constexpr Since kAfter2019{{6}, FirstVersions{15}};
-/// Like kAfter2019, but first listed in 2021 (5.11), or used by programs saved with 5.11 or 5.9.
+/// Like kAfter2019, but first listed in 2021 (5.11), or used by programs saved with 5.11.
 inline constexpr Since kAfter2019By2021{{6}, FirstVersions{11}};
+/// Like kAfter2019, but used by programs saved with 5.9.
 inline constexpr Since kAfter2019By2020{{6}, FirstVersions{9, 0, kNever}};
 /// The function is not in the list of 5.15, but in the lists of 5.24 and 10.11.
 inline constexpr Since kAfter515{{16, 0, kNever}, FirstVersions{24, 11, kNever}};
@@ -83,7 +84,7 @@ struct BuiltinRow {
     BuiltinFunction function;
     unsigned flags = kPlain;
     Since since = {};
-    const char* needs = nullptr;   ///< for absent(): the equipment, e.g. "a ROS network"
+    const char* needs = nullptr;   ///< for absent(): the required equipment, e.g. "a ROS network"
     const char* partly = nullptr;  ///< part of the effect that is not simulated
 };
 

@@ -118,8 +118,8 @@ constexpr BuiltinRow kForceRows[] = {
     {"end_force_mode()", endForceMode},
     {"force_mode_set_damping(damping)", setDamping, kPlain, {{0, 0, 5}}},
     {"force_mode_get_damping()", getDamping, kPlain, kAfter515},
-    // The function is available in series 3, because control scripts for both series call these functions
-    // conditionally.
+    // Available in series 3 too, because control scripts for both series contain conditional calls of this
+    // function.
     {"force_mode_set_gain_scaling(scaling)", setGain},
     {"force_mode_get_gain_scaling()", getGain, kPlain, kAfter515},
     {"freedrive_mode(freeAxes?, feature?)", freedriveMode},

@@ -139,7 +139,8 @@ struct Bytecode {
     CompileOptions options;               ///< also used for the lines of interpreter mode
     std::vector<FunctionCode> functions;  ///< [0] is the main body
     std::vector<Value> constants;
-    std::vector<std::string> globals;  ///< for an interpreter mode line: globals that it adds
+    std::vector<std::string>
+        globals;  ///< names of all globals, or of those that an interpreter mode line adds
     std::vector<Path> paths;
     std::vector<MethodCall> methods;
     std::vector<std::vector<std::string>> shapes;  ///< member names of struct literals

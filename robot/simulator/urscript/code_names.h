@@ -2,7 +2,7 @@
 #pragma once
 
 // Resolves names of variables and functions: globals and functions of the text, and locals of the function
-// being compiled. For an interpreter mode line, also the names of the program.
+// being compiled. In an interpreter mode line, the names of the program are resolved too.
 
 #include <map>
 #include <memory>

@@ -10,7 +10,7 @@
 
 namespace tiller::simulator::urscript {
 
-// Number of operations charged for a list operation, so that the operation limit also bounds its time.
+// Number of elements of a list, matrix or struct; 0 for other values.
 inline std::int64_t elementCount(const Value& v) {
     return static_cast<std::int64_t>(v.is(Value::Type::List)     ? v.list().size()
                                      : v.is(Value::Type::Matrix) ? v.matrix().numbers.size()
@@ -18,6 +18,7 @@ inline std::int64_t elementCount(const Value& v) {
                                                                  : 0);
 }
 
+// Number of operations charged for an operator on lists, so that the operation limit also bounds its time.
 inline std::int64_t costOf(Op op, const Value& left, const Value& right) {
     const std::int64_t most = std::max(elementCount(left), elementCount(right));
     if (op == Op::Multiply && left.is(Value::Type::Matrix)) {
@@ -26,7 +27,8 @@ inline std::int64_t costOf(Op op, const Value& left, const Value& right) {
     return most / 8;
 }
 
-// Inlined operations on numbers of the same type. Returns false if the operands are not handled.
+// Inlined operations on ints and floats; an int and a float result in a float. Returns false if this function
+// does not handle the operator or the operands.
 inline bool fastArithmetic(Op op, Value& left, const Value& right) {
     if (left.is(Value::Type::Float) || right.is(Value::Type::Float)) {
         if (!left.isNumber() || !right.isNumber()) {

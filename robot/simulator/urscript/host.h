@@ -7,9 +7,9 @@
 //
 // Conventions for all interfaces: SI units; base frame unless stated otherwise; called only from the thread
 // that calls Interpreter::runFrame(); never blocking. Operations that take time are started by one call and
-// polled by another, once per frame. An Error ends the program with a runtime exception. Its text is the
-// controllerMessage of the error or, if that is empty, the context. Methods with a default implementation are
-// for optional equipment.
+// polled by another, once per frame. An Error ends the program with a runtime exception. The text of the
+// exception is the controllerMessage of the error or, if that is empty, the context. Methods with a default
+// implementation are for optional equipment.
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -90,8 +90,8 @@ struct StopL {
 
 struct DirectTorque {
     JointTorques torque;               ///< torque without gravity
-    bool frictionCompensation = true;  ///< for the command with a single switch
-    std::optional<Vector6> viscous;    ///< for the command with scales 0..1
+    bool frictionCompensation = true;  ///< friction_comp, for the form with two arguments
+    std::optional<Vector6> viscous;    ///< scales 0..1, for the form with three arguments
     std::optional<Vector6> coulomb;
 };
 
@@ -132,8 +132,8 @@ public:
     /// standstill at the target, in the blend zone, after the duration (in program time, which is longer if
     /// the speed slider is below 100 %), or at standstill after a stop.
     virtual Result<bool> motionFinished(ThreadId thread) = 0;
-    /// Called if the thread was killed or has ended with an unfinished command. The arm keeps its speed until
-    /// another thread issues a command or the program ends.
+    /// Called if the thread was killed or has ended with an unfinished command. The host continues the motion
+    /// for 20 ms, so that another thread can issue a command, and then decelerates the arm.
     virtual void motionAbandoned(ThreadId thread) = 0;
 
     virtual Result<void> forceMode(const ForceMode& mode) = 0;  ///< may be called every frame
@@ -429,8 +429,8 @@ public:
     virtual double stepTime() const = 0;                ///< [s] 0.002 or 0.008; length of one frame
     virtual std::int64_t controllerTimeNs() const = 0;  ///< monotonic, since the start of the controller
     virtual std::int64_t systemTimeNs() const = 0;      ///< UTC since 1970
-    /// Notifies the safety system at once. The program continues to the end of its frame; call
-    /// Interpreter::pause().
+    /// Notifies the safety system at once. The program continues to the end of its frame, so the host must
+    /// also call Interpreter::pause().
     virtual Result<void> protectiveStop() = 0;
     virtual void powerDown() = 0;
     virtual Result<void> setWatchdog(std::string_view field, double minFrequency, WatchdogAction action) = 0;

@@ -54,7 +54,7 @@ public:
     enum class State {
         Running,
         Paused,
-        Finished,  ///< the main body has ended, or `halt`
+        Finished,  ///< the main body has ended, or a thread has executed `halt`
         Stopped,   ///< ended by stop()
         Failed,    ///< see error()
     };

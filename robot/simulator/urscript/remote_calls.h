@@ -37,7 +37,8 @@ public:
 
 private:
     static constexpr std::size_t kMaxHandles = 100;
-    static constexpr std::size_t kMaxCalls = 32;  ///< if full, the oldest is dropped (its thread was killed)
+    /// Beyond this number, the oldest call is dropped, which normally belongs to a killed thread.
+    static constexpr std::size_t kMaxCalls = 32;
 
     struct Call {
         std::string request;

@@ -32,7 +32,7 @@ struct ScriptThread {
     State state = State::Ready;
     ThreadId joined = 0;
     std::int64_t sliceNs = 0;
-    std::int64_t operations = 0;  // remaining in this frame
+    std::int64_t operations = 0;  // remaining operations in this frame
     std::vector<Value> stack;
     std::size_t top = 0;
     std::vector<CallFrame> calls;

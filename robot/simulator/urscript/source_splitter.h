@@ -29,7 +29,7 @@ public:
         std::string text;  ///< as received, with newlines; compile() counts lines in this text
     };
 
-    /// Maximum size of an unfinished unit [bytes]. A larger unit is returned as it is, and the compiler
+    /// Maximum size of an unfinished unit [bytes]. A larger unit is returned incomplete, and the compiler
     /// refuses it.
     static constexpr std::size_t kMaxUnit = 16u << 20;
 

@@ -125,10 +125,10 @@ public:
     Value detached() const;
     /// Name of the type for error messages: "int", "float", "pose" ...
     const char* typeName() const noexcept;
-    /// True for the same type and content. 2 and 2.0 are equal; NaN is not equal to itself.
+    /// True for equal content. 2 equals 2.0, and True equals 1; other types differ. NaN differs from itself.
     bool equals(const Value& other) const;
-    /// Returns whether the value has at most `depth` levels of nesting and `budget` values. Subtracts their
-    /// number from `budget`. All values of a program are kept within these limits, so that copies,
+    /// True if the value has at most `depth` levels of nesting and `budget` values. Subtracts the number of
+    /// its values from `budget`. All values of a program are kept within these limits, so that copies,
     /// comparisons and destruction are fast.
     bool withinBounds(int depth, std::size_t& budget) const noexcept;
     /// True for a struct, or for a list whose elements are not numbers.

@@ -14,8 +14,8 @@ namespace {
 
 using Type = Value::Type;
 
-// The first value of a variable determines its type family. Number types can be mixed, and poses with lists,
-// because existing scripts assign one to the other.
+// The first value of a variable determines its type family. Within a family, types can be mixed: bools, ints
+// and floats; poses, lists and matrices. Existing scripts assign values of such types to the same variable.
 int family(const Value& v) {
     switch (v.type()) {
         case Type::Bool:
@@ -75,7 +75,6 @@ void assign(Value& variable, Value v, const std::string& name) {
     variable = std::move(v);
 }
 
-// Returns the value `steps` levels down, unshared for writing. Advances `indices` past the indices used.
 Value& descend(Value& root, const Path& path, std::size_t steps, const Value*& indices) {
     Value* v = &root;
     for (std::size_t i = 0; i < steps; ++i) {

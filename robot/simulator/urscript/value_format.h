@@ -11,7 +11,7 @@
 namespace tiller::simulator::urscript {
 
 /// Conversion for to_str and str_cat: six decimals without trailing zeros, ", " between elements. The result
-/// may exceed the maximum string length, but ends within a few characters after `limit`.
+/// may exceed the maximum string length, but no element is added after `limit` characters.
 std::string toStr(const Value& v, std::size_t limit = 2048);
 /// Conversion for textmsg: six significant digits, "," between elements.
 std::string toMessageText(const Value& v, std::size_t limit = 65536);

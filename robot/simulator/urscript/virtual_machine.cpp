@@ -100,7 +100,8 @@ bool Interpreter::Machine::runnable(const ScriptThread& thread) const {
            (thread.state == ScriptThread::State::Joining && find(thread.joined) == nullptr);
 }
 
-// Returns the thread with the most remaining time; the oldest of these threads if several have the same time.
+// Returns the thread with the most remaining time. Among equal threads, returns the oldest, but the main body
+// last unless limits_.mainFirst is set.
 ScriptThread* Interpreter::Machine::next() const {
     const auto precedes = [this](const ScriptThread& later, const ScriptThread& best) {
         const bool mainWaits = !limits_.mainFirst && best.id == 0;

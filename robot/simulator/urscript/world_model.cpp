@@ -28,7 +28,7 @@ bool WorldModel::isFixed(std::string_view name) {
     return name == "world" || name == "base" || name == "flange" || name == "tcp";
 }
 
-// This loop ends because attach() refuses cycles.
+// The loop in this function ends, because attach() refuses cycles.
 std::optional<Eigen::Isometry3d> WorldModel::inBase(std::string_view name, const ArmFrames& arm) const {
     Eigen::Isometry3d T_here_frame = Eigen::Isometry3d::Identity();
     while (!isFixed(name)) {
@@ -174,7 +174,7 @@ Result<Pose> WorldModel::poseOf(const std::string& name, const std::string& rela
     const Eigen::Matrix3d R_axes_base = T_base_axes->linear().transpose();
     const Eigen::Vector3d offset = T_base_frame->translation() - T_base_relative->translation();
     const Eigen::Matrix3d turn = T_base_frame->linear() * T_base_relative->linear().transpose();
-    // In the axes of `relative`, this is the usual relative pose.
+    // If `axes` is `relative`, the result equals inverse(T_base_relative) * T_base_frame.
     return Pose(R_axes_base * offset, rotationVector(R_axes_base * turn * R_axes_base.transpose()));
 }
 

@@ -12,7 +12,7 @@ namespace tiller {
 namespace {
 
 constexpr double kMessageWindow = 2.0;  ///< maximum time between a stop and a message about it [s]
-constexpr double kBlameWindow = 0.5;    ///< time before a stop searched for a deviating joint [s]
+constexpr double kBlameWindow = 0.5;    ///< time before a stop in which a deviating joint is searched [s]
 constexpr double kBlameLeast = 0.5;     ///< minimum current deviation of a deviating joint [A]
 constexpr double kMaxGap = 0.5;         ///< maximum time between two packets of one record [s]
 constexpr double kElsewhere = 0.002;    ///< joint change above which the arm counts as moved [rad]

@@ -8,8 +8,8 @@
 
 namespace tiller {
 
-/// Floor, enabled planes and boxes of the cell, the radius of the active tool, and the safety distance. Enabled
-/// planes and boxes whose frame is not in the project are listed as unplaced.
+/// Floor, enabled planes and boxes of the cell, the radius of the active tool, and the safety distance.
+/// Enabled planes and boxes whose frame is not in the project are listed as unplaced.
 /// Threads  any. Blocks: never
 collision::CellSurroundings surroundingsOf(const project::Project& project);
 

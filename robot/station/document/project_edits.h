@@ -23,7 +23,8 @@ public:
     const QString& text() const { return text_; }
     virtual void apply(ProjectDocument& document) = 0;
     virtual void revert(ProjectDocument& document) = 0;
-    /// The programs after apply() or, if `reverted`, after revert(); null if the edit does not change programs.
+    /// The programs after apply() or, if `reverted`, after revert(); null if the edit does not change
+    /// programs.
     virtual const project::ProgramList* programs(bool /*reverted*/) const { return nullptr; }
 
 private:

@@ -82,7 +82,7 @@ public:
     Result<void> takeOver();
     /// Saves to a new file next to the file that another program has changed. Later changes are saved to the
     /// new file.
-    /// Returns  its path
+    /// Returns  the path of the new file
     Result<QString> keepBoth();
     /// Checks whether another window or program has locked or changed the file. A signal reports the result.
     void checkFile();
@@ -105,7 +105,7 @@ Q_SIGNALS:
     /// This window saves again, because the other window has closed the project or lost it to takeOver().
     void freeAgain();
     void changedByOther();
-    /// The content of the file matches again the content that this window has last read or written.
+    /// The file again has the content that this window last read or wrote.
     void externalChangeResolved();
 
 private:

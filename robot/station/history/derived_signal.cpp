@@ -351,8 +351,8 @@ private:
     std::vector<double> values_;
 };
 
-/// Matches a number with a decimal comma. The parser would read two values. In lists, a space after the comma avoids
-/// the ambiguity.
+/// Matches a number with a decimal comma. The parser would read two values. In lists, a space after the comma
+/// avoids the ambiguity.
 const QRegularExpression& decimalComma() {
     static const QRegularExpression kPattern(QStringLiteral("(?<![\\w.])\\d+,\\d+"));
     return kPattern;
@@ -407,7 +407,7 @@ private:
         return nullptr;
     }
 
-    /// The arguments up to the closing parenthesis; empty if it is missing.
+    /// The arguments up to the closing parenthesis; empty if the parenthesis is missing.
     static std::optional<QStringList> argumentsFrom(const QString& text, qsizetype begin) {
         QStringList arguments(QString{});
         int open = 0;

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A signal that is computed from others, sample by sample. Example:
+// A signal that is computed from other signals, sample by sample. Example:
 //     |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1, actual_TCP_force_2)
 // Name and unit can be chosen freely, and the unit is optional. The expression can contain the names of
 // signals in recordings, + - * / ^, comparisons, min, max, abs, sqrt, sin, exp and the other functions of
-// muParser, norm(a, b, ...) and the constants pi and e, and these functions of a signal or an expression, which
-// can be nested:
+// muParser, norm(a, b, ...) and the constants pi and e, and these functions of a signal or an expression,
+// which can be nested:
 //     deriv(x, seconds)          rate of change over the time window [per s]
 //     mean(x, seconds)           mean over the time window
 //     median(x, seconds)         median over the time window
 //     integral(x, seconds)       integral over the time window, by the trapezoidal rule
 //     lowpass(x, hertz, order)   Butterworth filter of order 1 to 8; 2 without an order. No value if the cut-off
 //     highpass(x, hertz, order)  frequency is half the sample rate or higher
-// The time window ends with the sample, and filters use only the current and earlier samples. A gap or a missing
-// value restarts both.
+// The time window ends with the sample, and filters use only the current and earlier samples. A gap or a
+// missing value restarts the time window and the filters.
 // Names with characters other than letters, digits, _ and . are written in braces, for example signals of a
 // recording:
 //     |F| [N] = norm({run 1.mcap/actual_TCP_force_0}, {run 1.mcap/actual_TCP_force_1})
@@ -43,14 +43,14 @@ public:
     /// Keys of the input signals.
     const QStringList& inputs() const { return inputs_; }
 
-    /// Length of the window before a sample that affects its value [s]. Up to 1 + kMaxNesting samples before the
-    /// window are also used.
+    /// The value of a sample depends on the input samples in a window of this length before it [s], and on up
+    /// to 1 + kMaxNesting samples before the window.
     virtual double lookBack() const { return 0; }
     /// columns  history columns of the inputs
     virtual double valueAt(const SeriesBuffer& history, const std::vector<int>& columns,
                            std::int64_t sample) = 0;
 
-    /// exists  returns whether a signal with this key exists
+    /// exists  returns true if a signal with this key exists
     /// Errors  InvalidArgument; the message contains the error and its position
     static Result<std::shared_ptr<DerivedSignal>> make(const QString& text,
                                                        const std::function<bool(const QString&)>& exists);

@@ -37,7 +37,7 @@ Result<std::int64_t> exportSignals(const SignalStore& store, const std::vector<i
                                                  "other formats, record the signals first."));
     }
     const std::unique_ptr<SelectedSignals> selected = store.selected(shown);
-    // A cursor on a row includes the row, although its time on the plot axis is rounded.
+    // A cursor on a row includes the row, although times on the plot axis are rounded.
     constexpr double kRounding = 1e-6;  // [s]
     const double begin = store.timesOf(source)->firstTime();
     for (const HistoryNote& note : notes) {

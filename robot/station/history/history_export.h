@@ -32,13 +32,14 @@ Result<std::int64_t> exportSignals(const SignalStore& store, const std::vector<i
                                    double t1, const QString& path,
                                    const std::vector<HistoryNote>& notes = {});
 
-/// Writes every sample of t0 ... t1 [s] as CSV: "timestamp" of the controller, then one column per signal, named as in
-/// recordings. Rows are the samples of the standard stream. Additionally requested signals have their last
-/// valid value at that time. A value that the robot does not send is an empty cell. A lost sample is a
-/// missing row, as in recordings. Notes are written to a second file, as by recording::writeCsvNotes().
+/// Writes every sample of t0 ... t1 [s] as CSV: "timestamp" of the controller, then one column per signal,
+/// named as in recordings. Each row is a sample of the standard stream. For an additionally requested signal,
+/// the cell contains the last valid value at the time of the row. A value that the robot does not send is an
+/// empty cell. A lost sample is a missing row, as in recordings. Notes are written to a second file, as by
+/// recording::writeCsvNotes().
 /// Returns  number of rows written
-/// Errors   FileNotWritable, DiskFull; InvalidArgument if there is no sample in the range; Rejected if the samples are
-///          of different robots. An existing file is unchanged after an error
+/// Errors   FileNotWritable, DiskFull; InvalidArgument if there is no sample in the range; Rejected if the
+///          samples are of different robots. An existing file is unchanged after an error
 Result<std::int64_t> exportCsv(const SignalStore& store, const std::vector<int>& shown, double t0, double t1,
                                const QString& path, const std::vector<HistoryNote>& notes = {});
 

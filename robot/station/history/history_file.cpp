@@ -17,7 +17,8 @@ constexpr std::int64_t kBlock = SeriesColumn::kBlockRows;
 constexpr std::uint64_t kShort = 60'000;
 /// Ranges of up to this number of rows are read completely in the first call.
 constexpr std::int64_t kRowsAtOnce = 8'000;
-/// Ranges of up to this number of rows are read completely by later calls; longer ranges are drawn from extents.
+/// Ranges of up to this number of rows are read completely by later calls; longer ranges are drawn from
+/// extents.
 constexpr std::int64_t kRowsInTheEnd = 64'000;
 constexpr std::int64_t kBlocksInTurn = 1;
 constexpr std::int64_t kExtentsInTurn = 1500;

@@ -34,7 +34,8 @@ public:
     /// Converts a time stamp of the controller to the plots' time axis [s].
     double plotTime(double robotTime) const { return feed_.plotTime(robotTime); }
 
-    /// Sets the text in the lane for the held jog button, e.g. "X+" or "Wrist 2−". Empty if there is none.
+    /// Sets the text in the lane for the held jog button, e.g. "X+" or "Wrist 2−". Empty if no button is
+    /// held.
     void setJogLabel(const QString& label) { jogLabel_ = label; }
     /// Sets the text in the lane for the running step of a program. Empty if no program runs.
     void setStepLabel(const QString& label) { stepLabel_ = label; }

@@ -11,7 +11,8 @@ namespace tiller {
 namespace {
 
 constexpr std::int64_t kSumRows = SeriesColumn::kBlockRows;
-/// Maximum number of blocks in memory that are summed per call. This takes a few milliseconds.
+/// Maximum number of blocks in memory that are summed per call. Summing these blocks takes a few
+/// milliseconds.
 constexpr std::int64_t kBlocksAtOnce = 300;
 /// Maximum number of blocks of a file that are read synchronously.
 constexpr std::int64_t kFewBlocks = 4;

@@ -45,7 +45,7 @@ struct Moments {
     double meanTime = 0;
     double squares = 0;      ///< sum of squared deviations from the mean
     double timeSquares = 0;  ///< sum of squared deviations from the mean time
-    double products = 0;     ///< sum of products of both deviations
+    double products = 0;     ///< sum of the products of the two deviations
 
     /// Adds a sample. NaN is ignored.
     void add(double time, double value);
@@ -63,8 +63,8 @@ public:
     ~RangeStatisticsCache() override;
 
     /// Selects the signals and the range of the next queries: the samples between `from` and `to`, in either
-    /// order. Computes some of the missing sums immediately and the rest later. Emits known() when results have
-    /// changed.
+    /// order. Computes some of the missing sums immediately and the rest later. Emits known() when results
+    /// have changed.
     void want(std::span<const int> wanted, double from, double to);
     /// Fraction of the sums that is available: 0 ... 1.
     double part() const { return part_; }
@@ -99,7 +99,8 @@ private:
     QString problem_;
     QHash<QString, QString> failed_;    ///< error message by recording
     std::shared_ptr<Reading> reading_;  ///< null: no job
-    SerialExecutor worker_;             ///< last member, so its jobs end before the others are destroyed
+    SerialExecutor worker_;             ///< last member, so that its jobs end before the other members are
+                                        ///< destroyed
 };
 
 }  // namespace tiller

@@ -9,7 +9,8 @@ namespace tiller {
 
 namespace {
 
-/// The events of restarts are stored with the time of arrival, which differs from the time of the row.
+/// Maximum difference between the time of a restart event, which is a time of arrival, and the time of the
+/// first row after the restart.
 constexpr double kMaxEventDelay = 2;  // [s]
 constexpr std::size_t kMaxRestarts = 100;
 

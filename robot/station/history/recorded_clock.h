@@ -28,8 +28,9 @@ public:
 private:
     double begin_;
     std::optional<std::int64_t> startUtcNs_;
-    /// Times on the plots' time axis, each with the difference between the axis and the time stamps that follow
-    /// [s]. The first entry is the start of the recording; later entries are restarts of the controller.
+    /// Times on the plots' time axis, each with the difference between the axis and the time stamps that
+    /// follow [s]. The first entry is the start of the recording; later entries are restarts of the
+    /// controller.
     std::vector<std::pair<double, double>> clocks_;
 };
 

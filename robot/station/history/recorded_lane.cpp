@@ -78,7 +78,8 @@ private:
         const int column = store_.column(signal);
         return column < 0 ? MinMax() : history_.minMax(column, begin, end);
     }
-    /// The largest magnitude of all components, which may be from different samples.
+    /// The largest absolute value of any of these signals in the samples begin ... end - 1; empty without
+    /// values.
     std::optional<double> fastest(const std::vector<int>& speeds, std::int64_t begin,
                                   std::int64_t end) const {
         std::optional<double> speed;

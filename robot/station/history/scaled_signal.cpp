@@ -39,7 +39,8 @@ int signalOf(const SignalStore& store, const QString& base) {
     return base.startsWith(QLatin1Char('(')) ? -1 : store.find(isBraced ? base.mid(1).chopped(1) : base);
 }
 
-/// Without the characters that have a meaning in the text of a derived signal.
+/// Removes the characters that have a meaning in the text of a derived signal, and shortens the name to
+/// `most` characters.
 QString plainName(QString name, qsizetype most) {
     name.removeIf([](QChar letter) { return QStringLiteral("=[]").contains(letter); });
     return name.simplified().left(most).trimmed();

@@ -74,8 +74,8 @@ public:
         double time = 0;
         bool gapBefore = false;
     };
-    /// Appends many rows by column, which is several times faster. Times must increase, and must be later than
-    /// lastTime().
+    /// Appends many rows by column, which is several times faster. Times must increase, and must be later
+    /// than lastTime().
     /// source(column, row)  returns each value
     template <class Source>
     void appendRows(std::span<const Row> rows, Source source) {

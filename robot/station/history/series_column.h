@@ -34,7 +34,7 @@ public:
     static constexpr std::int64_t kBlockRows = std::int64_t{1} << kBlockBits;
     /// Row ranges that begin and end at multiples of this value are evaluated from summaries only.
     static constexpr std::int64_t kSummary = 32;
-    /// Like kSummary, but far fewer summaries must be read.
+    /// Like kSummary, with an eighth of the summaries to read.
     static constexpr std::int64_t kCoarseSummary = 256;
     /// Resolution of a block without extents. Exceeds the number of rows of any extent.
     static constexpr std::int64_t kUnknown = std::int64_t{1} << 40;

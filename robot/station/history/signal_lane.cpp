@@ -20,7 +20,7 @@ bool isSame(double a, double b) {
 struct ColumnState {
     double first = kUnknown;
     double last = kUnknown;
-    int changes = 0;  ///< number of states, up to two
+    int changes = 0;  ///< number of state changes; counting ends at two
 };
 
 ColumnState stateOf(const SignalStore& store, int signal, std::int64_t begin, std::int64_t end) {

@@ -53,7 +53,7 @@ Result<void> readTimes(const recording::Recording& file, SeriesBuffer& history, 
 void SignalStore::setRobot(const QString& address, const QString& name) {
     linkFirst_ = live().end();
     if (!robots_.empty() && robots_.back().first == linkFirst_) {
-        robots_.pop_back();  // it sent nothing
+        robots_.pop_back();  // this robot sent no samples
     }
     if (robots_.empty() || robots_.back().address != address) {
         robots_.push_back({linkFirst_, address, name, {}});

@@ -34,7 +34,7 @@ class SelectedSignals;
 struct HistoryRobot {
     std::int64_t first = 0;  ///< its first live sample, which may not have arrived yet
     QString address;
-    QString name;                       ///< for people: name and address
+    QString name;                       ///< display text: name and address
     std::optional<RobotModelId> model;  ///< empty until the robot reports it
 };
 
@@ -64,13 +64,13 @@ public:
     /// Adds a signal computed from others, with values for the existing samples. See DerivedSignal for the
     /// syntax of the text. For a long recording, a worker reads the file from its beginning, and the values
     /// become available step by step.
-    /// Returns  its number, also if the signal already exists
+    /// Returns  the number of the signal, also if it already exists
     /// Errors   InvalidArgument, with the error as message; FileNotReadable, with problem() as message
     Result<int> derive(const QString& text);
     /// Reports an error of derive() for a menu command.
     void refuse(const Error& error) { Q_EMIT computationFailed(error.controllerMessage); }
-    /// Returns the signal with this key, or -1. Creates a derived signal if necessary, because its key is its
-    /// expression.
+    /// Returns the signal with this key, or -1. Creates the signal if the key is the text of a derived signal
+    /// that does not exist yet.
     int findOrDerive(const QString& key);
 
     /// Returns null if the field was never requested from the robot.
@@ -108,7 +108,7 @@ public:
     bool sharpen(const SeriesBuffer& history, std::int64_t begin, std::int64_t end, int pixelColumns,
                  HistoryFile::Effort effort);
     std::vector<int> signalsOf(const QString& recording) const;
-    /// Closes all recordings. They must not be displayed.
+    /// Closes all recordings. Their signals must not be displayed at the time of the call.
     void closeRecordings();
     bool hasRecordings() const { return tables_.size() > kFirstRecording; }
     /// Describes a read of these signals from the file of a long recording, for a worker.
@@ -116,8 +116,8 @@ public:
     /// Returns     nothing if the range is empty or the signals do not belong to one long recording
     std::optional<RecordedStretch> stretchOf(std::span<const int> wanted, std::int64_t begin,
                                              std::int64_t end) const;
-    /// Makes these signals available as a recording with the rows and times of their file. They must all
-    /// belong to one recording.
+    /// Makes these signals available as a recording with the rows and times of their file. All signals must
+    /// belong to the same recording.
     std::unique_ptr<SelectedSignals> selected(std::span<const int> wanted) const;
     /// Available fraction of a signal computed from a long recording: 0 ... 1.
     double computedPart(int signal) const { return signals_[static_cast<std::size_t>(signal)].computedPart; }
@@ -128,14 +128,15 @@ public:
     const SeriesBuffer& live() const { return *tables_[kLive].buffer; }
     /// Sets the robot of all samples added from now on.
     void setRobot(const QString& address, const QString& name = {});
-    /// Sets the model that the robot of the newest samples reports. Earlier samples of a different model from the
-    /// same address are assigned to a different robot.
+    /// Sets the model that the robot of the newest samples reports. Earlier samples of a different model from
+    /// the same address are assigned to a different robot.
     void setRobotModel(RobotModelId model);
     /// The robot whose samples are shown at this time; null without data.
     const HistoryRobot* robotAt(double time) const;
     /// True if the samples that arrive now are from this robot.
     bool isNewest(const HistoryRobot& robot) const { return &robot == &robots_.back(); }
-    /// First live sample of the newest robot; empty if it has not arrived, or if there was no earlier robot.
+    /// First live sample of the newest robot; empty if the sample has not arrived, or if there was no earlier
+    /// robot.
     std::optional<std::int64_t> newestRobotChange() const;
     /// True if the live samples between these times, in either order, are from different robots.
     bool hasSeveralRobots(double from, double to) const;
@@ -153,8 +154,8 @@ public:
     void appendFurther(std::span<const SeriesBuffer::Row> rows, Source source) {
         append(tables_[kFurther], rows, source);
     }
-    /// Call when the clock of the controller has been restarted. Starting at time `from`, the plots' time axis
-    /// differs from the clock by `offset` [s].
+    /// Call when the clock of the controller has been restarted. Starting at time `from`, the plots' time
+    /// axis differs from the clock by `offset` [s].
     void beginClock(double from, double offset) { clocks_.emplace_back(from, offset); }
     /// The time of the controller's clock at a time of the plots' time axis [s].
     double controllerTime(double time) const;
@@ -204,7 +205,8 @@ private:
         SignalInfo info;
         int table = kNowhere;
         int column = -1;
-        std::optional<std::size_t> fileColumn{};  ///< of a recorded signal; empty for a derived signal
+        std::optional<std::size_t> fileColumn{};  ///< column in the file for a recorded signal; empty for a
+                                                  ///< derived signal
         std::shared_ptr<DerivedSignal> derivation;
         std::vector<int> inputs;        ///< signal numbers
         std::vector<int> inputColumns;  ///< columns in the same table

@@ -17,7 +17,7 @@ enum class LaneKind {
     Stopped,
     High,    ///< the bit is set
     Low,     ///< the bit is not set
-    Varied,  ///< more than one state within a pixel
+    Varied,  ///< more than one state change within a pixel column
 };
 
 struct LaneSegment {

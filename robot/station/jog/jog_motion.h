@@ -52,7 +52,8 @@ inline constexpr StepPreset kStepPresets[] = {{0.05, 0.01}, {0.1, 0.1}, {1, 1}, 
 /// Lowest jog speed in menus and commands [m/s].
 inline constexpr double kSlowestJog = 0.001;
 
-/// Steps up to this size continue after the button is released. Longer steps move only while it is held.
+/// Steps up to this size continue after the button is released. Longer steps move only while the button is
+/// held.
 inline constexpr double kFreeStepLength = 0.010;            ///< [m]
 inline constexpr double kFreeStepAngle = 0.17453292519943;  ///< [rad] 10 deg
 

@@ -86,8 +86,8 @@ std::optional<JointPositions> RetracePath::nextPlace() const {
 }
 
 /// Discards the part of the trail that is no longer permitted. The cell may have changed since the arm moved
-/// along the trail, or a jog may have gone closer to a limit than a move may. Returns an error if not even
-/// the newest part is permitted.
+/// along the trail, or a jog may have moved the arm closer to an obstacle than is permitted for a move.
+/// Returns an error if not even the newest part is permitted.
 Result<void> RetracePath::keepPermitted() {
     const std::vector<JointPositions> way(trail_.rbegin(), trail_.rend());
     const auto permitted = [&](std::size_t count) { return port_.permitsPath(std::span(way).first(count)); };
@@ -100,7 +100,7 @@ Result<void> RetracePath::keepPermitted() {
         const std::size_t middle = kept + (end - kept) / 2;
         (permitted(middle) ? kept : end) = middle;
     }
-    if (kept < 2) {  // the newest position may be that of the arm
+    if (kept < 2) {  // the newest position may be the current position of the arm
         return whole;
     }
     trail_.erase(trail_.begin(), trail_.end() - static_cast<std::ptrdiff_t>(kept));

@@ -20,7 +20,7 @@ public:
     using Speed = std::function<double(const JointPositions& from, const JointPositions& to)>;
 
     /// port   moves the arm
-    /// speed  speed of the motion back, called for each segment
+    /// speed  returns the speed along a segment of the trail; called for each segment
     RetracePath(const MotionPort& port, Speed speed);
 
     /// Adds the arm position, except while the arm moves back. After a jump, the path in between is unknown,
@@ -34,7 +34,7 @@ public:
     /// Target of the next segment; empty without a trail.
     std::optional<JointPositions> nextPlace() const;
     int size() const { return static_cast<int>(trail_.size()); }
-    /// Positions of the trail. The first is the oldest and the final target.
+    /// Positions of the trail. The first position is the oldest, and the final target of the motion.
     const std::deque<JointPositions>& places() const { return trail_; }
     /// Changes with every change of the positions.
     std::uint64_t revision() const { return revision_; }

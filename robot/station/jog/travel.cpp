@@ -45,7 +45,7 @@ int bestKey(const SessionState& state, const Eigen::Matrix3d& R_base_frame, doub
     int best = -1;
     for (int key = 0; key < kPadKeys; ++key) {
         const Vector6 twist = twistOf(key, R_base_frame);
-        // A metre and a radian have the same weight, because each takes about one second of jogging.
+        // One metre and one radian have the same weight, so that translations and rotations can be compared.
         const double gained = gain(solver.solve(twist));
         if (gained > least && hasTravelLeft(state, twist, key)) {
             least = gained;

@@ -18,7 +18,7 @@ inline constexpr double kTravelSeen = 1.0;       ///< [m]
 inline constexpr double kTurnSeen = 3.14159265;  ///< [rad]
 
 /// Remaining travel of a jog pad button from the current arm position.
-/// direction  unit twist in the base frame, as control::jogReach
+/// direction  unit twist in the base frame, as for control::jogReach()
 /// Threads    any. Takes about a millisecond
 control::JogReach travelLeft(const SessionState& state, const Vector6& direction);
 

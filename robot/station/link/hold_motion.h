@@ -16,8 +16,8 @@ namespace tiller {
 struct HoldBounds {
     static constexpr std::int64_t kMinHoldTimeoutNs = std::chrono::nanoseconds(control::kHoldTime).count();
     static constexpr std::int64_t kMaxHoldTimeoutNs = 2 * kNsPerSecond;
-    /// Maximum distance that the arm may move without an event from the touch contact or joystick that holds
-    /// the button.
+    /// A hold ends when the arm has moved by this distance or angle without an event from the touch contact
+    /// or joystick that holds the button, but not before kMinHoldTimeoutNs.
     static constexpr double kUnconfirmedLength = 0.025;            ///< [m]
     static constexpr double kUnconfirmedAngle = 0.26179938779915;  ///< [rad] 15 deg
 
@@ -28,8 +28,8 @@ struct HoldBounds {
 
     /// Maximum duration of a motion with a known duration: that duration plus 5 s.
     static std::int64_t longestOf(double seconds);
-    /// Time in which the arm moves by kUnconfirmedLength or kUnconfirmedAngle at most, limited to
-    /// kMinHoldTimeoutNs ... kMaxHoldTimeoutNs [ns].
+    /// Time after which the arm has moved by kUnconfirmedLength or kUnconfirmedAngle, whichever comes first,
+    /// limited to kMinHoldTimeoutNs ... kMaxHoldTimeoutNs [ns].
     /// linear, angular  speeds [m/s, rad/s]; a speed of 0 is ignored
     static std::int64_t holdTimeoutAt(double linear, double angular);
 };
@@ -48,11 +48,12 @@ struct HoldMotion {
     /// after the button is released. All other stop conditions still apply. Empty: releasing the button ends
     /// the motion.
     std::function<bool()> runsToEnd;
-    /// Called after the start. Returns the limits of the hold. Empty: the motion does not set a duration limit.
+    /// Called after the start. Returns the limits of the hold. Empty: the motion does not set a duration
+    /// limit.
     std::function<HoldBounds()> bounds = {};
-    /// Called once near the end of the maximum duration. The motion then pauses as soon as possible, and hold()
-    /// returns false when it has paused. Returns the maximum time until the pause [ns]; the hold is extended by this
-    /// time if necessary. Empty: the motion ends at its maximum duration.
+    /// Called once near the end of the maximum duration. The motion then pauses as soon as possible, and
+    /// hold() returns false when it has paused. Returns the maximum time until the pause [ns]; the hold is
+    /// extended by this time if necessary. Empty: the motion ends at its maximum duration.
     std::function<std::int64_t()> pause = {};
 };
 

@@ -90,8 +90,8 @@ MoveRequest slowedTo(const HeldSpeed& speed, MoveRequest request, const SessionS
              kinematics::jointSpeedBound(state.dh, state.q, request.q, state.tcpOffset, speed.tcp).speed});
         return request;
     }
-    // The commanded speed of a line refers to the longer of distance and rotation. Both speeds stay below
-    // their limits.
+    // The commanded speed of a line refers to the longer of distance and rotation. The factors convert the
+    // limits of TCP speed and rotation speed to the commanded speed.
     const LineDistance way = lineDistance(state.tcpPose, request.pose);
     if (way.distance > kMinMotion) {
         request.speed = std::min({request.speed, speed.tcp * way.length / way.distance,

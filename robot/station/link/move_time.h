@@ -10,8 +10,8 @@ namespace tiller {
 /// Duration of the move from the current arm position at the current speed slider [s].
 double moveSeconds(const MoveRequest& request, const SessionState& state);
 
-/// Maximum speed of the move at the current speed slider, of TCP and elbow ("50 mm/s"), or of the rotation if
-/// they hardly move ("15 °/s"). Empty without motion.
+/// Text for the maximum speed of TCP and elbow in the move at the current speed slider, e.g. "50 mm/s", or
+/// for the rotation speed if TCP and elbow hardly move, e.g. "15 °/s". Empty without motion.
 QString moveSpeedText(const MoveRequest& request, const SessionState& state);
 
 /// Maximum speed of a hold-to-run motion, as selected next to the jog buttons.

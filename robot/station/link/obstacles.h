@@ -16,7 +16,7 @@ QString cannotMoveReason(const SessionState& state);
 
 /// Why the current position of the arm is unknown; empty if it is known.
 QString dataObstacle(const SessionState& state);
-/// Why the current position cannot be stored now; empty if it can. It cannot be stored while the arm moves,
+/// Why the current position cannot be stored now; empty if it can. Storing is refused while the arm moves,
 /// because the operator does not know the position at the time of the press.
 QString storeObstacle(const SessionState& state);
 

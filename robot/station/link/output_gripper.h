@@ -2,8 +2,8 @@
 #pragma once
 
 // A gripper on one or two digital outputs: reported state, output levels for closing and opening, and
-// obstacles. With one output, "on" closes the gripper. With two outputs, one closes and the other opens.
-// Commands never switch on both at the same time.
+// obstacles. With one output, "on" closes the gripper. With two outputs, one closes and the other opens. A
+// command never switches on both outputs at the same time.
 
 #include <QCoreApplication>
 #include <QString>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Recording settings of the operator: folder, file name, recorded signals, the number of packets per row, metadata,
-// trigger and maximum size of a file.
+// Recording settings of the operator: folder, file name, recorded signals, the number of packets per row,
+// metadata, trigger and maximum size of a file.
 
 #include <QDateTime>
 #include <QString>
@@ -19,7 +19,8 @@ struct RecordingChoice {
     int every = 1;                           ///< every n-th packet becomes a row
     QString format = QStringLiteral("csv");  ///< suffix of a row of recording::fileFormats()
     int keepFree = 200;                      ///< minimum free disk space; recording stops below it [MB]
-    /// Fields of the metadata form as "name=value", in the order of the form. A field without a value is not recorded.
+    /// Fields of the metadata form as "name=value", in the order of the form. A field without a value is not
+    /// recorded.
     QStringList metadata = defaultMetadata();
     bool asksMetadata = false;  ///< show the metadata form before each recording
     QString trigger{};          ///< see RecordingTrigger::parse(); empty: recording starts at once

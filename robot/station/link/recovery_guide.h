@@ -2,7 +2,7 @@
 #pragma once
 
 // Texts for the recovery from a safety stop: a checklist and one button. The steps are those of
-// robot/dashboard/recovery.h. They are shown by widgets/status/recovery_page.h.
+// robot/dashboard/recovery.h. widgets/status/recovery_page.h shows the texts.
 
 #include <QStringList>
 
@@ -20,7 +20,7 @@ struct RecoveryGuide {
     QStringList checks;
     RecoveryStep step = RecoveryStep::Look;  ///< next step; keyText() is the label of its button
     bool takesControl = false;               ///< the recovery is complete; the next action is to take control
-    QString waiting;    ///< why the step is not possible yet with all checks confirmed; else empty
+    QString waiting;    ///< why `step` is not possible yet, even with all checks confirmed; otherwise empty
     int countdown = 0;  ///< remaining lock time of the controller, rounded up [s]
 
     /// Label of the button, e.g. "Unlock"; empty if the step must be performed at the robot.

@@ -42,7 +42,7 @@ struct PulseLevels {
     std::uint32_t after;
 };
 
-/// Objects shared with a pulse, so that it can end safely while the connection is being closed.
+/// Objects shared with a pulse, so that the pulse can end safely while the connection is being closed.
 struct PulseLink {
     std::shared_ptr<control::Controller> controller;
     std::shared_ptr<receive::Receiver> receiver;
@@ -121,7 +121,7 @@ const OutputHolders& RobotOutputs::holders() const {
 
 void RobotOutputs::followControl() {
     // This time is longer than the interval between commands while the slider is dragged, and shorter than
-    // the retries of a client that could not claim the inputs.
+    // the interval at which a client that could not claim the inputs retries.
     constexpr std::int64_t kUnusedNs = 2 * kNsPerSecond;
     const std::int64_t nowNs = d_.clock->nowNs();
     if (d_.state.control == ControlState::InControl && !d_.monitorOnly) {

@@ -36,8 +36,8 @@ struct OutputOrder {
     CancelToken token = {};
     std::optional<Pulse> pulse = {};
     /// Called in the GUI thread with the result: Cancelled if the command was cancelled before it was sent;
-    /// Rejected, NotConnected or NotInControl if it was refused. May be empty. Results other than Cancelled are
-    /// also logged.
+    /// Rejected, NotConnected or NotInControl if it was refused. May be empty. Results other than Cancelled
+    /// are also logged.
     std::function<void(const Result<void>&)> done = {};
 };
 
@@ -103,10 +103,10 @@ private:
 
     std::vector<RunningPulse> pulses_;
     std::int64_t usedNs_ = 0;     ///< time of the last command or of the last frame in control
-    bool heldByControl_ = false;  ///< claimed since control was taken
+    bool heldByControl_ = false;  ///< the inputs have been claimed since control was taken
     bool releasing_ = false;
     int heldPulses_ = 0;  ///< running hold-to-run pulses, which restore their outputs at the end
-    std::optional<double> sliderWanted_;  ///< newest request while another is executed
+    std::optional<double> sliderWanted_;  ///< newest requested value while an earlier request is executed
     bool sliderBusy_ = false;
     std::optional<double> sliderLogged_;  ///< last logged value
     double sliderSeen_ = 0;               ///< value in the last frame

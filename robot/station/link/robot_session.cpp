@@ -30,7 +30,7 @@ using std::chrono::milliseconds;
 constexpr milliseconds kTakeControlTime{5000};
 constexpr milliseconds kSendPathTime{5000};
 
-/// The safety mode describes a stop by the robot, e.g. "Protective stop".
+/// Text for the cause; for a stop by the safety system, the name of its mode, e.g. "Protective stop".
 QString causeWords(control::StopCause cause, SafetyStatus safety) {
     const bool bySafety = cause == control::StopCause::UnsafeMode && !allowsMotion(safety);
     return bySafety ? safetyWords(safety).text : texts::stopCauseText(cause);
@@ -61,8 +61,8 @@ bool isOperatorStop(control::StopCause cause) {
            cause == StopCause::Space || cause == StopCause::StopButton || cause == StopCause::SecondButton;
 }
 
-/// True if a program with step numbers ended during a step, e.g. because of the stop button of the teach pendant. A
-/// program that reaches its end resets the step number.
+/// True if a program with step numbers ended during a step, e.g. because of the stop button of the teach
+/// pendant. A program that reaches its end resets the step number.
 bool wasStoppedOnRobot(const receive::Receiver& receiver) {
     receive::Sample newest;
     const auto hasEnded = [&] {
@@ -832,7 +832,7 @@ void RobotSession::reportChanges() {
 void RobotSession::noteStopOnRobot() {
     control::UnmeasuredStop& stop = d_->state.unmeasuredStop;
     stop = {control::StopCause::None, control::UnmeasuredStop::Reason::OtherProgram, stop.count + 1};
-    d_->unmeasuredSeen = stop.count;  // the run reports its end
+    d_->unmeasuredSeen = stop.count;  // the program run reports this stop
     d_->state.lastStopSeen = false;
 }
 
@@ -876,8 +876,8 @@ void RobotSession::reportUnmeasuredStop() {
 
 void RobotSession::reportExternalProgram() {
     const SessionState& state = d_->state;
-    // Tiller's own program also stops or pauses after a loss of control. Only a program that plays without control
-    // belongs to another client.
+    // Tiller's own program also stops or pauses after a loss of control. Only a program that plays without
+    // control belongs to another client.
     const bool runs = state.isFresh() && !d_->takingControl && state.foreignProgramRuns() &&
                       !state.programAbandoned &&
                       (!d_->mayOwnProgramRun() || d_->externalRunSeen || d_->isReplaced()) &&
@@ -896,8 +896,8 @@ void RobotSession::reportExternalProgram() {
     }
     d_->externalRunSeen = runs;
     if (runs) {
-        // Report a takeover only for the first program after a loss of control. The loss is detected only after the
-        // control program has not responded for some time.
+        // Report a takeover only for the first program after a loss of control. The loss is detected only
+        // after the control program has not responded for some time.
         constexpr std::int64_t kKnownLate = 3 * kNsPerSecond / 2;
         const std::int64_t nowNs = d_->clock->nowNs();
         const std::int64_t agoNs = d_->startedNs ? nowNs - *d_->startedNs : 0;
@@ -917,7 +917,7 @@ void RobotSession::reportExternalProgram() {
 }
 
 void RobotSession::reportReplacement() {
-    // The start of a program is reported by its messages and by its data, up to this much apart.
+    // A program start is reported by controller messages and by the robot data, at most this time apart.
     constexpr std::int64_t kSameStart = kNsPerSecond / 2;
     // A client that sends a program for each cycle would fill the log.
     constexpr std::int64_t kAtMostEvery = 2 * kNsPerSecond;

@@ -80,8 +80,7 @@ public:
     /// Receiver for clients with their own update rate; null while disconnected. For display, use
     /// samplesReceived and stateChanged.
     receive::Receiver* receiver() const;
-    /// Like receiver(), for another thread, which may keep the receiver slightly longer than the connection
-    /// exists.
+    /// Like receiver(), for another thread. The thread may keep the receiver after the connection has ended.
     std::shared_ptr<const receive::Receiver> sharedReceiver() const;
     /// Passes samples to files and servers. Shared by all recordings of this robot.
     std::shared_ptr<publish::Publisher> publisher() const;
@@ -174,7 +173,7 @@ public:
     /// program is an active motion from this call until control is back, and no other motion can start.
     /// Ending the motion ends the program. motionProgress() reports the result.
     /// name     displayed name
-    /// script   URScript, one `def`. It ends when this process ends or the connection is lost
+    /// script   URScript, one `def`. The robot ends it when this process ends or the connection is lost
     /// holding  Held: needs hold() like every motion, and also ends when the program is paused
     /// stops    see MoveRequest::stops
     /// gate     which steps may begin; the script calls the functions of script::stepGateScript()
@@ -184,7 +183,8 @@ public:
                                   std::uint64_t stops, const script::StepGate& gate = {},
                                   const std::vector<script::GateVariable>& variables = {});
     /// Call when the program of beginProgram() was paused or stopped on the robot, by the teach pendant or
-    /// another client. Replaces the last stop with a stop without a cause, because this stop was not measured.
+    /// another client. Replaces the last stop with a stop without a cause, because this stop was not
+    /// measured.
     void noteStopOnRobot();
     /// Name of the program of beginProgram() that is active without hold-to-run; empty if there is none.
     std::optional<QString> freeProgram() const;
@@ -216,8 +216,8 @@ public:
     void refresh();
     /// Frame period [ms].
     static constexpr int kFrameMs = 16;
-    /// Closes the connection before the session is destroyed. The destructor waits until it is closed: half a
-    /// second at most, longer only if a file system blocks.
+    /// Closes the connection before the session is destroyed. The destructor waits until the connection is
+    /// closed: half a second at most, longer only if a file system blocks.
     void shutDown();
 
 Q_SIGNALS:
@@ -227,7 +227,7 @@ Q_SIGNALS:
     void extraFieldsChanged();
     /// The first data of a connection have arrived, after connecting or reconnecting.
     void connected();
-    /// Emitted in each frame with new samples, before the stateChanged that shows the last of them.
+    /// Emitted in each frame with new samples, before the stateChanged that shows the last sample.
     void samplesReceived(const tiller::SampleBatch& batch);
     /// Like samplesReceived(), for the fields of followExtraFields().
     void extraSamplesReceived(const tiller::SampleBatch& batch);
@@ -239,7 +239,8 @@ Q_SIGNALS:
     /// takeControl() would end a program of another client. If the operator agrees, call it again with
     /// ForeignProgram::Stop.
     void takeControlQuestion();
-    /// A change could disturb the running program. If the operator agrees, call confirmChanges() and `change`.
+    /// A change could disturb the running program. If the operator agrees, call confirmChanges() and
+    /// `change`.
     void changeQuestion(const QString& what, const std::function<void()>& change);
     /// RobotServices::perform() would start, pause or end an external program. If the operator
     /// agrees, call it again with `confirmed`.

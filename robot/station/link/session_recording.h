@@ -26,18 +26,19 @@ struct SessionBackend;
 /// Settings of a new recording.
 struct RecordingOrder {
     QString path;
-    QStringList fields{};  ///< RTDE names; empty: those recorded by ur_rtde, or all in a complete format
+    QStringList fields{};  ///< RTDE names; empty: the fields that ur_rtde records or, in a complete format,
+                           ///< all fields
     QStringList shown{};   ///< RTDE names of displayed signals, recorded additionally
     int every = 1;         ///< every n-th packet becomes a row
     QString format = QStringLiteral("csv");  ///< see RecordingChoice::format
     std::int64_t keepFree = 200'000'000;     ///< minimum free disk space; recording stops below it [bytes]
-    recording::Metadata metadata{};          ///< of the user; in CSV files above the header
+    recording::Metadata metadata{};          ///< entries of the user; in CSV files, written above the header
     /// As RecordingChoice::trigger. The fields of the trigger are recorded additionally.
     QString trigger{};
     double before = 0;           ///< recorded time before the trigger [s]
     double after = 0;            ///< recorded time after the trigger [s]
-    double fileSeconds = 0;      ///< see RecorderOptions
-    std::int64_t fileBytes = 0;  ///< see RecorderOptions
+    double fileSeconds = 0;      ///< see RecorderOptions::fileSeconds
+    std::int64_t fileBytes = 0;  ///< see RecorderOptions::fileBytes
 };
 
 class SessionRecording {
@@ -50,8 +51,8 @@ public:
     void start(const QString& path, const QStringList& fields = {}) {
         start(RecordingOrder{.path = path, .fields = fields});
     }
-    /// Sets the project stored in files of formats that support it, starting with the next recording. Empty name:
-    /// no project is stored.
+    /// Sets the project stored in files of formats that support it, starting with the next recording. Empty
+    /// name: no project is stored.
     void setProject(const QString& name, const QByteArray& content);
     void stop();
     /// Reports displayed signals that the current recording does not contain, each once.

@@ -63,7 +63,8 @@ struct RecordingState {
     std::int64_t bytes = 0;      ///< size of the file
     std::uint64_t lost = 0;      ///< packets missing from the file for any reason
     std::int64_t freeBytes = 0;  ///< free space on the disk of the file
-    /// Why the last recording ended, or could not start (without rows); empty if it was stopped on request.
+    /// Why the last recording ended, or why it could not start (without rows); empty if it was stopped on
+    /// request.
     QString error;
 };
 
@@ -92,8 +93,8 @@ struct SessionState {
     SafetyMode safetyMode = SafetyMode::Undefined;
     SafetyStatus safetyStatus = SafetyMode::Undefined;  ///< Undefined if the software does not report it
     RuntimeState runtimeState = RuntimeState::Stopped;
-    /// The running program is a control program at standstill without a client; see
-    /// control::AbandonedProgram. Taking control does not interrupt another client.
+    /// The running program is a control program without a client, and the arm is at standstill; see
+    /// control::AbandonedProgram. Taking control then does not interrupt another client.
     bool programAbandoned = false;
     bool remoteControl = false;
     bool controlPlaceKnown = true;  ///< false if the software reports neither Local nor Remote
@@ -107,7 +108,7 @@ struct SessionState {
     /// Variables of the running or paused program; null: none, or not published.
     script::ProgramVariables programVariables;
     std::uint64_t primaryStates = 0;  ///< robot states received on the primary interface; 0: not connected
-    double speedCap = 0.250;          ///< for TCP and elbow [m/s]
+    double speedCap = 0.250;          ///< maximum speed of TCP and elbow [m/s]
     ControlState control = ControlState::None;
     QString controlReason;  ///< why the arm cannot be moved now, as a sentence; empty if it can
     /// Control was lost recently because the connection or the control program failed, and Tiller's own

@@ -35,7 +35,7 @@ public:
 
     /// Call this with every state and after every edit of the project.
     virtual void follow(const SessionState& state, const project::Project& project) = 0;
-    /// Sets the number that the user has measured; empty if not entered. Only some tasks require it.
+    /// Sets the number that the user has measured; empty if not entered. Only some tasks require this number.
     virtual void setAnswer(std::optional<double> /*figure*/) {}
 
     /// True once the check has passed. The value then remains true.

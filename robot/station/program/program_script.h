@@ -47,8 +47,8 @@ struct ProgramScript {
     /// Variables whose values can be changed while the program waits at a step gate. Empty if changesMayMove.
     std::vector<script::GateVariable> variables;
     QStringList declared;  ///< names of all variables that the steps set
-    /// The program contains URScript text in a thread or in a parallel watch, which could move the arm after a change
-    /// of a variable while the program waits.
+    /// The program contains URScript text in a thread or in a parallel watch, which could move the arm after
+    /// a change of a variable while the program waits.
     bool changesMayMove = false;
     std::vector<ProgramProblem> problems;
 
@@ -56,7 +56,8 @@ struct ProgramScript {
     /// The text with the calls of script::stepGateScript(). The lines have the same numbers as in `text`.
     /// breakpoints  steps before which the program pauses; those without a gate line are ignored
     QString gatedText(const QSet<QUuid>& breakpoints = {}) const;
-    /// True if the program can pause before this step. It cannot in a force section or a parallel watch.
+    /// True if the program can pause before this step. No program can pause in a force section or a parallel
+    /// watch.
     bool canPauseBefore(const QUuid& step) const;
     /// Number of a step of the main program; 0 if there is no step with this id.
     int numberOf(const QUuid& step) const;

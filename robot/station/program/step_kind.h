@@ -32,9 +32,10 @@ struct StepKind {
     std::vector<const char*> follows = {};
     const char* inside = "";  ///< kind of section that must contain this step; empty: any
     /// Why a program cannot continue after a stop in this step or its child steps, as a translated sentence;
-    /// null: that depends on the effects of the steps.
+    /// null: the effects of the steps determine whether it can continue.
     QString (*cannotContinue)() = nullptr;
-    /// What a stop in this step leaves unfinished, as a translated sentence; null: a motion to its target.
+    /// For a step whose target is relative to its start position: the translated sentence that describes the
+    /// step after a stop in the middle. Null: running the step again reaches the same target.
     QString (*partlyDone)() = nullptr;
 };
 

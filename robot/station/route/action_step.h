@@ -69,7 +69,7 @@ private:
     double beganAt_ = 0;  ///< start time on the robot's clock [s]
     std::shared_ptr<Order> order_;
     CancelToken gripper_;
-    bool gripping_ = false;  ///< a Robotiq is moving to a commanded position
+    bool gripping_ = false;  ///< a Robotiq gripper is moving to a commanded position
 };
 
 }  // namespace tiller

@@ -8,7 +8,8 @@
 namespace tiller::texts {
 
 /// The cause and the suggested action, without the names of internal requests and without messages of other
-/// components. Program errors keep the message of the controller, and sentences for the operator are unchanged.
+/// components. Program errors keep the message of the controller, and sentences for the operator are
+/// unchanged.
 QString errorSummary(const Error& error);
 
 }  // namespace tiller::texts

@@ -11,8 +11,8 @@
 
 namespace tiller::format {
 
-/// Examples: "−12.40", "12.40". Never "−0.00". NaN and infinity are displayed as "–". Values of 1e15 and more, which a
-/// double does not resolve to `digits` decimal places, are displayed like exponential(value, 7).
+/// Examples: "−12.40", "12.40". Never "−0.00". NaN and infinity are displayed as "–". Values of 1e15 and
+/// more, which a double does not resolve to `digits` decimal places, are displayed by exponential(value, 7).
 QString number(double value, int digits);
 /// Examples: "−2.5e37", "0", "1e−9". Without trailing zeros.
 /// significant  maximum number of significant digits, at least 1

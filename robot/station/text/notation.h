@@ -30,7 +30,8 @@ struct Notation {
     friend bool operator==(const Notation&, const Notation&) = default;
 };
 
-/// Sets Notation::current(). Windows call applyNotation() (widgets/common/apply_notation.h), which also repaints.
+/// Sets Notation::current(). Windows call applyNotation() (widgets/common/apply_notation.h), which also
+/// repaints.
 /// Threads  GUI
 void setNotation(QCoreApplication& application, const Notation& notation);
 

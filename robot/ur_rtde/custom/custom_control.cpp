@@ -333,8 +333,9 @@ bool CustomControl::runCustom(const std::string& program, control::Supervision s
         text = script::supervised(QString::fromStdString(program), heartbeatOf(*current), current->version())
                    .text.toStdString();
     }
-    // Count packets with a running program, because the program may end before this thread checks. It may
-    // even end before any packet reports it. Then use the final state of programs written for ur_rtde.
+    // Count packets with a running program, because the program may end before this thread checks. A short
+    // program may even end before any packet reports it. In this case, use the final state of programs
+    // written for ur_rtde.
     const RegisterState before = current->state();
     const auto hasBegun = [&before](const RegisterState& state) {
         return state.played != before.played || (before.answer != 2 && state.answer == 2);

@@ -2,8 +2,8 @@
 #pragma once
 
 // Executes the commands of RTDEControlInterface through a user program with ur_rtde's registers. Only
-// programs sent by this class contain the heartbeat watchdog; all other ends of their motions depend on the
-// program. The behaviour of a program started elsewhere depends entirely on that program.
+// programs sent by this class contain the heartbeat watchdog; apart from the watchdog, the program determines
+// when its motions end. The behaviour of a program started elsewhere depends entirely on that program.
 
 #include "robot/ur_rtde/custom/register_link.h"
 #include "robot/ur_rtde/detail/control_session.h"

@@ -61,8 +61,8 @@ void Pendant::connect() {
 }
 
 void Pendant::disconnect() {
-    // A pending call to an unresponsive dashboard server holds the mutex. Do not wait for this call; its socket
-    // remains open until the call returns.
+    // A pending call to an unresponsive dashboard server holds the mutex. Do not wait for this call; its
+    // socket remains open until the call returns.
     if (const std::unique_lock lock(mutex_, std::try_to_lock); lock.owns_lock()) {
         client_.reset();
     }
@@ -87,7 +87,8 @@ bool Pendant::allowsRemoteControl() {
         int minor = 0;
         char dot = 0;
         version >> major >> dot >> minor;
-        remote = major != 5 || minor <= 5 || dashboard.isInRemoteControl();  // missing in other versions
+        remote = major != 5 || minor <= 5 || dashboard.isInRemoteControl();  // other versions do not have
+                                                                             // this query
     });
     return remote;
 }
@@ -197,7 +198,7 @@ std::string ControlSession::lastError() const {
     return backend()->lastError();
 }
 
-// Also printed to standard error, as in ur_rtde.
+// Also prints the text to standard error, as in ur_rtde.
 void ControlSession::keepError(const std::string& text) {
     std::cerr << "RTDEControlInterface: " << text << std::endl;
     const std::lock_guard lock(mutex_);

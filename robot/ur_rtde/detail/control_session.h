@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Implementation of RTDEControlInterface: connection, current backend and last error. Private to robot/ur_rtde.
+// Implementation of RTDEControlInterface: connection, current backend and last error. Private to
+// robot/ur_rtde.
 
 #include <memory>
 #include <mutex>
@@ -23,10 +24,10 @@ struct SessionOptions {
 
     bool has(ur_rtde::RTDEControlInterface::Flags flag) const { return (flags & flag) != 0; }
     int offset() const { return has(ur_rtde::RTDEControlInterface::FLAG_UPPER_RANGE_REGISTERS) ? 24 : 0; }
-    void say(const std::string& text) const;  ///< true with FLAG_VERBOSE
+    void say(const std::string& text) const;  ///< prints the text if FLAG_VERBOSE is set
 };
 
-/// The dashboard server of a robot. PolyScope X has none.
+/// The dashboard server of a robot. PolyScope X has no dashboard server.
 /// Threads  any; calls are serialized
 class Pendant {
 public:
@@ -34,7 +35,7 @@ public:
     void connect();
     void disconnect();
     bool isConnected();
-    /// Empty if unknown.
+    /// Serial number of the robot; empty if unknown.
     std::string serialNumber();
     /// True if the robot accepts remote control, or if this is unknown.
     bool allowsRemoteControl();

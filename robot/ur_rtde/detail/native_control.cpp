@@ -208,7 +208,7 @@ std::string NativeControl::lastError() const {
     return error_;
 }
 
-// Also printed to standard error, as in ur_rtde. Repeated failures in a loop are printed once.
+// Also prints the error to standard error, as in ur_rtde. An error that repeats in a loop is printed once.
 NativeControl::Outcome NativeControl::failed(const Error& error) {
     const std::string text = error.toString().toStdString();
     const std::lock_guard lock(state_);

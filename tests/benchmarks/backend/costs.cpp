@@ -82,7 +82,7 @@ private:
     }
 };
 
-/// The robot's side of the loop is only one line, and the measurement includes it.
+/// A control loop and its robot. The measurement includes the simulation of the robot, which is one line.
 struct Ticking {
     control::Mailbox mailbox;
     control::ControlLoop loop{mailbox, {}};

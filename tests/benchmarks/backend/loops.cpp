@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Measures a circular servo path (equation (1) of the publication), driven by a timer and by the packet-locked
-// loop, and the round trip of the speed slider. With and without real-time priority, idle and under load.
+// Measures a circular servo path (equation (1) of the publication), driven by a timer and by the
+// packet-locked loop, and the round trip of the speed slider. With and without real-time priority, idle and
+// under load.
 #include <QTextStream>
 #include <atomic>
 #include <chrono>
@@ -241,7 +242,8 @@ struct Places {
     std::vector<int> robot;
 };
 
-/// Returns the last CPU available to this process, and all others. Empty if there is only one CPU.
+/// Assigns the last CPU available to this process to the program, and all others to the robot. Empty if there
+/// is only one CPU.
 Places places() {
     std::vector<int> cpus;
 #ifdef __linux__

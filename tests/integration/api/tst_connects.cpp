@@ -24,7 +24,7 @@ constexpr int kAtOnce = 4;
 constexpr int kWarmUp = 100;
 constexpr int kConnects = 1000;
 constexpr int kMinConnects = 100;
-constexpr auto kTime = 45s;  // a busy machine makes fewer connections
+constexpr auto kTime = 45s;  // time limit; a busy machine makes fewer than kConnects connections
 /// Allowed growth of the memory over the whole test [bytes], regardless of the number of connections.
 constexpr double kMaxGrowth = 64'000;
 
@@ -56,7 +56,8 @@ public:
         }
     }
 
-    /// Connects, takes control and disconnects. Returns the number of connections.
+    /// Connects, takes control and disconnects `count` times. After the time limit, stops early, but not
+    /// before kMinConnects connections. Returns the number of connections.
     int connect(int count) {
         std::atomic<int> done{0};
         std::vector<std::thread> threads;

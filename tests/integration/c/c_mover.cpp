@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Moves the arm through the C interface until the process ends. A line on the standard input selects how it
-// ends (see endProcess()). "object" closes the robot but not the process:
+// ends (see endProcess()). "object" closes the robot object, and the process continues to run:
 //     c_mover <host> <motion>
 #include <chrono>
 #include <cstdio>

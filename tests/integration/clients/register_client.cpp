@@ -80,7 +80,7 @@ bool RegisterClient::connect() {
     return upload();
 }
 
-// The upload sequence that is used at the start and in `reuploadScript`.
+// The upload sequence of the start-up and of `reuploadScript`.
 bool RegisterClient::upload(const QByteArray& path) {
     if (state_.runtime == kPlaying) {
         if (!stopScript()) {
@@ -174,7 +174,6 @@ bool RegisterClient::command(Recipe recipe, int id, std::initializer_list<double
     const bool done = ended && state_.ints[0] == 2 && state_.runtime == kPlaying &&
                       !inMode(kProtectiveStop) && !inMode(kEmergencyStop);
     clear();
-    // The script must detect the clear command before the next command is ready.
     return done || fail("not done");
 }
 

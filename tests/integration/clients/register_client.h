@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A client that behaves like ur_rtde 1.5.8, as seen in its network traffic: its start-up sequence, its recipes
-// with trailing commas, its register protocol, and its reaction to stops. It runs in virtual time: each wait
-// advances the controller by one period and reads one package.
+// A client that behaves like ur_rtde 1.5.8, as seen in its network traffic: its start-up sequence, its
+// recipes with trailing commas, its register protocol, and its reaction to stops. It runs in virtual time:
+// each wait advances the controller by one period and reads one package.
 
 #include <array>
 #include <initializer_list>

@@ -104,7 +104,7 @@ bool SocketClient::connectRtde() {
     if (!rtde_->start()) {
         return fail("start");
     }
-    // The library reads until it considers the controller as booted. During that time, only data may arrive.
+    // The library reads until it considers the controller booted. Until then, only data packages may arrive.
     int packages = 0;
     do {
         robot_.controller.step();
@@ -292,7 +292,7 @@ void SocketClient::readPackage(const QByteArray& package) {
     }
 }
 
-// The sizes must match exactly.
+// The sizes of the sub-packages must add up exactly to the size of the package.
 void SocketClient::readState(const QByteArray& package) {
     qsizetype at = 5;
     while (at + 5 <= package.size()) {

@@ -112,7 +112,7 @@ public:
         secondary_.send(line + '\n');
         robot_.controller.drainSockets();
     }
-    /// Advances a tenth of a second and reads one state.
+    /// Advances a tenth of a second and reads the received states.
     void step() {
         robot_.controller.step(50);
         buffer_ += secondary_.takeAll();

@@ -98,7 +98,7 @@ private Q_SLOTS:
     void theScriptEndsAndStartsAgainAtOnce() {
         QVERIFY(client_->stopScript());
         QCOMPARE(client_->state().runtime, 1U);
-        // The script is sent as for a path, without a pause and without the dashboard.
+        // Send the script in the same way as for a path: without a pause and without the dashboard.
         client_->scriptSocket().send(registerScript(0));
         robot_.controller.drainSockets();
         QVERIFY(client_->until([this] { return client_->state().runtime == 2; }, 5));
@@ -195,9 +195,9 @@ private Q_SLOTS:
         QVERIFY(robot_.controller.truth().qd.values.norm() < 2e-3);
     }
 
-    // The client sends the command without waiting for its reply. The next command times out after three
-    // seconds because the script does not report "ready", and the client clears its registers. The command
-    // after that succeeds.
+    // The client sends servoC without waiting for its reply. The next command times out after three seconds
+    // because the script does not report "ready". After the client has cleared its registers, commands
+    // succeed again.
     void servoCircularBehavesAsWithTheRealClient() {
         Six pose = poseNow();
         pose[2] += 0.05;
@@ -300,7 +300,7 @@ private Q_SLOTS:
         QCOMPARE(client_->state().ints[1], 1);
         QVERIFY(client_->command(Client::kNothing, 54));
         QCOMPARE(client_->state().ints[1], 0);
-        // A command that is sent without waiting is read slightly later.
+        // A command that is sent without waiting is answered within three periods.
         QVERIFY(client_->realtime(Client::kNothing, 26));
         client_->step(3);
         QCOMPARE(results()[0], kDt);
@@ -332,7 +332,7 @@ private Q_SLOTS:
         QCOMPARE(doubleAt(data, 1 + 48), 1.5);
         QCOMPARE(doubleAt(data, 1 + 72), 0.03);
         QCOMPARE(doubleAt(data, 1 + 88), 4.91);
-        // A centre of gravity of zero means that it does not change.
+        // A centre of gravity of zero leaves the current value unchanged.
         QVERIFY(client_->command(Client::kFour, 17, {2.0, 0, 0, 0}));
         client_->step();
         QByteArray last = data;

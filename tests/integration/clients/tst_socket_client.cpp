@@ -225,7 +225,8 @@ private Q_SLOTS:
         QVERIFY(client_->until([this] { return !client_->news().exceptions.empty(); }, 2));
         QVERIFY(client_->until([this] { return client_->data().runtime == 1; }, 2));
         client_->news() = {};
-        // A linear move to a distant point continues to the limit of the reach, where the robot stops the arm.
+        // A linear move to a distant point continues to the limit of the reach, where the robot stops the
+        // arm.
         client_->sendScript("def far():\n  movel(p[10,0,0,0,0,0])\nend\n");
         constexpr double kHangs = 60;  // [s]
         QVERIFY(client_->until([this] { return client_->news().protectiveStopped; }, kHangs));

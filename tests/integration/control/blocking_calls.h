@@ -35,7 +35,7 @@ struct MuteWorld {
         link.send("Connected: Universal Robots Dashboard Server\n");
         link.beMute();
     }};
-    /// Reads until the buffers of the system are full.
+    /// Never reads. The system accepts data until its buffers are full.
     RawPeer unresponsive{[](RawPeer::Link& link) {
         while (!link.isOver()) {
             std::this_thread::sleep_for(std::chrono::milliseconds(1));

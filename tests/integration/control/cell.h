@@ -29,7 +29,7 @@ public:
         }
         return clock_.nowNs();
     }
-    /// Starts counting the clock accesses of this thread.
+    /// From now on, asked() counts how often `thread` reads the time.
     void count(std::thread::id thread) { counted_.store(thread, std::memory_order_release); }
     std::uint64_t asked() const { return asked_.load(std::memory_order_acquire); }
     bool runsByItself() const override { return pretending_; }
@@ -44,8 +44,8 @@ public:
     std::int64_t longestNs() const { return longestNs_; }
     std::int64_t awakeNs() const { return awakeNs_; }
     void advanceNs(std::int64_t ns) { clock_.advanceNs(ns); }
-    /// Makes the clock report that it runs automatically. Timed actions then happen at their time even though no
-    /// thread waits for them.
+    /// Makes the clock report that it runs automatically. Timed actions then happen at their time even though
+    /// no thread waits for them.
     void pretendToRun() { pretending_ = true; }
 
 private:
@@ -119,8 +119,8 @@ public:
             if (everyTick) {
                 everyTick();
             }
-            // While in control, the controller replies to each package. Watchdogs use robot time, which must not
-            // run ahead of a late control thread.
+            // While in control, the controller replies to each package. Watchdogs use robot time, which must
+            // not run ahead of a late control thread.
             const bool answers = controller->status().inControl;
             robot.waitForInputPackages(inputs + 1,
                                        Deadline::after(std::chrono::milliseconds(answers ? 100 : 20)));
@@ -157,12 +157,12 @@ public:
         }
         return true;
     }
-    /// The replies received so far.
+    /// The replies of the controller so far.
     struct Answers {
-        /// True if the controller is in control, or would be if the newest data were fresh.
+        /// True if the controller replies to new data: it is in control, or lost control because of old data.
         bool expected = false;
-        double time = 0;  ///< ControllerStatus::answeredTime
-        std::uint64_t inputs = 0;
+        double time = 0;           ///< ControllerStatus::answeredTime
+        std::uint64_t inputs = 0;  ///< number of packages that the robot has received
     };
     Answers answers() const {
         const auto status = controller ? controller->status() : control::ControllerStatus();

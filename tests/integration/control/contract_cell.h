@@ -87,7 +87,7 @@ struct ContractEvent {
     std::function<void(ContractCell&)> happen;
     /// Actions after the event, in order, with a pause after each. None of them may move the arm.
     std::vector<std::function<void(ContractCell&)>> after;
-    bool robotBrakes = false;  ///< true if the duration depends only on the robot
+    bool robotBrakes = false;  ///< true if only the robot determines the time to standstill
     bool losesBoth = false;    ///< true if the process is killed while the program is paused
     double watched = 0.4;      ///< time between the event and the following actions [s]
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Takes control and moves the arm until the process is killed, or until a line on its standard input selects
-// how it ends (see endProcess()). "object" destroys the controller but not the process. "leave" releases
-// control while motions continue unattended:
+// how it ends (see endProcess()). "object" destroys the controller, and the process continues to run. "leave"
+// also destroys it, but releases control first, so that motions continue unattended:
 //     moving_helper <host> <primary port> <rtde port> <type of motion>
 #include <QCoreApplication>
 #include <atomic>
@@ -234,8 +234,8 @@ std::map<QString, Way> everyWay(Controller& c) {
         }
     };
 
-    // This row sets two outputs instead of starting a motion. One output stays on only while this process
-    // refreshes it.
+    // This entry starts two output pulses instead of a motion. One of the outputs stays on only while this
+    // process refreshes it.
     ways["pulse"] = [&c, begun = false]() mutable {
         if (!begun) {
             OutputPulses pulses(c);

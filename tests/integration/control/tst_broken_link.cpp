@@ -164,7 +164,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(refusals > 0, 60'000);
         crowd.end();
         controller.release();
-        // No motion may remain.
+        // The arm must come to a standstill.
         QTRY_VERIFY_WITH_TIMEOUT(robot.truth().tcpSpeed.linear.norm() < 0.001, 60'000);
         QTRY_COMPARE_WITH_TIMEOUT(receiver.state(), receive::ReceiverState::Receiving, 60'000);
         const auto again = controller.takeControl(testTimeout());

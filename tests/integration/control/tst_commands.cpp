@@ -81,7 +81,7 @@ private Q_SLOTS:
         }));
     }
 
-    // The other client's program must not be stopped without a question, and the error must name the cause.
+    // The library must not stop the other client's program, and the error must name the cause.
     void aProgramThatReplacesAScriptKeepsRunning_data() {
         QTest::addColumn<QString>("then");
         QTest::addColumn<RuntimeState>("expected");
@@ -325,7 +325,7 @@ private Q_SLOTS:
         QCOMPARE(waypoint, 4);
         QCOMPARE(motion->progress().waypoints, 4);
         QVERIFY((cell.tcp().position - end.position).norm() < 1e-3);
-        // A move after the path works as usual.
+        // A move after the path must also work.
         const auto move = Motions(*cell.controller).moveL(start, {0.1, 0.5, Holding::Free});
         QVERIFY(cell.during([&] { return move->wait(testTimeout()); }).ok());
     }
@@ -424,8 +424,8 @@ private Q_SLOTS:
         QVERIFY(cell.controller->status().inControl);
     }
 
-    // Like the inserted watchdog thread, the script reports the missing heartbeat in output register 26 before
-    // it ends.
+    // Like the inserted watchdog thread, the script reports the missing heartbeat in output register 26
+    // before it ends.
     void aScriptEndedByItsWatchdogIsNotCompleted() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
@@ -441,7 +441,7 @@ private Q_SLOTS:
         QVERIFY(cell.controller->status().inControl);
         QVERIFY(cell.during([&] { return programs.runScript(QStringLiteral("sleep(0.1)\n"), testTimeout()); })
                     .ok());
-        // A client that never takes control by itself can give it up instead.
+        // With regainsAfterDataGap = false, the controller does not take control again.
         ScriptTerms terms;
         terms.regainsAfterDataGap = false;
         const auto lost = cell.during([&] { return programs.runScript(script, testTimeout(), terms); });

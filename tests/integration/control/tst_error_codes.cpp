@@ -80,7 +80,7 @@ private:
 Error withoutDescriptors() {
     rlimit before{};
     getrlimit(RLIMIT_NOFILE, &before);
-    // Limit the number of descriptors to the current number. They are numbered from 0.
+    // Set the limit just above the highest descriptor in use, and occupy all free descriptors below it.
     int highest = 0;
     for (const QString& entry : QDir(QStringLiteral("/proc/self/fd")).entryList(QDir::NoFilter)) {
         highest = std::max(highest, entry.toInt());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // During every type of motion, the process that moves the arm is killed, suspended or disconnected without
-// warning. The robot must stop by itself within the 250 ms of the contract, measured by the robot's clock, and
-// remain stopped. A second RTDE connection observes the robot. With TILLER_ALL=1, all
+// warning. The robot must stop by itself within the 250 ms of the contract, measured by the robot's clock,
+// and remain stopped. A second RTDE connection observes the robot. With TILLER_ALL=1, all
 // combinations are run; otherwise all motions with a kill and some of the others. TILLER_MOVING_HELPER names
 // another build of the program that moves the arm.
 #include <QTest>
@@ -67,7 +67,8 @@ private Q_SLOTS:
         // The external force continues, so if the arm stops, it has left freedrive.
         row("freedrive", 0.05, true);
         row("teach mode", 0.05, true);
-        // No motion is active, so nothing times out and the script stays Ready. guard_force() ends force mode.
+        // No motion is active, so nothing times out and the script stays Ready. guard_force() ends force
+        // mode.
         row("force mode", 0.03, false, ScriptState::Ready);
         row("jog in force mode", kFast);
         row("section", kFast);

@@ -125,7 +125,7 @@ public:
     SlowLoop(const SlowLoop&) = delete;
     SlowLoop& operator=(const SlowLoop&) = delete;
 
-    /// Waits until a call has begun. The robot sends packets only before the first call.
+    /// Waits until the next call has begun. Sends packets only while waiting for the first call.
     bool waitForCall() {
         constexpr int kAttempts = 2000;
         for (int i = 0; i < kAttempts && !over_; ++i) {
@@ -265,8 +265,8 @@ private Q_SLOTS:
         const int before = loop.cycles;
         const std::uint64_t inputs = cell.robot.inputPackages();
         cell.controller->stop(StopCause::ApiCall);
-        // The stop cancels the cycle that would be due first. Only an idle command is sent, at either of the
-        // two times.
+        // The stop has cancelled the cycle that would be due at the first of these times. The loop sends only
+        // an idle command, at the first or the second time.
         cell.clock.advanceNs(kPeriodNs + kOverdueNs);
         cell.clock.advanceNs(5 * kPeriodNs);
         QVERIFY(cell.robot.waitForInputPackages(inputs + 1, Deadline::after(std::chrono::seconds(20))));

@@ -213,8 +213,8 @@ private Q_SLOTS:
         QVERIFY(stop.ok());
         QVERIFY(stop->isActive());
         QVERIFY(cell.during([&] { return stop->wait(testTimeout()); }).ok());
-        // The script confirms at the end of its stopj. The remaining motion of the joint takes a few more
-        // periods.
+        // The script confirms the stop at the end of its stopj. The joint comes to rest within 20 ms after
+        // that.
         QVERIFY(cell.standsWithinMs(20));
     }
 

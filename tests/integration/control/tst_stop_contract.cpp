@@ -211,7 +211,8 @@ private Q_SLOTS:
         QTest::newRow("braked in another time")
             << "jog a joint"
             << "safeguard" << 0.5 << "program-stops=scaled speed-commands=real outputs=next-period data=late";
-        // Regression test: the stop used the speed from before the pause, and the deceleration for this speed.
+        // Regression test: the stop used the speed from before the pause, and the deceleration for this
+        // speed.
         QTest::newRow("stopped behind a pause")
             << "jog a joint"
             << "pause, kill -9, play" << 1.0 << "stops=scaled thread-start=next-period";

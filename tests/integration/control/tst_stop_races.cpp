@@ -74,8 +74,8 @@ private Q_SLOTS:
         QVERIFY(cell.controller->status().inControl);
     }
 
-    // Effects that continue after their start. A stop must end them, and they must not outlive their
-    // function.
+    // Effects that continue after the statement that starts them. A stop must end them, and they must not
+    // outlive their function.
     void noMotionRemainsAfterAFunction_data() {
         QTest::addColumn<QString>("body");
         QTest::addColumn<bool>("stopped");

@@ -38,7 +38,7 @@ struct Robot {
     simulator::Simulator controller;
 };
 
-/// Sends these replies to the requests, one after the other.
+/// Sends these replies to the requests in order, and the last reply to all further requests.
 class Web {
 public:
     explicit Web(std::vector<QByteArray> replies)

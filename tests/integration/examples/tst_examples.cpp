@@ -76,7 +76,7 @@ Outcome run(const QString& name, const Cell& cell) {
     return outcome;
 }
 
-/// True if the computer was blocked for 100 ms. The arm then stops as intended.
+/// True if the output shows that the computer was blocked for 100 ms. The arm then stops as intended.
 bool wasLate(const Outcome& outcome) {
     for (const char* word : {"LinkLost", "EventLoopStalled", "DataStale", "Timeout", "not refreshed"}) {
         if (outcome.err.contains(QLatin1String(word)) || outcome.out.contains(QLatin1String(word))) {

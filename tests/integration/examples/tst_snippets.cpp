@@ -40,7 +40,8 @@ QString indentOf(const QString& line) {
     return kSpaces.match(line).captured();
 }
 
-/// Compares line by line. The text may have a constant additional indentation.
+/// True if the text contains all lines of the block in order. The text may have a constant additional
+/// indentation.
 bool standsIn(const QStringList& block, const QStringList& text) {
     for (qsizetype at = 0; at + block.size() <= text.size(); ++at) {
         const QString indent =

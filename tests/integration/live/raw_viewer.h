@@ -89,7 +89,7 @@ public:
     }
     ~RawViewer() { socket.abort(); }
 
-    /// Returns the status code of the reply; 0 if the server closed the connection without a reply.
+    /// Returns the status code of the reply; 0 if there was no reply.
     int upgrade(const QByteArray& origin = {}) {
         socket.write(handshakeRequest(origin));
         QByteArray answer;
@@ -101,7 +101,7 @@ public:
         }
         return answer.split(' ').value(1).toInt();
     }
-    /// Writes without reading. Returns false if the server has closed the connection.
+    /// Writes without reading. Returns false if the server does not accept the data or has disconnected.
     bool write(const QByteArray& bytes) {
         socket.write(bytes);
         while (socket.bytesToWrite() > 0) {

@@ -125,7 +125,8 @@ private Q_SLOTS:
                  qPrintable(text.out));
     }
 
-    // Steps of another branch, disabled steps, comments and parallel watches have no marks.
+    // Recoverability is not checked for steps of a branch that is not taken, disabled steps, comments and
+    // parallel watches.
     void stepsWithoutACheckAreCountedAndNamed() {
         project::ProgramStep disabled = step("wait");
         disabled.disabled = true;
@@ -447,7 +448,7 @@ private Q_SLOTS:
     }
 
 private:
-    /// Path of a copy of the project.
+    /// Copies the project file. Returns the path of the copy; empty if copying failed.
     QString copyOfProject(const QString& name) const {
         const QString copy = folder_.filePath(name);
         QFile::remove(copy);

@@ -384,7 +384,8 @@ QString checkOnce(const ProgramCase& tested, const ContractEvent& event) {
 }
 
 QString check(const ProgramCase& tested, const ContractEvent& event) {
-    // While a program starts, virtual time can overtake the threads of a busy computer. The event has not happened then.
+    // While a program starts, virtual time can overtake the threads of a busy computer. In this case, the
+    // event has not happened.
     constexpr int kStarts = 3;
     QString problem;
     for (int i = 0; i < kStarts; ++i) {

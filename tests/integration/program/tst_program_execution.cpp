@@ -70,7 +70,7 @@ struct ExecutionBench {
         project.programs.append(made);
         program = made.id;
     }
-    /// Steps that move to "place" and set output 1 if the variable "count" was changed to 7.
+    /// Sets steps that move to "place" and switch output 1 on only if the variable "count" was changed to 7.
     void setStepsWithVariables() {
         const auto assign = [](const char* variable, const char* type, const char* value) {
             return step("assign", {{"variable", variable}, {"type", type}, {"value", value}});
@@ -183,7 +183,8 @@ private Q_SLOTS:
         QVERIFY2(late.error().toString().contains("No program is running."), why(late).constData());
     }
 
-    // A stop, a step of another thread and the loss of the connection end the call. None of them moves the arm.
+    // A stop, a step of another thread and the loss of the connection end the call. None of them moves the
+    // arm.
     void aChangeEndsWithTheProgram_data() {
         QTest::addColumn<QString>("event");
         for (const char* event : {"stop", "other client", "emergency stop", "cut link", "cancelled"}) {
@@ -230,7 +231,7 @@ private Q_SLOTS:
         QVERIFY((bench.robot.truth().digitalOutputs & 2U) == 0);
     }
 
-    // The program could otherwise take the value when it waits again.
+    // Otherwise, the program could use the changed value when it waits again.
     void aChangeEndsWhenTheProgramContinues() {
         ExecutionBench bench;
         const auto up = bench.bringUp();

@@ -64,7 +64,7 @@ struct Cell {
     }
     /// Advances robot and clock by one control period, and waits for the package.
     bool tick() {
-        // Check all places where the loss is visible, because they are updated one after the other.
+        // Check all places where the package becomes visible, because they are updated one after the other.
         const receive::Subscription ring = receiver->subscribe();
         const auto newest = receiver->latest().sequence;
         const auto counted = receiver->counters().packets;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Every transition of robot mode, safety mode and program state that a simulated robot can make, observed on all
-// interfaces at once.
+// Every transition of robot mode, safety mode and program state that a simulated robot can make, observed on
+// all interfaces at once.
 
 #include <QFile>
 #include <QTemporaryDir>

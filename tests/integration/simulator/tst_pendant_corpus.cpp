@@ -141,7 +141,7 @@ QStringList effects(QStringList trace) {
     return trace;
 }
 
-/// The trace without the titles of messages, which steps do not have.
+/// The trace without the titles of popups, because the steps of imported programs have no titles.
 QStringList withoutTitles(QStringList trace) {
     static const QRegularExpression title("^(popup \\d+) '[^']*'");
     return trace.replaceInStrings(title, "\\1");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Programs as saved by the teach pendant. Variables are defined once and then referenced. The tests also cover
-// sequences, branches, loops, threads, and waypoints given by a variable.
+// Programs as saved by the teach pendant. Variables are defined once and then referenced. The tests also
+// cover sequences, branches, loops, threads, and waypoints given by a variable.
 #include <QFile>
 #include <QRegularExpression>
 #include <QTemporaryDir>
@@ -102,7 +102,8 @@ class TestProgramFiles : public QObject {
 
 private Q_SLOTS:
     // The program of the RTDE control loop example from Universal Robots. A thread reads setpoints into a
-    // variable defined in Before Start. On command, the program moves to the setpoint and reports its arrival.
+    // variable defined in Before Start. On command, the program moves to the setpoint and reports its
+    // arrival.
     void aProgramFollowsSetpointsOfAnRtdeClient() {
         const QString goal = QStringLiteral("SpecialSequence/children/Assignment/variable");
         const QString up = QStringLiteral("../");
@@ -765,7 +766,8 @@ private Q_SLOTS:
         QCOMPARE(Heard(primary).texts.size() > 1, again);
     }
 
-    // The first event whose condition is true runs, so that a later event waits while it is true.
+    // The first event whose condition is true runs. With "level", the conditions stay true, so the second
+    // event never runs.
     void anEarlierEventComesFirst_data() {
         QTest::addColumn<QString>("assumption");
         QTest::addColumn<bool>("secondRuns");

@@ -78,8 +78,8 @@ private Q_SLOTS:
         QVERIFY(std::abs(spacing - 0.002 * periods) < 1e-9);
     }
 
-    // As on a real robot. Clients that read the reply and the data with one call must not receive both at
-    // once.
+    // As on a real robot: some clients read the reply with one call, and would fail if the call also returned
+    // data.
     void theFirstPackageFollowsTheAnswerToStartByOneInterval_data() {
         QTest::addColumn<double>("frequency");
         QTest::addColumn<int>("periods");

@@ -181,7 +181,7 @@ private Q_SLOTS:
                         (*leaving)->socket().disconnectFromHost();
                         break;
                     default:
-                        break;  // the memory has not changed
+                        break;  // destroyed without closing the connection first
                 }
                 clients.erase(leaving);
             }

@@ -40,8 +40,8 @@ private Q_SLOTS:
         QVERIFY(near(joints(), kStart));
     }
 
-    // Simulates Ctrl+C in Python while the connection is blocked: the program receives the stop directly after the
-    // move, without an idle command in between.
+    // Simulates Ctrl+C in Python while the connection is blocked: the program receives the stop directly
+    // after the move, without an idle command in between.
     void aStopImmediatelyAfterAMoveIsObeyed() {
         static std::atomic<bool> impatient;
         impatient = false;
@@ -61,8 +61,8 @@ private Q_SLOTS:
         QVERIFY(near(joints(), kStart));
     }
 
-    // The move starts only after the previous move has been stopped. A reply to a move must not be interpreted
-    // as the reply to the stop.
+    // The move starts only after the previous move has been stopped. A reply to a move must not be
+    // interpreted as the reply to the stop.
     void aStopAfterAReplacedMoveIsNotLost() {
         static std::atomic<bool> impatient;
         for (const bool interrupted : {false, true}) {

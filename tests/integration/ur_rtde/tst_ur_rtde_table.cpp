@@ -114,7 +114,7 @@ struct Language {
 };
 
 /// Returns the first test that calls the method and checks its effect. An assertion must be on the line of
-/// the call, just before it or shortly after it.
+/// the call, just before it or within kSoon lines after it.
 QString exercised(const Method& method, const QList<TestFunction>& functions, const Language& language) {
     constexpr qsizetype kSoon = 8;  // [lines]
     const QRegularExpression call(language.objects.value(method.owner) +

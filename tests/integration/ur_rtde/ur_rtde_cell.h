@@ -48,15 +48,15 @@ public:
         }
         return false;
     }
-    /// Advances robot time. Without a client that replies, time advances immediately.
+    /// Advances robot time, without waiting for clients that do not reply.
     bool pass(double seconds) {
         const double end = robot.truth().timestamp + seconds;
         return hurried([&] {
             return until([end](const simulator::SimulatedState& truth) { return truth.timestamp >= end; });
         });
     }
-    /// Waits for a call that takes robot time. Without a client that replies, robot time advances
-    /// immediately.
+    /// Waits for a call that takes robot time. In the meantime, robot time advances without waiting for
+    /// clients that do not reply.
     bool hurried(const std::function<bool()>& call) {
         hurry_ = true;
         const bool done = call();
@@ -80,8 +80,8 @@ private:
         return options;
     }
 
-    // In periods with a packet, waits for a client that answers every packet, like the control interface.
-    // Other clients get a short time.
+    // After each packet, waits up to 1 s for a client that replied to the previous packet, like the control
+    // interface. For other clients, waits 1 ms, or not at all in hurried().
     void pump() {
         bool answered = false;
         while (!quit_.isCancelled()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A program for ur_rtde that moves the arm in one way until it is ended:
+// A program for ur_rtde that performs one type of motion until it is ended:
 //     ur_rtde_mover <host> <type of motion>
 // Like many programs, it ignores the return values of its calls. It prints "ready", then executes the lines
 // of its standard input and replies to each with "<line> done". The lines are "begin", "again" (from the
@@ -75,7 +75,7 @@ std::string risingFile() {
     return name;
 }
 
-/// Runs a call that returns at the end of the script, in a separate thread.
+/// Runs a call that blocks until its script has ended, in a separate thread.
 template <class Call>
 std::function<void(Control&)> waiting(Call call) {
     return [call](Control& c) { std::thread([&c, call] { call(c); }).detach(); };

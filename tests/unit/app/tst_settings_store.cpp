@@ -148,7 +148,7 @@ private Q_SLOTS:
         QCOMPARE(both[1].name, QString("Yours"));
         QVERIFY(both[0].number != both[1].number);
         QCOMPARE(Settings(file_).perspectives().size(), 2);
-        first.setPerspectives({});  // contains only the entry of this window
+        first.setPerspectives({});  // removes only the entry of this window
         QCOMPARE(Settings(file_).perspectives().size(), 1);
         first.setTutorialProgress({false, {"jog"}, {}});
         second.setTutorialProgress({true, {"teach"}, {"pick"}});

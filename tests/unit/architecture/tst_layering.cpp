@@ -25,7 +25,7 @@ struct Folder {
 const QStringList kGui = {"QWidget",  "QApplication", "QMainWindow", "QPainter", "QtWidgets", "QtGui",
                           "QtCharts", "QChart",       "QColor",      "QIcon",    "QPixmap"};
 
-/// A folder includes only headers of the folder itself and of the rows above it.
+/// A folder may include its own headers and those in `mayInclude`, which must be in rows above it.
 const QList<Folder>& folders() {
     static const QList<Folder> table = {
         {"robot/platform", {}, kGui},
@@ -343,7 +343,7 @@ QByteArray contentsOf(const QString& file) {
     return f.open(QIODevice::ReadOnly) ? f.readAll() : QByteArray();
 }
 
-/// A unit is a header and its source, e.g. "widgets/jog/jog_pad".
+/// Returns the unit of a file, i.e. of a header and its source, e.g. "widgets/jog/jog_pad".
 QString unitOf(const QString& file) {
     return file.section('.', 0, 0);
 }
@@ -361,7 +361,7 @@ QStringList includesOf(const QString& unit) {
     return included;
 }
 
-/// True for a header of Qt Gui, Widgets, Charts or Svg, and of the display and device libraries.
+/// True for headers of Qt modules other than Core and Network, and of display and device libraries.
 bool isOfDisplay(const QString& header) {
     static const QDir kHeaders(QLibraryInfo::path(QLibraryInfo::HeadersPath));
     static const QRegularExpression kOthers("^(xcb/|SDL|spnav|X11/)");

@@ -14,13 +14,13 @@ import argparse
 import h5py
 import numpy as np
 
-PERIOD = 0.002  # of the robot's packets [s]
+PERIOD = 0.002  # time between two packets of the robot [s]
 
 
 class MovementPrimitive:
     """All joints of one movement. Time is relative to its duration: 1 is the end."""
 
-    DECAY = 4.0  # of the phase, which decreases from 1 towards 0
+    DECAY = 4.0  # decay rate of the phase, which decreases from 1 towards 0
     STIFFNESS = 600.0
     DAMPING = 2 * STIFFNESS ** 0.5  # critically damped: reaches the goal without overshoot
 

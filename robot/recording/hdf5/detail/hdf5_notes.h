@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The notes, warnings and errors of an HDF5 recording: a group with one data set per property, which h5py, MATLAB and
-// Octave read. Private to robot/recording/hdf5.
+// The notes, warnings and errors of an HDF5 recording: a group with one data set per property, which h5py,
+// MATLAB and Octave read. Private to robot/recording/hdf5.
 
 #include <string_view>
 #include <vector>

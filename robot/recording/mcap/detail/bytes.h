@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Writes little-endian numbers and length-prefixed strings to a byte string, and reads them with bounds checks.
-// Private to robot/recording/mcap.
+// Writes little-endian numbers and length-prefixed strings to a byte string, and reads them with bounds
+// checks. Private to robot/recording/mcap.
 
 #include <bit>
 #include <concepts>

@@ -7,8 +7,8 @@ namespace tiller::recording {
 
 namespace {
 
-/// Maximum difference between the arrival times of two packets of one control period [ns]. The time stamps of a
-/// controller repeat after a restart.
+/// Maximum difference between the arrival times of two packets of one control period [ns]. The time stamps of
+/// a controller repeat after a restart.
 constexpr std::int64_t kMaxApartNs = 1'000'000'000;
 
 double stampOf(const receive::Sample& sample) {

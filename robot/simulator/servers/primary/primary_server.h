@@ -48,7 +48,7 @@ private:
     std::vector<primary::Bytes> lastValues_;
     bool messages_;
     bool acceptsScripts_;
-    double nextState_ = 0;  ///< time since the start of the simulation [s]
+    double nextState_ = 0;  ///< due time of the next state, from Plant::elapsed() [s]
     std::vector<std::unique_ptr<Client>> clients_;
 };
 

@@ -99,7 +99,8 @@ public:
     }
 
 private:
-    /// Number of list elements that fit into a package. Further elements are not reported.
+    /// Number of elements, with `bytesEach` bytes each, that still fit into kLargestValue. Further elements
+    /// are not reported.
     std::size_t thatFit(std::size_t count, std::size_t bytesEach) const {
         const std::size_t room = kLargestValue - std::min(into_.size(), kLargestValue);
         return std::min(count, room / bytesEach);

@@ -11,7 +11,7 @@
 
 namespace tiller::simulator {
 
-/// Returns whether this software replies to RTDE_READ_PROPERTIES in protocol version 3. Older software
+/// True if this software supports protocol version 3 and replies to RTDE_READ_PROPERTIES. Older software
 /// ignores the request.
 bool hasProperties(const SoftwareVersion& software);
 

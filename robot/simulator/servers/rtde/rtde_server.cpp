@@ -13,8 +13,8 @@ namespace {
 constexpr std::size_t kMaxInputRecipes = 255;
 /// Maximum number of bytes read from one client per call, so that no client can block the others.
 constexpr std::size_t kRtdeShare = 256 * 1024;
-/// Maximum number of clients of a CB3. The connection of an additional client is closed kExtraCb3Client [s]
-/// after its handshake. Source: Universal Robots forum, threads 2793 and 3673
+/// Maximum number of clients that receive data from a CB3. The connection of an additional client is closed
+/// kExtraCb3Client [s] after its START request. Source: Universal Robots forum, threads 2793 and 3673
 constexpr int kMaxCb3Clients = 3;
 constexpr double kExtraCb3Client = 1.0;
 /// Owner of inputs held by an injected fault. Client IDs start at 1.

@@ -51,7 +51,7 @@ public:
     /// Sets the number of clients above which new connections are closed, as by a full connection table.
     void setMaxClients(std::size_t count) { maxClients_ = count; }
 
-    /// Number of packages received from all clients since the start.
+    /// Number of input packages of all clients that were applied since the start.
     /// Threads  any
     std::uint64_t inputPackages() const { return packages_.load(std::memory_order_acquire); }
     std::uint64_t outputPackages() const { return sent_.load(std::memory_order_acquire); }

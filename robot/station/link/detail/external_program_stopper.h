@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Stops any program on the robot: an external program (from the teach pendant, another PC, or left running),
-// and Tiller's own program if the control connection is unreliable. All routes are used simultaneously: "stop
-// program" on the primary interface, and the stop command of the dashboard or the Robot API. Each route uses a
-// connection opened in advance and a new connection, because the robot may have dropped the existing one
-// without closing it. Robot data determine whether the stop has succeeded. Private to robot/station/link.
+// Stops any program on the robot: an external program (started on the teach pendant or by another PC, or
+// still running without its client), and Tiller's own program if the control connection is unreliable. All
+// routes are used simultaneously: "stop program" on the primary interface, and the stop command of the
+// dashboard or the Robot API. Each route uses a connection opened in advance and a new connection, because
+// the robot may have dropped the existing one without closing it. Robot data determine whether the stop has
+// succeeded. Private to robot/station/link.
 
 #include <atomic>
 #include <memory>
@@ -52,9 +53,8 @@ public:
     /// Cancels the request, so that it cannot stop a program that is started later.
     void withdraw();
 
-    bool isPending() const {
-        return request_.has_value();
-    }  ///< A stop was requested and is not confirmed yet.
+    /// A stop was requested and is not confirmed yet.
+    bool isPending() const { return request_.has_value(); }
 
     /// A stop is being measured until standstill. This includes stops by the safety system.
     bool isMeasuring() const { return meter_.isMeasuring(); }
@@ -98,7 +98,8 @@ private:
 
     control::StopMeter meter_;
     std::uint64_t measuredFrom_ = 0;  ///< number of the newest sample at the request
-    bool isExternal_ = false;         ///< not in control in the last frame: the controller does not measure
+    bool isExternal_ = false;         ///< not in control in the last frame, so the controller does not
+                                      ///< measure the stop
     bool motionAllowed_ = false;      ///< the safety mode of the previous sample permits motion
 };
 

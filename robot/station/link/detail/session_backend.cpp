@@ -184,8 +184,8 @@ void SessionBackend::readSample() {
         startedProgram.clear();
         programNode.clear();
     }
-    // PolyScope calls a program without a file "<unnamed>". A script of another client does not change the loaded
-    // program.
+    // PolyScope calls a program without a file "<unnamed>". A script of another client does not change the
+    // loaded program.
     const bool isLoaded = !report.programIsStopped && report.program != QLatin1String("<unnamed>");
     state.programNode = programNode;
     state.runningProgram = state.runtimeState == RuntimeState::Stopped ? QString()
@@ -263,8 +263,8 @@ bool SessionBackend::isControlInDoubt() {
     return !doubtEnded;
 }
 
-/// True if data have been fresh for long enough after a dead connection: a control program that were still running
-/// would by now be recognized as abandoned, so the running program is a different one.
+/// True if the running program is not the control program of a dead connection: the data have been fresh for
+/// so long that a control program would have been recognized as abandoned.
 bool SessionBackend::isRunningOtherProgram() const {
     constexpr std::int64_t kAbandonedKnown = 900 * kNsPerMs;
     const receive::RobotState robot(sample);
@@ -298,8 +298,8 @@ bool SessionBackend::isSendingPath(const control::ControllerStatus& status) cons
 }
 
 bool SessionBackend::isReplaced() const {
-    // The control program counts the time without a client. After control was lost because its answers were missing, a
-    // control program that is still running is recognized as abandoned within this time.
+    // The control program counts the time without a client. After control was lost because its answers were
+    // missing, a control program that is still running is recognized as abandoned within this time.
     constexpr std::int64_t kAbandonedKnown = 400 * kNsPerMs;
     const receive::RobotState robot(sample);
     const bool isCountKnown = std::any_of(stateFields.begin(), stateFields.end(), [&](const auto& field) {
@@ -340,7 +340,7 @@ control::StopEvidence SessionBackend::stopEvidence() const {
     const bool program = link->program.isRunning() && status.fresh;
     evidence.inControl = status.inControl || sending || program;
     // A path that is being sent does not start after a stop. A program may still start a motion, e.g. after a
-    // wait, until it has ended.
+    // wait, until the program has ended.
     evidence.restingEpoch = sending ? std::numeric_limits<std::uint64_t>::max() : status.restingEpoch;
     evidence.executedEpoch = status.executing ? status.motion : 0;
     return evidence;

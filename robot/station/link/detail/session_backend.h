@@ -136,8 +136,8 @@ struct SessionBackend {
     control::MotionLimits limits;
     MoveGuard guard;
     QString refusal;                 ///< why control could not be taken the last time
-    bool refusedByClient = false;    ///< because another client uses the registers
-    bool hadForeignProgram = false;  ///< at the last read()
+    bool refusedByClient = false;    ///< control was refused because another client uses the registers
+    bool hadForeignProgram = false;  ///< an external program existed at the last read()
     QString linkReason;
 
     bool movedBefore = false;  ///< the arm moved according to the newest fresh data
@@ -156,10 +156,11 @@ struct SessionBackend {
     LinkState linkSeen = LinkState::Disconnected;
     control::ControlLoss loss = control::ControlLoss::NotTaken;
     std::optional<std::int64_t>
-        freshSinceLossNs;          ///< start of fresh data after a loss of control, host clock
-    bool doubtEnded = false;       ///< data have been fresh long enough
-    bool ownProgramEnded = false;  ///< the control program of a dead connection does not run any more
-    std::optional<std::int64_t> ownProgramNs;  ///< last time in control, until the robot runs no program
+        freshSinceLossNs;                      ///< start of fresh data after a loss of control, host clock
+    bool doubtEnded = false;                   ///< data have been fresh long enough
+    bool ownProgramEnded = false;              ///< the control program of a dead connection no longer runs
+    std::optional<std::int64_t> ownProgramNs;  ///< last time in control; reset when no program runs on the
+                                               ///< robot
     control::ControlLoss lossSeen = control::ControlLoss::NotTaken;  ///< last reported loss
     std::optional<RobotModelId> modelSeen;                           ///< last reported model of the robot
     bool externalRunSeen = false;               ///< the program of another client was reported
@@ -167,8 +168,8 @@ struct SessionBackend {
     bool externalExists = false;                ///< a program of another client runs or is paused
     std::optional<std::int64_t> externalEndNs;  ///< end of that program; empty after the report
     bool readySeen = false;                     ///< the last reported robot mode was Running
-    std::int64_t externalSinceNs = 0;           ///< time of the report that it runs
-    std::optional<std::int64_t> replacementNs;  ///< last report that a program has been replaced
+    std::int64_t externalSinceNs = 0;           ///< time at which that program was reported
+    std::optional<std::int64_t> replacementNs;  ///< time of the last report that a program was replaced
     std::optional<std::int64_t> startedNs;      ///< time of the controller's newest message about a start
     QString startedProgram;                     ///< name in the controller's newest message about a start
     QString programNode;                        ///< newest node label of the running program

@@ -850,7 +850,7 @@ ProgramScript writeScript(const project::Project& project, const QUuid& program,
     if (!script.ok()) {
         return script;
     }
-    // In reverse order, because each line is inserted directly after the mark.
+    // Insert the lines in reverse order, because each line is inserted directly after the mark.
     for (auto assignment = options.assignments.rbegin(); assignment != options.assignments.rend();
          ++assignment) {
         if (const Result<QString> text = assignmentText(script, *assignment)) {

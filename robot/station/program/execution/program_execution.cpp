@@ -22,8 +22,8 @@ namespace {
 constexpr double kCheckedTime = 600;  // [s]
 constexpr double kSamePlace = 0.02;   // [m]; a calibrated arm differs from its model by a few millimetres
 
-/// True for findings that make a run on the robot unsafe. A missing input is not dangerous, because it can only end a
-/// simulated run early.
+/// True for findings that make a run on the robot unsafe. A missing input is not dangerous, because it can
+/// only end a simulated run early.
 bool isDangerous(const Finding& finding) {
     using Kind = Finding::Kind;
     return finding.kind == Kind::ScriptError || finding.kind == Kind::ProtectiveStop ||
@@ -44,7 +44,7 @@ QString mismatch(const project::Project& project, const ProgramScript& script,
     return script.tcp && !isSameTcp(*script.tcp, robot.tcpOffset()) ? otherTcpText() : QString();
 }
 
-/// The change of a variable ended without a confirmation.
+/// The error of a change of a variable that the robot has not confirmed.
 Error unconfirmed(ErrorCode code) {
     return {code, QStringLiteral("change a variable"),
             QStringLiteral("the robot did not confirm the new value. Check the value of the variable")};
@@ -149,7 +149,8 @@ void ProgramExecution::run(const QString& text, std::uint64_t stops, receive::Su
     terms.gate = script::StepGate();
     terms.variables = script_.variables;
     terms.starting = [&](const control::Motion& motion) {
-        const Result<void> checked = checkPosition(position);  // not under the mutex, because it waits
+        const Result<void> checked = checkPosition(position);  // called without the mutex, because
+                                                               // checkPosition() waits
         const std::lock_guard lock(mutex_);
         if (isStopped_) {
             return false;
@@ -196,7 +197,7 @@ void ProgramExecution::monitor() {
         add();
     }
     const std::lock_guard lock(mutex_);
-    // A program that reaches its end resets the register.
+    // A program that reaches its end resets the step register.
     if (*outcome_ && log_.isCutShort()) {
         outcome_ = Error{ErrorCode::Stopped, QStringLiteral("run the program"),
                          QStringLiteral("the program was ended on the robot")};
@@ -261,7 +262,8 @@ Result<void> ProgramExecution::changeVariable(const QString& name, const QString
     gate_.change(*change);
     sendGate();
     while (!hasChanged_) {
-        // Check the deadline without the mutex, because its token may call a function that waits for other threads.
+        // Check the deadline without the mutex, because its token may call a function that waits for other
+        // threads.
         lock.unlock();
         const bool hasExpired = deadline.hasExpired();
         const auto poll = hasExpired ? 0ms : deadline.nextPoll();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Runs a program of a project through a Controller, without a RobotSession: for tiller-cli and Python. ProgramRunner
-// does the same in a window.
+// Runs a program of a project through a Controller, without a RobotSession: for tiller-cli and Python.
+// ProgramRunner does the same in a window.
 
 #include <QSet>
 #include <QStringList>
@@ -36,9 +36,9 @@ struct CheckedProgram {
     QStringList obstacles;  ///< why the program must not run; empty if it may run
 };
 
-/// Writes the script and simulates its first ten minutes from the current position of the arm. Obstacles are problems
-/// of the program, a robot with another model or TCP than the waypoints, and a simulated script error, protective stop
-/// or collision.
+/// Writes the script and simulates its first ten minutes from the current position of the arm. Obstacles are
+/// problems of the program, a robot with another model or TCP than the waypoints, and a simulated script
+/// error, protective stop or collision.
 /// options  options with the software version of the robot
 /// robot    current sample with executionFields()
 /// Threads  any. Blocks: up to a few seconds
@@ -46,9 +46,9 @@ CheckedProgram checkForRobot(const project::Project& project, const QUuid& progr
                              const ScriptOptions& options, const PreviewOptions& preview,
                              const receive::Sample& robot);
 
-/// A running program. The robot ends it within 250 ms of the end of this process or of the loss of the connection.
-/// Owns the threads "runner", which waits for the end of the program, and "monitor", which reads the samples and the
-/// variables. Both have normal priority and share the members under the mutex.
+/// A running program. The robot ends it within 250 ms of the end of this process or of the loss of the
+/// connection. Owns the threads "runner", which waits for the end of the program, and "monitor", which reads
+/// the samples and the variables. Both have normal priority and share the members under the mutex.
 /// Threads  any for all functions
 class ProgramExecution {
 public:
@@ -75,11 +75,12 @@ public:
     /// samples      samples with executionFields()
     /// checked      result of checkForRobot(), without obstacles
     /// breakpoints  steps before which the program pauses
-    /// stops        Controller::stops() when the user requested the run. After a further stop, the program does not
-    ///              start. None: now
+    /// stops        Controller::stops() when the user requested the run. After a further stop, the program
+    ///              does not start. Empty: the number at the time of this call
     ProgramExecution(control::Controller& controller, receive::Subscription samples, CheckedProgram checked,
                      const QSet<QUuid>& breakpoints = {}, std::optional<std::uint64_t> stops = {});
-    /// Stops the program. Blocks: until the control program runs again, or for a few seconds without a connection
+    /// Stops the program. Blocks: until the control program runs again, or for a few seconds without a
+    /// connection
     ~ProgramExecution();
     ProgramExecution(const ProgramExecution&) = delete;
     ProgramExecution& operator=(const ProgramExecution&) = delete;
@@ -95,20 +96,20 @@ public:
     void setEndsWithCycle(bool ends);
     void stop();  ///< Ends the program. The arm brakes. Blocks: never
 
-    /// The global variables of the program, except those that Tiller adds, as the robot sends them ten times per second.
-    /// After the end of the program, they have their last values.
+    /// The global variables of the program, except those that Tiller adds, as the robot sends them ten times
+    /// per second. After the end of the program, they have their last values.
     std::vector<script::ProgramVariable> variables() const;
-    /// Changes a variable while the program waits before a step, and waits until the robot has confirmed the new value.
-    /// The rest of the program was not simulated with this value.
+    /// Changes a variable while the program waits before a step, and waits until the robot has confirmed the
+    /// new value. The rest of the program was not simulated with this value.
     /// text     the new value as typed, see typedValue()
-    /// Errors   InvalidArgument with a sentence if the change is not possible now. If the value may have changed: Timeout
-    ///          without a confirmation within two seconds or before the deadline, Cancelled, Stopped if the program
-    ///          continued or ended
+    /// Errors   InvalidArgument with a sentence if the change is not possible now. If the value may have
+    ///          changed: Timeout without a confirmation within two seconds or before the deadline, Cancelled,
+    ///          Stopped if the program continued or ended
     Result<void> changeVariable(const QString& name, const QString& text, const Deadline& deadline);
 
     /// Waits for the end of the program and until the control program runs again.
-    /// Errors   Timeout, Cancelled (the program continues); ScriptError if a step failed; Stopped if the arm was not at
-    ///          the checked position; those of control::Programs::runScript()
+    /// Errors   Timeout, Cancelled (the program continues); ScriptError if a step failed; Stopped if the arm
+    ///          was not at the checked position; those of control::Programs::runScript()
     Result<void> wait(const Deadline& deadline) const;
 
 private:

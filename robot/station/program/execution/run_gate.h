@@ -28,7 +28,7 @@ public:
     /// Sets a change of a variable, which the waiting program applies.
     void change(const script::VariableChange& change) { gate_.change = change; }
     /// Withdraws a change that the program has not applied. resume() and step() also withdraw it, because the
-    /// program could otherwise apply it when it waits again.
+    /// program could otherwise apply the change the next time it waits.
     void withdrawChange() { gate_.change.number = 0; }
 
     friend bool operator==(const RunGate&, const RunGate&) = default;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The variables of a running program: the values that the robot publishes, and a change of a value until the robot
-// has confirmed it.
+// The variables of a running program: the values that the robot publishes, and a change of a value until the
+// robot has confirmed it.
 
 #include <QJsonValue>
 #include <QString>
@@ -19,8 +19,8 @@ namespace tiller::program {
 /// Name of a type in the words of the "Set variable" step.
 QString typeName(script::ProgramVariable::Type type);
 
-/// The value as in Preview::variables: true or false, a number, a string, or a list of numbers for a pose or a list. A
-/// list with other items is a string in URScript. Null: no value.
+/// The value as in Preview::variables: true or false, a number, a string, or a list of numbers for a pose or
+/// a list. A list with other items is a string in URScript. Null: no value.
 QJsonValue jsonValue(const script::ProgramVariable& variable);
 
 /// What the program does at the time of a change.
@@ -56,7 +56,7 @@ public:
     Result<script::VariableChange> change(const QString& name, const QString& text, RunPhase program);
     /// Name of the variable whose change the robot has not confirmed yet; empty if there is none.
     QString pending() const { return pending_ ? pending_->name : QString(); }
-    /// A sentence for actions that must wait for the confirmation; empty if there is none.
+    /// Why an action must wait for the confirmation of a change, as a sentence; empty without such a change.
     QString unconfirmedText() const;
     struct Outcome {
         QString text;  ///< a sentence for the log

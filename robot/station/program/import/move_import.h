@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Moves of a script as steps, with the waypoints for their targets. A target is a waypoint only if the step moves
-// the arm to the same joint positions, which depends on the TCP at this statement. Private to
+// Moves of a script as steps, with the waypoints for their targets. A target is a waypoint only if the step
+// moves the arm to the same joint positions, which depends on the TCP at this statement. Private to
 // robot/station/program/import.
 
 #include <QHash>
@@ -52,7 +52,7 @@ public:
 
     /// Variables that have one value in the whole script.
     using Definitions =
-        QHash<QString, std::pair<QString, ScriptTcp>>;  ///< expression, and TCP when it is executed
+        QHash<QString, std::pair<QString, ScriptTcp>>;  ///< expression, and the TCP at its execution
     void define(const QString& name, const QString& expression) {
         definitions_.insert(name, {expression, tcp_});
     }
@@ -80,9 +80,9 @@ private:
     /// True if the program has this TCP at this statement.
     bool isTcp(const Pose& tcp);
     bool isSameTcp(const ScriptTcp& then) const;
-    /// Joint positions that are the value of the expression, as a list.
+    /// The target if the expression is a list of joint positions; otherwise empty.
     std::optional<Target> jointsOf(const QString& expression) const;
-    /// Joint positions whose pose with the current TCP is the value of the expression.
+    /// The joint positions whose pose with the current TCP equals the expression; empty if there are none.
     std::optional<Target> jointsOfPose(const QString& expression);
     std::optional<Target> targetOf(const QString& expression, bool joint);
     static std::optional<Target> poseTarget(const QString& expression);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Imports programs of the teach pendant (.urp, .urpx) and URScript (.script) as steps. The import works on the
-// URScript that runs on the robot: for .urp files, the translation of the nodes by robot/simulator/pendant. A
-// statement becomes a step if the step generates an equivalent statement. All other statements become URScript
-// text, in the same order.
+// Imports programs of the teach pendant (.urp, .urpx) and URScript (.script) as steps. The import works on
+// the URScript that runs on the robot: for .urp files, the translation of the nodes by
+// robot/simulator/pendant. A statement becomes a step if the step generates an equivalent statement. All
+// other statements become URScript text, in the same order.
 
 #include <QByteArray>
 #include <QString>
@@ -24,7 +24,8 @@ struct ImportSource {
     QString file;         ///< name of the program file with its suffix, without a folder
     QByteArray content;   ///< content of the file
     QString programName;  ///< name of the new program; empty: the name of the file without its suffix
-    /// Content of another file in the folder of the program, e.g. its installation. Empty if it does not exist.
+    /// Content of another file in the folder of the program, e.g. its installation. Empty if it does not
+    /// exist.
     std::function<std::optional<QByteArray>(const QString& name)> files;
 };
 
@@ -55,8 +56,8 @@ struct ImportedProgram {
     int count(ImportRow::Result result) const;  ///< Number of rows with this result.
 };
 
-/// Reads a program file. Its names of other files are paths on the robot, so `files` of the result finds only files
-/// in the folder of the program.
+/// Reads a program file. File names in a program are paths on the robot, so `files` of the result finds only
+/// files in the folder of the program.
 /// Errors   those of readWholeFile()
 /// Threads  any. Blocks: for the file system
 Result<ImportSource> readImportSource(const QString& path);
@@ -65,8 +66,8 @@ Result<ImportSource> readImportSource(const QString& path);
 QString resultText(const ImportRow& row);
 
 /// Adds a program to a copy of the project.
-/// Errors   InvalidArgument: the project already has a program with this name; FileCorrupt, with file, line and
-/// reason: the file is damaged, unfinished, or contains a node that cannot be translated
+/// Errors   InvalidArgument: the project already has a program with this name; FileCorrupt, with file, line
+///          and reason: the file is damaged, unfinished, or contains a node that cannot be translated
 /// Threads  any. Blocks: never (a few seconds for a thousand steps)
 Result<ImportedProgram> importProgram(const project::Project& project, const ImportSource& source);
 

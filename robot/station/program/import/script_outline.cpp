@@ -114,7 +114,7 @@ void ScriptOutline::analyse() {
             if (isGlobal && !inFunction) {
                 globals.insert(match.captured(2));
             }
-            // Before the variable is global, an assignment creates a local one.
+            // An assignment before the `global` statement of the variable creates a local variable.
             const bool isLocal = inFunction || !globals.contains(match.captured(2));
             values.push_back({match.captured(2), match.captured(3).trimmed(), isGlobal, isLocal});
         }

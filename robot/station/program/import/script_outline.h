@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The statements of a script as a whole: the main program, its variables, and the text of any part. Private to
-// robot/station/program/import.
+// The statements of a script as a whole: the main program, its variables, and the text of any part. Private
+// to robot/station/program/import.
 
 #include <QHash>
 #include <QSet>

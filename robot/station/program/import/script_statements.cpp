@@ -199,7 +199,7 @@ private:
     void readBranches(ScriptStatement& block, int depth) {
         block.branches.push_back({std::exchange(block.code, {}), {}});
         for (;;) {
-            // The vector may move while its last branch is read.
+            // Read into a separate vector, because reading a branch may move the existing branches.
             std::vector<ScriptStatement> body;
             const End end = readBlock(body, depth + 1);
             block.branches.back().body = std::move(body);

@@ -440,7 +440,7 @@ private:
                      const ScriptStatement& statement, bool isFirst) {
         for (const ScriptStatement::Branch& branch : statement.branches) {
             const QString condition = withoutBrackets(branch.condition);
-            // The teach pendant writes "else if" as an If in the Else.
+            // The teach pendant writes "else if" as an If inside the Else.
             const ScriptStatement* inner =
                 condition.isEmpty() && branch.body.size() == 1 ? &branch.body.front() : nullptr;
             const bool continues =
@@ -614,7 +614,7 @@ private:
         return std::any_of(lines_.begin() + line, lines_.end(), callsSetTcp);
     }
 
-    /// Returns  true if the statement only defines a position that is a waypoint now
+    /// Returns  true if the statement only defines a position that has become a waypoint
     bool takeDefinition(const ScriptStatement& statement) {
         static const QRegularExpression global(QStringLiteral("^global\\s+(\\w+)\\s*=(?!=)\\s*(.+)$"));
         const auto match = global.match(statement.code);

@@ -14,7 +14,7 @@ struct VariableAssignment {
     QString name;
     QString value;
     bool isGlobal = false;
-    /// True for an assignment in a function, or before the variable is global.
+    /// True for an assignment in a function, or before the `global` statement of the variable.
     bool isLocal = false;
 };
 

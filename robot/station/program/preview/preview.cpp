@@ -113,7 +113,7 @@ private:
         result_.findings.push_back({kind, step, run_.time(), text});
     }
 
-    /// before  arm position before the last control period, in which the steps of this period start
+    /// before  arm position before the last control period: the start position of the steps that began in it
     void followMarks(const JointPositions& before) {
         for (const std::int32_t value : run_.takeWritten()) {
             const double now = run_.time();

@@ -60,13 +60,13 @@ bool isStop(PreviewEvent::Kind kind);
 struct PreviewOptions {
     std::optional<JointPositions> start;  ///< [rad]; if empty, see startPosition()
     std::vector<InputChange> inputs;
-    /// With a LinkLoss event, the script runs as if started from this PC: it ends without a heartbeat.
+    /// With a LinkLoss event, the script runs as if started from this PC and ends without a heartbeat.
     std::vector<PreviewEvent> events = {};
     /// Answers to the questions to the operator, in this order. Further questions are answered with "no",
     /// zero or an empty text.
     QJsonArray answers = {};
     std::vector<std::string> variables = {};  ///< names of the variables for Preview::variables
-    bool measuresClearance = false;           ///< whether Preview::clearance is measured
+    bool measuresClearance = false;           ///< true: measure Preview::clearance
     std::uint64_t seed = 1;                   ///< seed of the measurement noise and random()
     /// Pairs to reuse in several previews of the same arm in one thread, see CollisionCheck.
     collision::NeverMeeting* known = nullptr;

@@ -569,7 +569,8 @@ private:
         const Boundary& begin = group.boundaries[moment.segment];
         const Boundary& end = group.boundaries[moment.segment + 1];
         const ControllerState& state = stop == StopKind::PowerLoss ? installation_ : moment.state;
-        // The group needs an output that was on before it, even if the next group switches the output off.
+        // The group needs an output that was on before the group, even if the next group switches the output
+        // off.
         const std::uint64_t lost =
             begin.state.digitalOutputs & moment.state.digitalOutputs & ~state.digitalOutputs;
         if (lost != 0) {
@@ -664,7 +665,8 @@ private:
         return {};
     }
 
-    /// In later iterations of an endless loop, the loop step itself is missing.
+    /// Compares the steps of a repetition with those of the uninterrupted run. Later iterations of an endless
+    /// loop do not contain the loop step itself.
     bool isSameOrder(const Boundary& begin, const Boundary& end, const std::vector<int>& again) const {
         const auto first = order_.begin() + static_cast<std::ptrdiff_t>(begin.order);
         const auto last = order_.begin() + static_cast<std::ptrdiff_t>(end.order);

@@ -35,8 +35,8 @@ bool mayMatter(const project::ProgramStep* step) {
            (!kind->isSection && (kind->moves || kind->takesTime));
 }
 
-/// Numbers of the steps for which `isReached` is false, except comments, parallel watches and sections with a reached
-/// step. Steps before the first step of the run have no lines, and are skipped too.
+/// Numbers of the steps for which `isReached` is false, except comments, parallel watches and sections with a
+/// reached step. Steps before the first step of the run have no lines, and are skipped too.
 std::vector<int> stepsNotReached(const project::Project& project, const ProgramScript& script,
                                  const std::function<bool(std::size_t)>& isReached) {
     QSet<QUuid> watched;

@@ -16,8 +16,9 @@ namespace tiller::program {
 /// The step with this number in a script; null if it was deleted.
 const project::ProgramStep* numberedStep(const project::Project& project, const NumberedStep& at);
 
-/// Numbers of the steps that the preview did not run, e.g. because they are in another branch. They may contain faster
-/// and longer moves, and their problems are unknown. Empty if none of them moves the arm or takes time.
+/// Numbers of the steps that the preview did not run, e.g. because they are in another branch. These steps
+/// may contain faster and longer moves, and their problems are unknown. Empty if none of them moves the arm
+/// or takes time.
 /// script  script of the preview
 std::vector<int> stepsNotRun(const project::Project& project, const ProgramScript& script,
                              const Preview& preview);

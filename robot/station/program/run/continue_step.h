@@ -12,10 +12,10 @@
 namespace tiller::program {
 
 struct Continuation {
-    std::optional<StartStep> start;  ///< empty: the program must not continue, or unknown
+    std::optional<StartStep> start;  ///< empty: the program must not continue, or the result is unknown
     int number = 0;                  ///< number of this step in the complete script
     bool isUnknown = false;          ///< the check did not reach the step
-    QString text;                    ///< sentences with the mark and its reason; empty: unknown
+    QString text;                    ///< sentences with the mark and its reason; empty if unknown
 };
 
 /// script   script of the check

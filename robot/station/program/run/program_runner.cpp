@@ -27,8 +27,8 @@ namespace {
 /// again.
 constexpr double kSlower = 1.5;
 
-/// Upper bound of the TCP or elbow speed in a joint move in which the fastest joint rotates at 1 rad/s [m]. A
-/// joint moves the TCP at most by its distance from the axis, which is at most the length of all following
+/// Upper bound of the TCP or elbow speed in a joint move in which the fastest joint rotates at 1 rad/s [m/s].
+/// A joint moves the TCP at most by its distance from the axis, which is at most the length of all following
 /// links.
 double longestLever(const SessionState& state) {
     const DhParameters& dh = robotModel(state.model).dh;
@@ -277,7 +277,7 @@ double ProgramRunner::moveSeconds() const {
     }
     const SessionState& now = session_.state();
     const double turn = (target->joints.values - now.q.values).cwiseAbs().maxCoeff();
-    constexpr double kMinFraction = 0.02;  // of the speed slider
+    constexpr double kMinFraction = 0.02;  // minimum of the speed slider
     return turn / limits_.joint / std::max(now.speedFraction, kMinFraction);
 }
 
@@ -442,7 +442,8 @@ void ProgramRunner::finish(const Result<control::MotionProgress>& progress) {
                : isTaken && now.controlLoss == control::ControlLoss::ScriptStopped && now.hasForeignProgram()
                    ? End::Replaced
                    : End::Failed;
-        // Without this, the message would advise to take control, which is not possible in Local control.
+        // Otherwise, the message would advise the operator to take control, which is not possible in Local
+        // control.
         error_ = isTaken && now.remoteNeeded
                      ? Error{ErrorCode::RemoteControlRequired, progress.error().context, {}}
                      : progress.error();

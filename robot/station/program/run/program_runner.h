@@ -49,8 +49,8 @@ double slowedDuration(const Preview& preview, const SpeedLimits& limits, double 
 ScriptOptions optionsFor(const project::Project& project, const SessionState& state,
                          const SpeedLimits& limits = {});
 
-/// Writes the script of the program for the connected robot. Reports as obstacle: a problem with the program, a
-/// different model or TCP, a robot that cannot be moved now, an arm that is not at the position of `start`.
+/// Writes the script of the program for the connected robot. Reports as obstacle: a problem with the program,
+/// a different model or TCP, a robot that cannot be moved now, an arm that is not at the position of `start`.
 /// start  first step of the run; empty: the program runs from its beginning
 RunPlan planRun(const project::Project& project, const QUuid& program, const SessionState& state,
                 const SpeedLimits& limits = {}, const std::optional<StartStep>& start = {});
@@ -97,8 +97,8 @@ public:
     ///         RobotSession::beginProgram()
     Result<RobotSession::MotionId> start(const RunPlan& plan, control::Holding holding,
                                          std::int32_t permitted = script::StepGate::kUnlimited);
-    /// The motion of a button that runs the program while it is held. Near the maximum hold time, a program of
-    /// unknown duration pauses before its next step, and the next press continues it.
+    /// The motion of a button that runs the program while it is held. Near the maximum hold time, a program
+    /// of unknown duration pauses before its next step, and the next press continues it.
     /// plan  called when the button is pressed, except to continue
     HoldMotion motion(std::function<RunPlan()> plan);
     /// True while a held program waits for the next press, with the arm at standstill.
@@ -159,7 +159,7 @@ Q_SIGNALS:
     void changed();
     /// A step has begun, or the program waits before it.
     /// step     number of the step
-    /// isFirst  true for its first run
+    /// isFirst  true for the first run of the step
     void stepBegan(int step, bool isFirst);
     /// The values of variables() have changed.
     void variablesChanged();
@@ -196,7 +196,7 @@ private:
     SpeedLimits limits_;
     control::Holding holding_ = control::Holding::Free;
     bool pausesHeld_ = false;     ///< true if the held program pauses at its next step
-    bool waitsForPress_ = false;  ///< true if the held program has paused there
+    bool waitsForPress_ = false;  ///< true if the held program has paused before its next step
     bool endsByPause_ = false;    ///< a held program was paused on the robot, which ends it
 };
 

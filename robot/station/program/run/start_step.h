@@ -28,7 +28,8 @@ StartStepChoice chooseStartStep(const project::Project& project, const QUuid& pr
                                 ScriptOptions options, const ProgramScript& script, const Preview* preview);
 
 /// Determines whether a stopped program can continue with its last step from the arm position after the stop,
-/// without a check of its recoverability. It can continue in moves to a target and in waits at the top level.
+/// without a check of its recoverability. The program can continue in moves to a target and in waits at the
+/// top level.
 /// stopped  script of the stopped run, which may begin at a later step
 /// step     number of the last step in `stopped`
 /// q        arm position after the stop [rad]

@@ -6,7 +6,8 @@
 //
 //   { "format": "tiller-test", "version": 1, "project": "cell.tiller", "program": name, "tests": [ a test ] }
 //
-// "project" is relative to the folder of the test file. "program" may be omitted if the project has one program.
+// "project" is relative to the folder of the test file. "program" may be omitted if the project has one
+// program.
 // A test:
 //
 //   { "name", "program"?, "start"?: { "waypoint": name } or { "joints": [6] }, "timeLimit"?: 600,
@@ -23,9 +24,10 @@
 //                  "finalOutputs"?: { "DO2": true }, "variables"?: { name: value },
 //                  "runs"?: { a step: number } } }
 //
-// `when` is "at": seconds since the start, or "step": a step, with "run"?: 1 for its first beginning and "after"?:
-// seconds since then; nothing: at the start. A range is { "min"?, "max"? }. A step is its number or its id. Unknown
-// fields are errors, because a misspelt expectation would never fail.
+// `when` is "at": seconds since the start, or "step": a step, with "run"?: 1 for its first beginning and
+// "after"?: seconds since this beginning. Without `when`, the event is at the start. A range is
+// { "min"?, "max"? }. A step is its number or its ID. Unknown fields are errors, because a misspelt
+// expectation would never fail.
 
 #include <QVector>
 

@@ -33,7 +33,8 @@ inline bool areNear(const std::vector<double>& a, const std::vector<double>& b, 
     return a.size() == b.size();
 }
 
-/// Waits for the result of a move, which arrives slightly later on the other connection.
+/// Waits until `read` returns values near `place`. The data connection reports the end of a move later than
+/// the control connection.
 template <class Read>
 bool isNear(Read read, const std::vector<double>& place, double tolerance) {
     for (int i = 0; i < 20'000 && !areNear(read(), place, tolerance); ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rotates joints at a given speed for some time.
+// Increases the speed of the last joint in small steps.
 #include <ur_rtde/rtde_control_interface.h>
 #include <ur_rtde/rtde_receive_interface.h>
 

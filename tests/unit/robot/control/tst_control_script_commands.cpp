@@ -370,7 +370,7 @@ private Q_SLOTS:
         }
         bench.hold(ScriptCommand::SpeedL, 2, 60, {0, 0, -0.05, 0, 0, 0});
         QCOMPARE(bench.state(), ScriptState::Contact);
-        bench.hold(ScriptCommand::SpeedL, 2, 5, {0, 0, -0.05, 0, 0, 0});  // does not resume
+        bench.hold(ScriptCommand::SpeedL, 2, 5, {0, 0, -0.05, 0, 0, 0});  // the motion does not resume
         QVERIFY(bench.last<urscript::SpeedL>() == nullptr);
     }
 

@@ -34,7 +34,8 @@ struct Scene {
         evidence.dataNs = evidence.fresh ? evidence.nowNs : evidence.dataNs;
         return confirmation.look(evidence);
     }
-    /// Time until the verdict is no longer Waiting [ms]; `change` updates the arm every 10 ms.
+    /// Returns the verdict that follows Waiting, and the time until then [ms]. `change` updates the arm every
+    /// 10 ms.
     template <class Change>
     std::pair<Verdict, int> verdict(Change change) {
         for (int ms = 10; ms < 5000; ms += 10) {

@@ -54,7 +54,8 @@ private Q_SLOTS:
         QCOMPARE(limiter.scale, 1.0);
     }
 
-    // If a robot reports incomplete or implausible values, the limits of its model apply, and it can be moved.
+    // If a robot reports incomplete or implausible values, the limits of its model apply, and it can be
+    // moved.
     void unreportedValuesAreTakenFromTheModel() {
         const ArmLimits model = ArmLimits::of(ur5e());
         script::RobotConfiguration reported;

@@ -47,7 +47,7 @@ public:
         }
     }
     std::uint64_t rows() const { return rows_; }
-    /// Every n-th row, excluding those in [from, to).
+    /// Returns a recording of every `every`-th row, without the rows in [from, to).
     MadeRecording recording(std::size_t every = 1, std::size_t from = 0, std::size_t to = 0) const {
         recording::RecordedTable table{QStringLiteral("made.csv"), QStringLiteral("CSV"), {}, {}, {}};
         for (const auto& [name, values] : columns) {

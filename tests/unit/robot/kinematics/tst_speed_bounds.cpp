@@ -54,7 +54,8 @@ private Q_SLOTS:
         QVERIFY(std::isinf(jointSpeedBound(dh(), kStart, kStart, {}, 0.25).speed));
     }
 
-    // Computes the TCP and elbow speeds along the whole path from the differences between successive positions.
+    // Computes the TCP and elbow speeds along the whole path from the differences between successive
+    // positions.
     void jointMovesStayBelowTheCap_data() {
         QTest::addColumn<JointPositions>("to");
         for (int joint = 0; joint < kJointCount; ++joint) {

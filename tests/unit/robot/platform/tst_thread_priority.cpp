@@ -17,7 +17,7 @@ using namespace tiller::realtime;
 
 namespace {
 
-/// Priority of the calling thread as the system reports it; 0: the normal one.
+/// Priority of the calling thread as reported by the system; 0: normal.
 int systemPriority() {
 #ifdef _WIN32
     return GetThreadPriority(GetCurrentThread());
@@ -29,7 +29,7 @@ int systemPriority() {
 #endif
 }
 
-/// In another thread, because the setting would remain in this one.
+/// Runs a function in a separate thread, because its priority setting would remain in the calling thread.
 void inAThread(const std::function<void()>& todo) {
     std::thread(todo).join();
 }

@@ -83,7 +83,7 @@ private Q_SLOTS:
         QVERIFY(check(points).problem == Problem::Incomplete);
         QVERIFY(!frameThrough(points).has_value());
         QVERIFY(std::abs(check(points).alongX - 0.1) < 1e-12);
-        points.onX = Vector3d(0.11, 0.2, 0.3);  // reported before recording the third point
+        points.onX = Vector3d(0.11, 0.2, 0.3);  // reported even without the third point
         QVERIFY(check(points).problem == Problem::XTooClose);
     }
 

@@ -142,7 +142,8 @@ private Q_SLOTS:
         QCOMPARE(far.priority, TargetKind::Pose);
         QVERIFY(poseDifference(far.pose, before.waypoints.at(2).pose).distance < 1e-9);
         QVERIFY(off(change.project.waypoints.at(0), before.frames, ur3e(), before.waypoints.at(0)) < 1e-6);
-        // A position defined only by joints would move to a different place.
+        // A position that is defined only by joints would be at another place with the other arm, so it is
+        // removed.
         QCOMPARE(change.removed, QStringList{QStringLiteral("Outside")});
         QCOMPARE(change.project.positions.list.size(), std::size_t(1));
         QVERIFY(change.project.positions.home.isNull());

@@ -295,7 +295,7 @@ private Q_SLOTS:
                  qPrintable(read.error().context));
     }
 
-    // The arm would not avoid an object that was dropped.
+    // If reading a project dropped an obstacle, motions would no longer avoid it.
     void obstaclesWithAMissingFrameAreKept() {
         Project document = fullProject();
         CellBox box = document.cell.boxes.at(0);

@@ -59,8 +59,8 @@ private:
     receive::Sample sample_;
 };
 
-/// Returns a complete file with `rows` rows and a closed part every `part` rows. Row `gap` follows 5 lost
-/// packages.
+/// Returns a complete file with `rows` rows and a note at half of them. Unless `gap` is 0, row `gap` follows
+/// 5 lost packages.
 inline std::string madeFile(const recording::RecordingFormat& format, std::uint64_t rows,
                             std::uint64_t gap = 0) {
     MadeSamples samples;

@@ -205,8 +205,8 @@ void TestBlackBox::stoppingTheBoxWritesAvailableData() {
     QCOMPARE(openRecording(bench.incidents.front().path).value()->rows(), std::uint64_t(8));
 }
 
-// The stop arrives in the last turn. The disk may hang, so the file must not be written in the thread that all sinks of
-// the publisher share.
+// The packets of the stop may be taken only while the box is being stopped. The disk may hang, so even this
+// file must not be written in the thread that all sinks of the publisher share.
 void TestBlackBox::theLastFileDoesNotDelayOtherSinks() {
     for (int round = 0; round < 5; ++round) {
         Bench bench;

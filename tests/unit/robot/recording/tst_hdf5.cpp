@@ -255,7 +255,8 @@ void TestHdf5::filesOfOtherProgramsAreRead() {
     QCOMPARE(recording->problems().size(), 3);
 }
 
-// Each file has three rows that are 10 ms apart, and the forces 1.5, -2.5 and 3.5, unless an error is expected.
+// Each file has three rows that are 10 ms apart, and the forces 1.5, -2.5 and 3.5, unless an error is
+// expected.
 void TestHdf5::theTimeOfOtherProgramsIsRead_data() {
     QTest::addColumn<QString>("script");
     QTest::addColumn<QString>("force");

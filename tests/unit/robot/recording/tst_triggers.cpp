@@ -234,8 +234,8 @@ void TestTriggers::theCauseIsStored() {
                      [](const RecordedEvent& event) { return event.source == kTriggerSource; });
     QVERIFY(cause != file->events().end());
     QCOMPARE(cause->text, QString("Trigger: actual_TCP_force_2 > 20 (31.5)"));
-    // The event is at the first sample with the force. MCAP files store its time of arrival, and the peer sends faster
-    // than a controller.
+    // The event is at the first sample with the force. MCAP files store its time of arrival, and the peer
+    // sends faster than a controller.
     const auto row = file->rowAt(cause->seconds).value();
     QVERIFY2(row >= 49 && (row <= 51 || suffix == "mcap"), qPrintable(QString::number(row)));
 }
@@ -364,7 +364,7 @@ void TestTriggers::eachTriggerGetsAFileWithItsPreTriggerTime() {
     Recorder recorder;
     RecorderOptions options{.path = bench.path("force.csv"), .fields = {"actual_TCP_force"}};
     options.trigger = RecordingTrigger::parse("actual_TCP_force_2 > 20").value();
-    options.trigger->before = 60;  // all samples that were available
+    options.trigger->before = 60;  // [s]; longer than the available samples
     options.trigger->files = 2;
     QVERIFY(recorder.start(options, bench.receiver).ok());
     QCOMPARE(recorder.progress().state, RecorderState::Waiting);
@@ -458,7 +458,7 @@ void TestTriggers::aRenamedFolderDoesNotEndTheRecording() {
     bench.send(20, 1);
     TRY_COMPARE(recorder.progress().rows, std::uint64_t(20));
     QVERIFY(QDir().rename(folder, bench.path("after")));
-    // This time is longer than the interval at which the free space is read.
+    // Record for longer than the interval at which the free space is read (1 s).
     QElapsedTimer time;
     time.start();
     int next = 21;

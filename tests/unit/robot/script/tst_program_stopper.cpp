@@ -205,8 +205,8 @@ private Q_SLOTS:
         native_socket::close(readOnly);
     }
 
-    // Without a connection, the operating system keeps the command and sends it again until the connection works. The
-    // reset discards it.
+    // Without a connection, the operating system keeps the command and sends it again until the connection
+    // works. The reset discards it.
     void aStopThatFailedIsNotDeliveredLater() {
         VirtualClock clock;
         std::mutex mutex;
@@ -284,8 +284,8 @@ private Q_SLOTS:
         QVERIFY2(stopped.ok(), why(stopped));
     }
 
-    // The command may be lost on the open connection and on the new connection. It is sent again 0.3 s later on
-    // a third connection.
+    // The command may be lost on the open connection and on the new connection. It is sent again 0.3 s later
+    // on a third connection.
     void theStopIsRepeatedWhileTheProgramRuns() {
         Heard heard;
         VirtualClock clock;
@@ -367,7 +367,8 @@ private Q_SLOTS:
         QCOMPARE(stopper.waitUntilStopped(testTimeout()).error().code, ErrorCode::Cancelled);
     }
 
-    // A client that takes control at this time must not lose it because of an earlier stop request.
+    // A client that takes control after the withdrawal must not lose control because of the earlier stop
+    // request.
     void aWithdrawnStopIsNotSent() {
         Heard heard;
         std::atomic<bool> back = false;

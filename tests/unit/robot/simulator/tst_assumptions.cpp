@@ -44,7 +44,7 @@ const char* const kTurning =
     "def p():\n  speedj([0.4,0,0,0,0,0], 4, 0.5)\n  stopj(4)\n"
     "  write_output_integer_register(0, 1)\n  while True:\n    sync()\n  end\nend\n";
 
-/// Periods from the first stop command until the joints are at standstill.
+/// Number of periods in which the joints decelerate.
 int brakingPeriods(const char* assumption, double slider) {
     ControllerModel plant(with(assumption));
     plant.setSpeedSlider(slider);
@@ -61,7 +61,7 @@ int brakingPeriods(const char* assumption, double slider) {
     return braking;
 }
 
-/// A client that writes registers 24 and 25, and the controller that serves it.
+/// A client that writes three input registers, and the controller that serves it.
 struct Writer {
     explicit Writer(const SimulatorOptions& options) : plant(options), inputs(plant, options.software) {
         recipe =

@@ -280,7 +280,8 @@ private Q_SLOTS:
                  "the table is not up to date: run with TILLER_UPDATE=1 and check the change");
     }
 
-    // Compiles each version switch of each series.
+    // In each series, compiles a function with the first version that has it, the version before that one,
+    // and a late version.
     void everyFunctionExistsFromItsVersionOn_data() { everyListedSupportStateIsCorrect_data(); }
     void everyFunctionExistsFromItsVersionOn() {
         QFETCH(int, index);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A program file of the teach pendant with every known node, damaged in a thousand ways. Either it is converted
-// to URScript that compiles or fails with the position of the error, or it is refused with a reason. The
-// converter never crashes or runs endlessly.
+// A program file of the teach pendant with every known node, damaged in a thousand ways. Either it is
+// converted to URScript that compiles or fails with the position of the error, or it is refused with a
+// reason. The converter never crashes or runs endlessly.
 
 #include <QTest>
 #include <random>

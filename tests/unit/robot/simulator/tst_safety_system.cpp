@@ -30,7 +30,7 @@ private Q_SLOTS:
         QVERIFY(!safety.unlockProtectiveStop(true));
         pass(safety, 0.002);
         QVERIFY(safety.unlockProtectiveStop(true));
-        QCOMPARE(safety.mode(), SafetyMode::ProtectiveStop);  // takes effect after a short time
+        QCOMPARE(safety.mode(), SafetyMode::ProtectiveStop);  // takes effect after kUnlockTime
         pass(safety, SafetySystem::kUnlockTime);
         QCOMPARE(safety.mode(), SafetyMode::Normal);
     }

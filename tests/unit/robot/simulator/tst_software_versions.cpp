@@ -246,7 +246,8 @@ private Q_SLOTS:
             return partsOf(primary::robotState(plant.telemetry(), true));
         };
         using Types = std::multiset<int>;
-        // Kinematics (5) from 3.6 on, tool communication and outputs (11, 12) from 5.0 on, singularity (13) from 5.10 on.
+        // Kinematics (5) from 3.6 on, tool communication and outputs (11, 12) from 5.0 on, singularity (13)
+        // from 5.10 on.
         QCOMPARE(parts({3, 5, 0, 0}), (Types{0, 1, 2, 3, 4, 6, 7, 8, 9, 10}));
         QCOMPARE(parts({3, 6, 0, 0}), (Types{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10}));
         QCOMPARE(parts({3, 15, 0, 0}), (Types{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10}));

@@ -205,8 +205,8 @@ private Q_SLOTS:
         s.expectNewPressMoves();
     }
 
-    // The start of the motion changes the state of the robot, and a slot disables the button. Qt does not send
-    // the release to a disabled widget.
+    // The start of the motion changes the state of the robot, and a slot disables the button. Qt does not
+    // send the release to a disabled widget.
     void aButtonDisabledByItsOwnStartStops() {
         Scene s;
         HoldMotion motion = s.target.motion();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Auto-repeat as an X server sends it: a release and a press with the same time. Qt does not mark them as auto-repeat
-// if it receives the press too late.
+// Auto-repeat as an X server sends it: a release and a press with the same time. Qt does not mark them as
+// auto-repeat if it receives the press too late.
 #include <QKeyEvent>
 #include <QTest>
 #include <QWidget>

@@ -209,8 +209,8 @@ private Q_SLOTS:
         QVERIFY(tab_->output(0)->name().isEmpty());
     }
 
-    // If the row did not take the focus back, the next widget of the window would get it, such as the robot selector
-    // in the header.
+    // If the row did not take the focus back, the next widget of the window would get it, such as the robot
+    // selector in the header.
     void theFocusStaysInTheRowAfterRenaming() {
         tab_->activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(tab_.get()));

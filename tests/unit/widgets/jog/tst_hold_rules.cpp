@@ -30,7 +30,7 @@ struct Way {
     const char* key;      ///< name of the button on the screen, or null
     quint32 code = 0;     ///< scan code of the keyboard key
     int meaning = 0;      ///< Qt key code of the keyboard key
-    double seconds = 20;  ///< maximum hold time [s]; 0: limit for a move
+    double seconds = 20;  ///< maximum hold time [s]; 0: the limit of a move applies
 };
 const Way kWays[] = {
     {"pad", By::Mouse, "jog.X+"},

@@ -45,8 +45,8 @@ private:
     QHash<const QObject*, int> counts_;
 };
 
-/// Waits until nothing has been painted for longer than two update periods of the values. A single wait is not enough:
-/// on a busy machine it ends before the timers are processed.
+/// Waits until nothing has been painted for longer than two update periods of the values. A single wait is
+/// not enough: on a busy machine it ends before the timers are processed.
 void waitForQuiet() {
     for (int quiet = 0; quiet < 25;) {
         const PaintCount paints;

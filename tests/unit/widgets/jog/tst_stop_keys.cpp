@@ -169,7 +169,8 @@ private Q_SLOTS:
         QVERIFY(s.stops.isEmpty());
         QVERIFY(dialog.isVisible());
     }
-    // With two dialogs, only the upper one is affected.
+    // The upper dialog blocks the main window and the lower dialog. After it has closed, the lower dialog
+    // blocks the main window.
     void aBlockedWindowStopsBelowTwoDialogs() {
         Scene s;
         QDialog lower(&s.window);
@@ -334,8 +335,8 @@ private Q_SLOTS:
         s.press(Qt::Key_Escape);
         QCOMPARE(s.passed, QList<int>{Qt::Key_Escape});
     }
-    // Auto-repeats of a key press that stopped the arm must not reach the focused widget, even after the motion
-    // has ended.
+    // Auto-repeats of a key press that stopped the arm must not reach the focused widget, even after the
+    // motion has ended.
     void repeatsOfAStopKeyAreIgnored() {
         Scene s;
         QTest::keyPress(s.edit, Qt::Key_Space);

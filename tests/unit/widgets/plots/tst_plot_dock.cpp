@@ -292,7 +292,7 @@ QString laneText(const PlotView& view, double begin) {
     return words.join(QStringLiteral(", "));
 }
 
-/// Number of columns without data between the first and the last column with data.
+/// Number of columns without data between the first and the last column with data; -1 if no column has data.
 int emptyColumnsWithin(const Curve& curve) {
     const auto isDrawn = [](const Curve::Column& column) { return !column.isEmpty(); };
     const auto& columns = curve.columns();
@@ -315,7 +315,8 @@ private Q_SLOTS:
         QCOMPARE(gridFault(b.view()), QString());
         b.dock.resize(1100, 520);
         QCOMPARE(gridFault(b.view()), QString());
-        // Change the size and scale while the plots are hidden, as happens while another perspective is active.
+        // Change the size and scale while the plots are hidden, as happens while another perspective is
+        // active.
         b.dock.hide();
         b.dock.resize(1500, 420);
         b.runTo(61);
@@ -1239,7 +1240,7 @@ private Q_SLOTS:
         QTest::mouseClick(accept, Qt::LeftButton);
         QCOMPARE(chosen.count(), 1);
         QCOMPARE(b.dock.recordingChoice().metadata, (QStringList{"operator=Ann", "sample=7 b"}));
-        // The recording started; it needs a robot.
+        // The dialog starts a recording, which fails without a robot.
         QVERIFY(messages.count() >= 1 && messages.last().text.contains("connect", Qt::CaseInsensitive));
         Q_EMIT b.button("plots.recordMenu")->menu()->aboutToShow();
         QVERIFY(b.button("plots.recordMenu")
@@ -1320,7 +1321,7 @@ private Q_SLOTS:
         QCOMPARE(messages.count(), 1);
         QVERIFY(near(b.view().cursor(PlotView::Cursor::A).value(), 120, 0.01));
 
-        // Of a recording: relative to its start.
+        // In a recording, the position follows from the start time in the file.
         QTemporaryDir folder;
         QFile file(folder.filePath("run.csv"));
         QVERIFY(file.open(QIODevice::WriteOnly));
@@ -1583,8 +1584,7 @@ private Q_SLOTS:
         QVERIFY2(analysis->title().contains("1000"), qPrintable(analysis->title()));
     }
 
-    /// A recording of several hours: the values next to the plots are calculated in the background, and the
-    /// panel stays responsive.
+    /// The values of a long recording are calculated in the background, and the panel stays responsive.
     void statisticsCoverAWholeLongRecording() {
         const test::Long recorded;
         Bench b;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The “First steps” checklist: actions that complete an item, actions that do not, and the card that shows the
-// checklist.
+// The “First steps” checklist: actions that complete an item, actions that do not, and the card that shows
+// the checklist.
 
 #include <QLineEdit>
 #include <QPushButton>

@@ -105,8 +105,7 @@ struct TabBench {
     bool awaitEnd() {
         return cell.advanceUntil([this] { return runner().state() == ProgramRunner::State::Ended; }, kLongMs);
     }
-    /// Returns the time until the arm is at standstill [s]. Also waits for a second in which the arm must not
-    /// move again.
+    /// Observes the arm for 1.2 s. Returns the time until it last moved [s]; 0 if it did not move.
     double standstill() {
         const double from = cell.truth().timestamp;
         double last = from;
@@ -661,7 +660,7 @@ private Q_SLOTS:
         QVERIFY(!model.index(1, 0).data(Qt::FontRole).value<QFont>().bold());
     }
 
-    // The tree scrolls to the running step until the person scrolls away from it.
+    // The tree scrolls to the running step until the user scrolls away from it.
     void theTreeFollowsTheRunningStep() {
         TabBench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));

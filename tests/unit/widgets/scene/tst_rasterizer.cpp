@@ -44,7 +44,8 @@ class TestRasterizer : public QObject {
     Q_OBJECT
 
 private:
-    /// The point on the line of sight that is `nearer` [m] closer to the viewer than the target of the camera.
+    /// The point on the line of sight that is `nearer` [m] closer to the viewer than the target of the
+    /// camera.
     Eigen::Vector3d onSight(const Camera& eye, double nearer) {
         return eye.eye().target + eye.viewRotation().col(2) * nearer;
     }

@@ -256,7 +256,7 @@ private Q_SLOTS:
         for (int i = 0; i < 8; ++i) {
             menu.addAction(QStringLiteral("Record everything"));
         }
-        // The menu would cover the lower half of the button.
+        // At this position, the menu would cover the lower half of STOP.
         menu.popup(stop->mapToGlobal(QPoint(stop->width() / 2, stop->height() / 2)));
         const QRect place(stop->mapToGlobal(QPoint(0, 0)), stop->size());
         QVERIFY2(!menu.geometry().intersects(place), "the menu covers STOP");

@@ -190,8 +190,8 @@ private Q_SLOTS:
         QVERIFY(document_->waypoints().at(1) == before);
     }
 
-    // The arm moves while the question is open. Distance and ghost are updated, and the position at the time of
-    // confirmation is stored.
+    // The arm moves while the question is open. Distance and ghost are updated, and the position at the time
+    // of confirmation is stored.
     void touchUpFollowsTheArm() {
         teachThree();
         tab_->selectRow(1);

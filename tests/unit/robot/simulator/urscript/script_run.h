@@ -41,7 +41,7 @@ struct ScriptRun {
     }
 };
 
-/// Returns the text message of `def t(): <body> textmsg(to_str(<expression>)) end`, or "error: ..." if
+/// Returns the value of the expression after `body` has run, in the format of to_str; "error: ..." if
 /// compiling or running fails.
 inline std::string evaluate(const std::string& expression, const std::string& body = {}) {
     const CompileOutcome outcome = compile("def t():\n" + body + "\nresult = " + expression + "\nend\n");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Complete programs similar to the control scripts that clients upload: a loop over command registers, and a loop
-// over a socket with servo and trajectory threads.
+// Complete programs similar to the control scripts that clients upload: a loop over command registers, and a
+// loop over a socket with servo and trajectory threads.
 
 #include "tests/unit/robot/simulator/urscript/script_run.h"
 

@@ -17,7 +17,7 @@ using namespace tiller::simulator::urscript;
 
 namespace {
 
-/// Text messages of a program that ends automatically. After an error, the last message is the error.
+/// Text messages of a program. After an error, the last message is the error.
 std::vector<std::string> messagesOf(const std::string& body) {
     const CompileOutcome outcome = compile("def p():\n" + body + "\nend\n");
     if (!outcome) {

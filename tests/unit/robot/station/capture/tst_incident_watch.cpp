@@ -149,7 +149,8 @@ void TestIncidentWatch::displayedRegistersAreRecordedWhileTheyAreDisplayed() {
     const std::vector<double> number = column("output_double_register_3");
     QCOMPARE(whole.size(), file->rows());
     QCOMPARE(number.size(), file->rows());
-    // Before a register was displayed, its column is empty. The integer register must not contain zeros instead.
+    // Before a register was displayed, its column is empty. The integer register must not contain zeros
+    // instead.
     const auto has = [](double value) { return !std::isnan(value); };
     const auto first = [&](const std::vector<double>& values) {
         return std::find_if(values.begin(), values.end(), has) - values.begin();

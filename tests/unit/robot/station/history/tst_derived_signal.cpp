@@ -127,8 +127,8 @@ private Q_SLOTS:
         }
     }
 
-    // At the cut-off frequency, a Butterworth filter of order n has the gain 1/sqrt(2), and shifts the phase by
-    // n times 45 degrees.
+    // At the cut-off frequency, a Butterworth filter of order n has the gain 1/sqrt(2), and shifts the phase
+    // by n times 45 degrees.
     void filtersHaveTheirFrequencyResponse_data() {
         QTest::addColumn<int>("order");
         for (int order = 1; order <= 8; ++order) {

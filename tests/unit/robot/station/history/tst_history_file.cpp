@@ -251,8 +251,8 @@ private Q_SLOTS:
         connect(&opened.store, &SignalStore::computedFurther, this, [&] { ++reported; });
         connect(&opened.store, &SignalStore::computationFailed, this, [&] { ++reported; });
         opened.store.closeRecordings();
-        // A signal of a second recording is computed after the first signal, so all notifications of the first
-        // signal have arrived when the second signal is complete.
+        // A signal of a second recording is computed after the first signal, so all notifications of the
+        // first signal have arrived when the second signal is complete.
         auto file = recording::openRecording(long_->path);
         const QString name = opened.store.open(std::move(file).value(), kBegin).value();
         const auto next = opened.store.derive(

@@ -299,8 +299,8 @@ private Q_SLOTS:
         QVERIFY(!sums.statistics(opened.signal, kBegin, to));
     }
 
-    /// Another recording has replaced the file while the window still has the earlier file open. A worker must
-    /// not read the new file.
+    /// Another recording has replaced the file while the window still has the earlier file open. A worker
+    /// must not read the new file.
     void aReplacedFileIsDetected() {
         const QString path = long_->folder.filePath("second.mcap");
         QVERIFY(QFile::copy(long_->path, path));

@@ -261,7 +261,7 @@ private Q_SLOTS:
         QVERIFY(bench.within([&] { return said.contains(QStringLiteral("Output TO 1: on")); }));
     }
 
-    /// A client that starts later claims inputs of the robot for itself.
+    /// Another client can claim the inputs of the robot while Tiller does not use them.
     void inputsAreClaimedOnlyWhileTheyAreUsed() {
         Bench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));

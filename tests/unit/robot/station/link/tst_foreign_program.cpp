@@ -45,7 +45,8 @@ struct ProgramBench {
         return found;
     }
 
-    /// Advances in real time, because another client is involved.
+    /// Advances robot and session until the condition is true. The timeout is measured in real time, because
+    /// another client is involved.
     bool within(const std::function<bool()>& condition) {
         QElapsedTimer waited;
         waited.start();
@@ -76,7 +77,7 @@ struct ProgramBench {
         const Deadline deadline = Deadline::after(std::chrono::milliseconds(kTimeoutMs));
         return other->connect(deadline).ok() && other->send(program, deadline).ok();
     }
-    /// The base rotates back and forth.
+    /// Sends a program of another client that rotates the base back and forth.
     bool sendMovingProgram() {
         return send(
             QStringLiteral("def others():\nwhile True:\n"
@@ -237,7 +238,7 @@ private Q_SLOTS:
         QVERIFY2(recognizedNs <= 500 * kNsPerMs, late(recognizedNs).constData());
         const std::int64_t errorNs = takeovers[0].utcNs - movesNs;
         QVERIFY2(std::abs(errorNs) <= 300 * kNsPerMs, late(errorNs).constData());
-        // A connection that is lost now is not a further takeover, and the program goes on.
+        // A connection that is lost now is not another takeover, and the program continues.
         QVERIFY(bench.cell.robot.inject("half-open").ok());
         QVERIFY(
             bench.withoutData([&] { return bench.state().controlLoss == control::ControlLoss::LinkLost; }));
@@ -261,7 +262,7 @@ private Q_SLOTS:
         QCOMPARE(messages.filter("has ended").size(), 0);
     }
 
-    /// The end is confirmed late, but happened earlier.
+    /// The session confirms the end with a delay. The log must show the time of the end itself.
     void theEndOfAProgramIsLoggedWithItsTime() {
         std::vector<JournalEvent> ends;
         ProgramBench bench;

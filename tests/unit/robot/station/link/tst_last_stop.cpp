@@ -50,7 +50,8 @@ struct Bench {
     bool comesToRest() {
         return cell.advanceUntil([this] { return !allowsMotion(state().safety()) && !state().moving; }, 2000);
     }
-    /// Advances in real time, because another client takes part.
+    /// Advances robot and session until the condition is true. The timeout is measured in real time, because
+    /// another client is involved.
     bool within(const std::function<bool()>& condition) {
         const Deadline limit = testTimeout();
         while (!condition() && !limit.hasExpired()) {

@@ -73,8 +73,8 @@ private Q_SLOTS:
         MoveRequest turning = line(state, 0.03 * aroundTheShoulder(kFolded).normalized());
         turning.pose.rotation =
             rotationVector(rotationMatrix(state.tcpPose.rotation) * rotationMatrix({0, 0, 0.4}));
-        // The rotation dominates, so the speed refers to the path length that corresponds to the rotation. The
-        // elbow limits the speed.
+        // The rotation dominates, so the speed refers to the path length that corresponds to the rotation.
+        // The elbow limits the speed.
         const double length = kinematics::lineLength(state.tcpPose, turning.pose);
         QVERIFY(std::abs(length - 0.4 * kinematics::kTurnRadius) < 1e-6);
         const double tcp = slowedTo(chosen(), turning, state).speed * 0.03 / length;

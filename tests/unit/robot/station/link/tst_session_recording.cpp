@@ -140,8 +140,8 @@ private Q_SLOTS:
         QVERIFY(!session.state().recording.active);
     }
 
-    // The connection table of the controller is full: the fields of the link are recorded, and a warning names
-    // the other fields.
+    // The connection table of the controller is full: the fields of the link are recorded, and a warning
+    // names the other fields.
     void withoutASecondConnectionTheLinkIsRecorded_data() {
         QTest::addColumn<QString>("format");
         QTest::newRow("CSV") << QStringLiteral("csv");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The import of URScript and pendant programs as steps. Each sample runs in the simulated controller in virtual
-// time, as it is and as the script of the imported program. Inputs, outputs and final positions must be the same.
-// tst_pendant_corpus does the same with the program files of the teach pendant.
+// The import of URScript and pendant programs as steps. Each sample runs in the simulated controller in
+// virtual time, as it is and as the script of the imported program. Inputs, outputs and final positions must
+// be the same. tst_pendant_corpus does the same with the program files of the teach pendant.
 #include <QDir>
 #include <QFile>
 #include <QTest>

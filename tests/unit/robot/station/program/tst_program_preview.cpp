@@ -127,7 +127,8 @@ private Q_SLOTS:
     void stepsRunInOrder_data() {
         QTest::addColumn<int>("input");
         QTest::addColumn<QByteArray>("order");
-        // 1 if {2} 3 else {4}; 5 loop twice {6 switch {7 case 1 {8} 9 case 2 {10} 11 default {12}}}; 13 while {14, 15}
+        // 1 if {2} 3 else {4}; 5 loop twice {6 switch {7 case 1 {8} 9 case 2 {10} 11 default {12}}}; 13 while
+        // {14, 15}
         QTest::newRow("on") << 0 << QByteArray("1 2 5 6 7 8 6 9 10 13 14 15 14 15 14 15 16");
         QTest::newRow("off") << 1 << QByteArray("1 3 4 5 6 7 8 6 9 10 13 14 15 14 15 14 15 16");
     }

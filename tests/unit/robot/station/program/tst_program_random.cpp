@@ -228,7 +228,8 @@ private Q_SLOTS:
             for (const project::Program& program : read->document.programs) {
                 static_cast<void>(writeScript(read->document, program.id));
             }
-            // A file with a problem is not opened without a report, and other files keep their content when saved.
+            // A file with a problem is not opened without a report, and other files keep their content when
+            // saved.
             QCOMPARE(parsed.ok(), read->problems.isEmpty());
             if (parsed) {
                 ++whole;

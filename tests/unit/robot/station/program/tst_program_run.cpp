@@ -166,7 +166,7 @@ struct RunBench {
     bool reachMotion() {
         return cell.advanceUntil([this] { return cell.truth().tcpSpeed.linear.norm() > 0.05; }, kLongMs);
     }
-    /// Returns the time until the arm is at standstill [s]. Fails if the arm moves in the following second.
+    /// Observes the arm for 1.4 s. Returns the time until it last moved [s]; 0 if it did not move.
     double standstill() {
         const double from = cell.truth().timestamp;
         double last = from;
@@ -178,7 +178,7 @@ struct RunBench {
         }
         return last - from;
     }
-    /// Like standstill(), but without waiting for packets, because none arrive.
+    /// Like standstill(), but for 0.7 s and without waiting for packets, because none arrive.
     double standstillWithoutLink() {
         const double from = cell.truth().timestamp;
         double last = from;
@@ -755,7 +755,8 @@ private Q_SLOTS:
         QVERIFY(bench.awaitEnd());
     }
 
-    // A stop before the robot has confirmed a change ends the run, and the next run does not apply the change.
+    // A stop before the robot has confirmed a change ends the run, and the next run does not apply the
+    // change.
     void aStopDuringAChangeEndsTheRun() {
         RunBench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
@@ -990,7 +991,7 @@ private Q_SLOTS:
         QVERIFY((there.cell.truth().q.values - full.endJoints.values).cwiseAbs().maxCoeff() < 0.002);
     }
 
-    // End position within 0.1 mm and 1 % of the time.
+    // The end positions must agree within 0.1 mm, and the durations within 1 %.
     void previewsOfRandomProgramsEqualTheRun_data() {
         QTest::addColumn<int>("first");
         for (int first = 0; first < 200; first += 25) {
@@ -1012,7 +1013,8 @@ private Q_SLOTS:
             bench.project.programs.append(made);
             bench.program = made.id;
             const RunPlan plan = bench.plan();
-            // Not ok: e.g. blends that are too large. In a force section, the noise of the sensor moves the arm.
+            // Not ok: e.g. blends that are too large. In a force section, the noise of the sensor moves the
+            // arm.
             if (!plan.script.ok() || plan.script.text.contains("force_mode(")) {
                 continue;
             }
@@ -1103,7 +1105,7 @@ private Q_SLOTS:
         QVERIFY(bench.reachMotion());
     }
 
-    // No motion starts if the button has not been confirmed since the press.
+    // A hold that began before the connection was lost must not keep a new run active.
     void aButtonOfAnEarlierConnectionDoesNotHoldARun() {
         RunBench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));

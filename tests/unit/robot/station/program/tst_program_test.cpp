@@ -81,8 +81,8 @@ private Q_SLOTS:
     void initTestCase() {
         project_ = sampleProject();
         project_.cell.floor = -0.2;
-        // 1 moveJ home, 2 setOutput 2, 3 waitInput 0, 4 loop 3 x { 5 moveL pick, 6 moveL place, 7 assign }, 8 if AI0 { 9
-        // setOutput 3 }, 10 comment, 11 setAnalogOutput, 12 question, 13 setOutput 2 off
+        // 1 moveJ home, 2 setOutput 2, 3 waitInput 0, 4 loop 3 x { 5 moveL pick, 6 moveL place, 7 assign }, 8
+        // if AI0 { 9 setOutput 3 }, 10 comment, 11 setAnalogOutput, 12 question, 13 setOutput 2 off
         project_.programs.append(makeProgram(
             "cell",
             {step("moveJ", {{"waypoint", waypointId(project_, "home")}}), step("setOutput", {{"output", 2}}),
@@ -502,7 +502,7 @@ private Q_SLOTS:
     }
 
 private:
-    /// A test with one expectation of each kind.
+    /// A test that passes, with every kind of expectation.
     static QJsonObject passing() {
         return parsed(R"({"name": "passes", "answers": [4],
             "inputs": [{"input": "DI0", "value": true, "step": 3, "after": 0.5}, {"input": "AI0", "value": 2.5}],

@@ -50,7 +50,8 @@ private Q_SLOTS:
         QVERIFY(!route.isDone());
     }
 
-    // Between two waypoints, a step back returns to the last waypoint; at a waypoint, to the previous waypoint.
+    // Between two waypoints, a step back returns to the last waypoint; at a waypoint, to the previous
+    // waypoint.
     void aStepBackReturnsToTheLastWaypoint() {
         WaypointRoute route;
         route.setWaypoints(someIds(4));
