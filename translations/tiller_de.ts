@@ -3504,6 +3504,10 @@
         <source>The program cannot pause before this step. Select a different step.</source>
         <translation>Das Programm kann vor diesem Schritt nicht pausieren. Wählen Sie einen anderen Schritt.</translation>
     </message>
+    <message>
+        <source>The move is only partly complete.</source>
+        <translation>Die Bewegung ist nur teilweise ausgeführt.</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>

@@ -3504,6 +3504,10 @@
         <source>The program cannot pause before this step. Select a different step.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The move is only partly complete.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>

@@ -3504,6 +3504,10 @@
         <source>The program cannot pause before this step. Select a different step.</source>
         <translation>El programa no puede hacer una pausa antes de este paso. Seleccione otro paso.</translation>
     </message>
+    <message>
+        <source>The move is only partly complete.</source>
+        <translation>El movimiento se ha ejecutado solo en parte.</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>

@@ -3504,6 +3504,10 @@
         <source>The program cannot pause before this step. Select a different step.</source>
         <translation>Le programme ne peut pas faire de pause avant cette étape. Sélectionnez une autre étape.</translation>
     </message>
+    <message>
+        <source>The move is only partly complete.</source>
+        <translation>Le mouvement n’est exécuté qu’en partie.</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>

@@ -3504,6 +3504,10 @@
         <source>The program cannot pause before this step. Select a different step.</source>
         <translation>このステップの前では一時停止できません。別のステップを選択してください。</translation>
     </message>
+    <message>
+        <source>The move is only partly complete.</source>
+        <translation>移動は途中までしか実行されていません。</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>

@@ -3504,6 +3504,10 @@
         <source>The program cannot pause before this step. Select a different step.</source>
         <translation>程序不能在此步骤前暂停。请选择其他步骤。</translation>
     </message>
+    <message>
+        <source>The move is only partly complete.</source>
+        <translation>移动只执行了一部分。</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>

@@ -229,7 +229,7 @@ uint32_t RTDEControlInterface::getRobotStatus() {
 bool RTDEControlInterface::setPayload(double mass, const List& cog) {
     check::number("mass", mass, 0, kMaxMass, "kg");
     if (!cog.empty()) {
-        check::listWithin("cog", cog, 3, kMaxLength, "m", ". Was it given in millimetres?");
+        check::listWithin("cog", cog, 3, kMaxLength, "m", ". Was the value given in millimetres?");
     }
     return d_->done(CommandId::SetPayload, 7, joined({mass}, cog.empty() ? List(3, 0.0) : cog));
 }
@@ -282,8 +282,8 @@ namespace {
 List sensor(bool enable, double mass, const List& offset, const List& cog) {
     check::number("sensor_mass", mass, 0, kMaxMass, "kg");
     check::listWithin("sensor_measuring_offset", offset, 3, kMaxLength, "m",
-                      ". Was it given in millimetres?");
-    check::listWithin("sensor_cog", cog, 3, kMaxLength, "m", ". Was it given in millimetres?");
+                      ". Was the value given in millimetres?");
+    check::listWithin("sensor_cog", cog, 3, kMaxLength, "m", ". Was the value given in millimetres?");
     return joined(joined({enable ? 1.0 : 0.0, mass}, offset), cog);
 }
 }  // namespace

@@ -162,7 +162,7 @@ bool DesktopCell::fail(const QString& what) {
                                       {"controller", &controller_},
                                       {"program", &program_}}) {
         if (const QString said = child->output().trimmed(); !said.isEmpty()) {
-            what_ += QStringLiteral("\n%1 said: %2").arg(QLatin1String(name), said.right(2000));
+            what_ += QStringLiteral("\noutput of %1: %2").arg(QLatin1String(name), said.right(2000));
         }
     }
     return false;
@@ -184,7 +184,7 @@ bool DesktopCell::startDisplay() {
         },
         kStartMs);
     if (number.isEmpty()) {
-        return fail("Xvfb did not say its display");
+        return fail("Xvfb did not print its display number");
     }
     displayName_ = ':' + number;
     hand_ = std::make_unique<XHand>(displayName_);
@@ -240,7 +240,7 @@ bool DesktopCell::startProgram() {
         return places_->state() == QLocalSocket::ConnectedState || !program_.isRunning();
     });
     if (!answers || !program_.isRunning()) {
-        return fail("tiller does not tell where its window is");
+        return fail("tiller does not report the position of its window");
     }
     if (!until([&] { return place("mainWindow").active; })) {
         return fail("the window did not become active");

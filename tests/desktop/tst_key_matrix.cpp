@@ -139,7 +139,7 @@ int runAll(const QString& layout, const QString& key, const QString& path) {
         }
         tally.add(cell, known[name][1], known[name][2].toDouble());
     }
-    out << '\n' << tally.text() << failures << " of the cells tried now failed\n";
+    out << '\n' << tally.text() << failures << " cells failed in this run\n";
     return failures == 0 ? 0 : 1;
 }
 
@@ -186,10 +186,10 @@ int main(int argc, char* argv[]) {
     if (QCoreApplication::arguments().contains("--all")) {
         QCommandLineParser parser;
         parser.addOption({"all", "Every cell."});
-        parser.addOption({"layout", "Of this layout only.", "name"});
-        parser.addOption({"key", "Of this key only.", "name"});
+        parser.addOption({"layout", "Run only cells of this layout.", "name"});
+        parser.addOption({"key", "Run only cells of this key.", "name"});
         parser.addOption(
-            {"file", "Keeps the results; those that are there already are not tried again.", "file"});
+            {"file", "File for the results; cells it already contains are skipped.", "file"});
         parser.process(application);
         return runAll(parser.value("layout"), parser.value("key"), parser.value("file"));
     }

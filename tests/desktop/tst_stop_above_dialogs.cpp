@@ -75,7 +75,7 @@ private Q_SLOTS:
             }
             return true;
         };
-        QVERIFY2(cell().until(staysAway), "the button comes to the front again and again");
+        QVERIFY2(cell().until(staysAway), "the button keeps coming to the front");
         clickAt(stop);
         QVERIFY2(arm().untilMoving(1), "a click on the window of another program stopped the arm");
         QVERIFY2(!arm().untilStanding(1), "a click on the window of another program stopped the arm");

@@ -40,7 +40,7 @@ class TestManual(unittest.TestCase):
         shown = set()
         for page in [*MANUAL.glob("*.rst"), *MANUAL.glob("window/*.rst")]:
             found = re.findall(r"^\.\. image:: (\S+)\n   :alt: \S.*$", page.read_text(encoding="utf-8"), re.MULTILINE)
-            self.assertEqual(len(found), page.read_text(encoding="utf-8").count("image::"), f"{page.name}: a picture without words")
+            self.assertEqual(len(found), page.read_text(encoding="utf-8").count("image::"), f"{page.name}: a picture without alternative text")
             self.assertTrue(found or page.parent == MANUAL, f"{page.name} has no picture")
             shown |= {os.path.basename(name) for name in found}
         self.assertEqual(there, shown)

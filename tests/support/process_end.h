@@ -19,7 +19,7 @@ namespace tiller::test {
 /// has neither "fork" nor "closed pipe".
 inline void endProcess(const std::string& how) {
     if (how == "exception") {
-        throw std::runtime_error("the end that the test asked for");
+        throw std::runtime_error("exception requested by the test");
     }
     if (how == "exit") {
         std::exit(0);

@@ -44,7 +44,7 @@ public:
             const QString image = directory_.filePath("image");
             QFile file(image);
             if (!file.open(QIODevice::WriteOnly) || !file.resize(qint64(kilobytes) * 1024)) {
-                problem_ = QStringLiteral("no image can be made");
+                problem_ = QStringLiteral("the image file cannot be created");
                 return;
             }
             file.close();
@@ -65,7 +65,7 @@ public:
 #else
         Q_UNUSED(kind)
         Q_UNUSED(kilobytes)
-        problem_ = QStringLiteral("small disks are made on Linux only");
+        problem_ = QStringLiteral("small disks are available only on Linux");
 #endif
     }
     ~SmallDisk() {

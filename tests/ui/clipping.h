@@ -240,7 +240,7 @@ inline QStringList overlaps(const QWidget& parent) {
 /// Returns all problems in a visible window.
 inline QStringList clipped(const QWidget& window) {
     if (!window.isWindow()) {
-        return {clipping::nameOf(window) + QStringLiteral(" is no window: nothing in it was looked at")};
+        return {clipping::nameOf(window) + QStringLiteral(" is not a window: its contents were not checked")};
     }
     QStringList found = clipping::overlaps(window);
     for (const QWidget* widget : window.findChildren<QWidget*>()) {

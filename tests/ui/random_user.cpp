@@ -274,7 +274,7 @@ void RandomUser::finish() {
     if (!isFine()) {
         return;
     }
-    note(QStringLiteral("end: everything is put right"));
+    note(QStringLiteral("end: all faults are cleared"));
     places_.end();
     resting_.reset();
     hand_.letGo();
@@ -298,7 +298,7 @@ void RandomUser::finish() {
         testTimeout.wait();
     }
     if (!isBack()) {
-        fail(QStringLiteral("the window does not come back to a robot that is well: ") + state.linkReason);
+        fail(QStringLiteral("the window does not reconnect to a working robot: ") + state.linkReason);
         return;
     }
     quietMoment();
@@ -907,7 +907,7 @@ void RandomUser::judgeRest() {
     }
     const double way = (robot_.truth().q.values - resting_->values).cwiseAbs().maxCoeff();
     if (way > kRestTolerance) {
-        fail(QStringLiteral("the arm has moved by %1 rad since the hand let go and it stood").arg(way));
+        fail(QStringLiteral("the arm has moved by %1 rad since the release and the standstill").arg(way));
     }
 }
 
@@ -971,7 +971,7 @@ void RandomUser::quietMoment() {
     resting_.reset();
     hand_.letGo();
     if (!comesToRest()) {
-        fail(QStringLiteral("nothing is held, and the arm does not come to stand"));
+        fail(QStringLiteral("nothing is held, and the arm does not come to a standstill"));
         return;
     }
     resting_ = robot_.truth().q;

@@ -61,7 +61,7 @@ ArgumentCheck& ArgumentCheck::joints(const char* name, const JointPositions& q, 
             return *this;
         }
         if (std::abs(q[joint]) > kSurelyDegrees) {
-            refuse(ErrorCode::InvalidArgument, QStringLiteral("%1: %2 is %3 rad. Was it given in degrees?")
+            refuse(ErrorCode::InvalidArgument, QStringLiteral("%1: %2 is %3 rad. Was the value given in degrees?")
                                                    .arg(text(name), text(kJointNames[i]))
                                                    .arg(q[joint]));
             return *this;
@@ -89,7 +89,7 @@ ArgumentCheck& ArgumentCheck::pose(const char* name, const Pose& pose) {
     }
     if (pose.rotation.norm() > kSurelyDegreesOfRotation) {
         refuse(ErrorCode::InvalidArgument,
-               QStringLiteral("%1: the length of the rotation vector is %2 rad. Was it given in degrees?")
+               QStringLiteral("%1: the length of the rotation vector is %2 rad. Was the value given in degrees?")
                    .arg(text(name))
                    .arg(pose.rotation.norm()));
     }
@@ -140,7 +140,7 @@ ArgumentCheck& ArgumentCheck::twist(const char* name, const Twist& twist, double
     }
     if (twist.linear.norm() > kSurelyMillimetres) {
         refuse(ErrorCode::InvalidArgument,
-               QStringLiteral("%1: %2 m/s exceeds the maximum of %3 m/s. Was it given in mm/s?")
+               QStringLiteral("%1: %2 m/s exceeds the maximum of %3 m/s. Was the value given in mm/s?")
                    .arg(text(name))
                    .arg(twist.linear.norm())
                    .arg(cap));
@@ -150,7 +150,7 @@ ArgumentCheck& ArgumentCheck::twist(const char* name, const Twist& twist, double
     constexpr double kFastestRotation = 12.0;  // [rad/s], above the speed of all wrist joints
     if (twist.angular.norm() > kFastestRotation) {
         refuse(ErrorCode::InvalidArgument,
-               QStringLiteral("%1: the angular speed is %2 rad/s. Was it given in deg/s?")
+               QStringLiteral("%1: the angular speed is %2 rad/s. Was the value given in deg/s?")
                    .arg(text(name))
                    .arg(twist.angular.norm()));
     }
@@ -165,7 +165,7 @@ ArgumentCheck& ArgumentCheck::offset(const char* name, const Eigen::Vector3d& me
     }
     if (metres.norm() > largest) {
         refuse(ErrorCode::InvalidArgument,
-               QStringLiteral("%1: the distance is %2 m. Was it given in millimetres?")
+               QStringLiteral("%1: the distance is %2 m. Was the value given in millimetres?")
                    .arg(text(name))
                    .arg(metres.norm()));
     }
@@ -229,7 +229,7 @@ ArgumentCheck& ArgumentCheck::positive(const char* name, double value, double hi
                    .arg(value)
                    .arg(high)
                    .arg(text(unit),
-                        otherUnit ? QStringLiteral(". Was it given in %1?").arg(text(hint)) : QString()));
+                        otherUnit ? QStringLiteral(". Was the value given in %1?").arg(text(hint)) : QString()));
     }
     return *this;
 }

@@ -160,6 +160,6 @@ def registers(host: str, port: int, ints: Sequence[int], doubles: Sequence[int],
               timeout: float | None, waiting: Waiting) -> Registers:
     """Opens a connection that uses these input registers."""
     if not (ints or doubles or bits):
-        raise InvalidArgument("registers", "at least one register must be named")
+        raise InvalidArgument("registers", "specify at least one register")
     with waiting():
         return Registers(_native.InputRegisters(host, port, list(ints), list(doubles), list(bits), timeout), waiting)

@@ -21,8 +21,8 @@ constexpr double kMaxTravel = 5.0;
 constexpr double kMinValue = 1e-6;  // minimum speed and acceleration, because a move with 0 would never end
 constexpr double kReach = 10.0;  // [m]; more than five times the reach of the largest arm. Values in mm are
                                  // usually larger
-constexpr const char* kDegrees = "; angles are in radians. Was it given in degrees?";
-constexpr const char* kMillimetres = "; lengths are in metres. Was it given in millimetres?";
+constexpr const char* kDegrees = "; angles are in radians. Was the value given in degrees?";
+constexpr const char* kMillimetres = "; lengths are in metres. Was the value given in millimetres?";
 
 std::string at(const std::string& name, std::size_t index) {
     return name + "[" + std::to_string(index) + "]";

@@ -110,7 +110,7 @@ bool SocketClient::connectRtde() {
         robot_.controller.step();
         const auto package = rtde_->next();
         if (package.type != 'U') {
-            return fail("something else than data after the start");
+            return fail("a package other than data after the start");
         }
         data_.timestamp = doubleAt(package.payload, package.payload.size() - 8);
     } while (data_.timestamp < 40 && ++packages < 1000);

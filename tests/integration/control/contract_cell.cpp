@@ -514,10 +514,10 @@ ContractOutcome ContractCell::run(const ContractMotion& what, const ContractEven
     }
     constexpr double kNothing = 0.3;  // [mm] one or two steps of the remaining motion, and noise
     if (outcome.resumedMm > kNothing && outcome.problem.isEmpty()) {
-        outcome.problem = QStringLiteral("it resumed by %1 mm").arg(outcome.resumedMm, 0, 'f', 2);
+        outcome.problem = QStringLiteral("the arm resumed and moved %1 mm").arg(outcome.resumedMm, 0, 'f', 2);
     }
     if (!isStanding() && outcome.problem.isEmpty()) {
-        outcome.problem = QStringLiteral("it moves at the end");
+        outcome.problem = QStringLiteral("the arm still moves at the end");
     }
     const bool reported = !clock.isFrozen() && reachable;
     if (reported && outcome.problem.isEmpty() && (motion.isActive() || jog.isActive())) {

@@ -87,7 +87,7 @@ const StepKind& moveUntilStep() {
             },
         .moves = true,
         .takesTime = true,
-        .partlyDone = [] { return ProgramText::tr("The relative move is only partly complete."); },
+        .partlyDone = [] { return ProgramText::tr("The move is only partly complete."); },
     };
     return kind;
 }
