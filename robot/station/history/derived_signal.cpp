@@ -152,11 +152,12 @@ protected:
         if (kind_ == Kind::Median) {
             sorted_.insert(std::upper_bound(sorted_.begin(), sorted_.end(), value), value);
         }
-        const double since = time - seconds_ * (1 + 1e-9);
-        // The rate of change also needs the last point before the window. The other functions need only
-        // points within the window.
-        const std::size_t decisive = kind_ == Kind::Derivative ? 1 : 0;
-        while (points_.size() > decisive + 1 && points_[decisive].time < since) {
+        // The rate of change starts at the last point at or before the start of the window. The other functions
+        // need only points within the window.
+        const double rounding = seconds_ * 1e-6;
+        const double start = time - seconds_;
+        while (kind_ == Kind::Derivative ? points_.size() > 2 && points_[1].time <= start + rounding
+                                         : points_.size() > 1 && points_.front().time < start - rounding) {
             removeFirst();
         }
         if (++added_ % kSumAgainEvery == 0) {

@@ -48,6 +48,15 @@ Result<void> readTimes(const recording::Recording& file, SeriesBuffer& history, 
     return {};
 }
 
+/// The newest sample after a gap. A receiver that reconnects by itself leaves a gap.
+std::int64_t lastGap(const SeriesBuffer& history) {
+    std::int64_t sample = history.end() - 1;
+    while (sample > history.first() && !history.gapBefore(sample)) {
+        --sample;
+    }
+    return sample;
+}
+
 }  // namespace
 
 void SignalStore::setRobot(const QString& address, const QString& name) {
@@ -65,8 +74,10 @@ void SignalStore::setRobotModel(RobotModelId model) {
         return;
     }
     HistoryRobot& newest = robots_.back();
-    if (newest.model && *newest.model != model && newest.first < linkFirst_) {
-        robots_.push_back({linkFirst_, newest.address, newest.name, model});
+    const std::int64_t first =
+        newest.model && *newest.model != model ? std::max(linkFirst_, lastGap(live())) : newest.first;
+    if (newest.first < first) {
+        robots_.push_back({first, newest.address, newest.name, model});
     } else {
         newest.model = model;
     }

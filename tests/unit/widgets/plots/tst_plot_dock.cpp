@@ -819,6 +819,42 @@ private Q_SLOTS:
         QVERIFY2(!b.view().readout().endsWith(QStringLiteral("– N")), qPrintable(b.view().readout()));
     }
 
+    // The receiver reconnects by itself, so no new connection begins. The model is reported after the first packets.
+    void anotherModelAtTheSameAddressIsMarked() {
+        Bench b;
+        b.session.connectTo({QStringLiteral("Cell"), QStringLiteral("127.0.0.1"), 0, false});
+        b.session.shutDown();
+        const auto report = [&](RobotModelId model) {
+            SessionState state = b.session.state();
+            state.link = LinkState::Live;
+            state.modelKnown = true;
+            state.model = model;
+            Q_EMIT b.session.stateChanged(state);
+        };
+        b.runTo(61);
+        report(RobotModelId::UR5e);
+        b.runTo(63);
+        b.restartedAt = b.next;
+        b.runTo(64);
+        report(RobotModelId::UR5e);
+        b.runTo(65);
+        QCOMPARE(b.dock.marks().marks().size(), std::size_t(0));
+        report(RobotModelId::UR10e);
+        QCOMPARE(b.dock.marks().marks().size(), std::size_t(1));
+        const PlotMark mark = b.dock.marks().marks().front();
+        QCOMPARE(mark.text, QStringLiteral("Robot: Cell (127.0.0.1), UR10e"));
+        const SeriesBuffer& history = b.dock.history();
+        const std::int64_t first = history.lowerBound(mark.time);
+        QVERIFY(history.gapBefore(first));
+        QVERIFY(b.dock.store().hasSeveralRobots(history.time(first - 1), history.time(first)));
+        QVERIFY(!b.dock.store().hasSeveralRobots(history.time(first), history.lastTime()));
+        b.dock.setPaused(true);
+        b.view().setCursor(PlotView::Cursor::A, history.time(first - 1));
+        QCOMPARE(b.dock.replay()->model, std::optional(RobotModelId::UR5e));
+        b.view().setCursor(PlotView::Cursor::A, history.time(first));
+        QCOMPARE(b.dock.replay()->model, std::optional(RobotModelId::UR10e));
+    }
+
     void aCurveIsDrawnAtItsValues() {
         SeriesBuffer history(1);
         std::array<float, 1> row{};

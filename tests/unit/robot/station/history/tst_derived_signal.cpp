@@ -110,6 +110,18 @@ private Q_SLOTS:
         }
     }
 
+    // The change of t * t over the last 20 ms is 0.02 * (2 t - 0.02).
+    void theDerivativeUsesExactlyItsTimeWindow() {
+        Source s;
+        const int slope = *s.store.derive("d = deriv(actual_q_2 * actual_q_2, 0.02)");
+        s.add(2000);
+        for (const std::int64_t sample : {500, 731, 1000, 1999}) {
+            const double time = static_cast<double>(sample) * 0.002;
+            QVERIFY2(std::abs(s.store.value(slope, sample) - (2 * time - 0.02)) < 1e-3,
+                     qPrintable(QString::number(s.store.value(slope, sample) - 2 * time)));
+        }
+    }
+
     void medianAndIntegralAreComputed() {
         Source s;
         s.add(3000);
