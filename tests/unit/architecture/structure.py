@@ -36,7 +36,7 @@ REASONS = {
     "PhysicalKeys": "the pressed keys of the keyboard, from key events",
     "PlotComparison": "the recordings compared in the plots, and their offsets on the time axis",
     "ProgramModel": MODEL, "ProjectFiles": "wraps UndoableDocument, whose QUndoStack is part of Qt Gui",
-    "SceneTrace": VIEW, "Shade": VIEW, "SpaceMouse": DEVICE, "SpaceMouseSource": DEVICE,
+    "SceneTrace": VIEW, "Shade": VIEW, "SingleClick": EVENTS, "SpaceMouse": DEVICE, "SpaceMouseSource": DEVICE,
     "StackingWatch": "the order of windows on the display server", "TimeWindow": PLOT,
     "VariableModel": MODEL, "WaypointModel": MODEL, "XcbKeyStateProbe": PROBE,
 }
