@@ -217,10 +217,10 @@ void PanelActions::addDock(ActionTable& table, DockStage& stage, PanelDock& dock
                                          {},
                                          [&stage, &dock, side] { stage.move(dock, side); }}));
     };
-    move("left", tr("Move %1 to the left"), StageSide::Left);
-    move("right", tr("Move %1 to the right"), StageSide::Right);
-    move("top", tr("Move %1 to the top"), StageSide::Top);
-    move("bottom", tr("Move %1 to the bottom"), StageSide::Bottom);
+    move("left", tr("%1 to the left"), StageSide::Left);
+    move("right", tr("%1 to the right"), StageSide::Right);
+    move("top", tr("%1 to the top"), StageSide::Top);
+    move("bottom", tr("%1 to the bottom"), StageSide::Bottom);
     QObject::connect(&dock.menu(), &QMenu::aboutToShow, &dock, menuOpens);
 }
 

@@ -35,8 +35,11 @@ QToolButton* quietKey(const QString& text, const QString& name) {
 class PanelDock::Bar : public QWidget {
 public:
     explicit Bar(PanelDock& dock) : QWidget(&dock), layout_(new QHBoxLayout(this)) {
-        auto* name = new QLabel(dock.windowTitle());
-        name->setFont(textFont(14, QFont::Bold));
+        // The robot comes first and in full, because floating panels of two windows look alike.
+        robot_->setFont(textFont(16, QFont::Bold));
+        auto* name = new ElidedLabel;
+        name->setFullText(dock.windowTitle());
+        name->setFont(textFont(14));
         auto* back = quietKey(PanelDock::tr("Dock"), "dock.back." + dock.objectName());
         back->setToolTip(PanelDock::tr("Moves this panel back to the main window."));
         auto* close = quietKey(PanelDock::tr("Close"), "dock.close." + dock.objectName());
@@ -48,16 +51,16 @@ public:
         connect(
             close, &QToolButton::clicked, &dock, [&dock] { dock.close(); }, Qt::QueuedConnection);
         robot_->setObjectName("dock.robot." + dock.objectName());
-        parts_ = {name, robot_, back, close};
-        layout_->setSpacing(8);
-        layout_->addWidget(name);
-        layout_->addWidget(robot_, 1);
+        parts_ = {robot_, name, back, close};
+        layout_->setSpacing(12);
+        layout_->addWidget(robot_);
+        layout_->addWidget(name, 1);
         layout_->addWidget(back);
         layout_->addWidget(close);
         setFloating(false);
         connect(&dock, &QDockWidget::topLevelChanged, this, &Bar::setFloating);
     }
-    void setRobot(const QString& robot) { robot_->setFullText(robot); }
+    void setRobot(const QString& robot) { robot_->setText(robot); }
 
 private:
     void setFloating(bool floating) {
@@ -69,7 +72,7 @@ private:
     }
 
     QHBoxLayout* layout_;
-    ElidedLabel* robot_ = new ElidedLabel;
+    QLabel* robot_ = new QLabel;
     QList<QWidget*> parts_;
 };
 

@@ -2008,19 +2008,19 @@
         <translation>Zeigt oder verbirgt das Spektrum und das XY-Diagramm zweier Signale.</translation>
     </message>
     <message>
-        <source>Move %1 to the left</source>
+        <source>%1 to the left</source>
         <translation>%1 nach links</translation>
     </message>
     <message>
-        <source>Move %1 to the right</source>
+        <source>%1 to the right</source>
         <translation>%1 nach rechts</translation>
     </message>
     <message>
-        <source>Move %1 to the top</source>
+        <source>%1 to the top</source>
         <translation>%1 nach oben</translation>
     </message>
     <message>
-        <source>Move %1 to the bottom</source>
+        <source>%1 to the bottom</source>
         <translation>%1 nach unten</translation>
     </message>
     <message>
@@ -7943,7 +7943,7 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Geben Sie einen Namen für das Muster ein.</translation>
     </message>
     <message>
-        <source>Teach the corners of the pattern first, then select a waypoint for each corner.</source>
+        <source>Teach the corners first, then select a waypoint for each corner.</source>
         <translation>Teachen Sie zuerst die Ecken des Musters und wählen Sie dann für jede Ecke einen Wegpunkt.</translation>
     </message>
     <message>

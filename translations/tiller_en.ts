@@ -2008,19 +2008,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Move %1 to the left</source>
+        <source>%1 to the left</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Move %1 to the right</source>
+        <source>%1 to the right</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Move %1 to the top</source>
+        <source>%1 to the top</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Move %1 to the bottom</source>
+        <source>%1 to the bottom</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7936,7 +7936,7 @@ Right-click or press F2 to rename the input.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Teach the corners of the pattern first, then select a waypoint for each corner.</source>
+        <source>Teach the corners first, then select a waypoint for each corner.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -2008,19 +2008,19 @@
         <translation>Muestra u oculta el espectro y el gráfico XY de dos señales.</translation>
     </message>
     <message>
-        <source>Move %1 to the left</source>
+        <source>%1 to the left</source>
         <translation>Mover %1 a la izquierda</translation>
     </message>
     <message>
-        <source>Move %1 to the right</source>
+        <source>%1 to the right</source>
         <translation>Mover %1 a la derecha</translation>
     </message>
     <message>
-        <source>Move %1 to the top</source>
+        <source>%1 to the top</source>
         <translation>Mover %1 arriba</translation>
     </message>
     <message>
-        <source>Move %1 to the bottom</source>
+        <source>%1 to the bottom</source>
         <translation>Mover %1 abajo</translation>
     </message>
     <message>
@@ -7943,7 +7943,7 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Introduzca un nombre para el patrón.</translation>
     </message>
     <message>
-        <source>Teach the corners of the pattern first, then select a waypoint for each corner.</source>
+        <source>Teach the corners first, then select a waypoint for each corner.</source>
         <translation>Enseñe primero las esquinas del patrón y seleccione después un punto de paso para cada una.</translation>
     </message>
     <message>

@@ -2008,19 +2008,19 @@
         <translation>Affiche ou masque le spectre et le tracé XY de deux signaux.</translation>
     </message>
     <message>
-        <source>Move %1 to the left</source>
+        <source>%1 to the left</source>
         <translation>Placer %1 à gauche</translation>
     </message>
     <message>
-        <source>Move %1 to the right</source>
+        <source>%1 to the right</source>
         <translation>Placer %1 à droite</translation>
     </message>
     <message>
-        <source>Move %1 to the top</source>
+        <source>%1 to the top</source>
         <translation>Placer %1 en haut</translation>
     </message>
     <message>
-        <source>Move %1 to the bottom</source>
+        <source>%1 to the bottom</source>
         <translation>Placer %1 en bas</translation>
     </message>
     <message>
@@ -7943,7 +7943,7 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Saisissez un nom pour le motif.</translation>
     </message>
     <message>
-        <source>Teach the corners of the pattern first, then select a waypoint for each corner.</source>
+        <source>Teach the corners first, then select a waypoint for each corner.</source>
         <translation>Apprenez d’abord les coins du motif, puis sélectionnez un point de passage pour chacun.</translation>
     </message>
     <message>

@@ -2008,19 +2008,19 @@
         <translation>スペクトルと2つの信号のXYグラフを表示または非表示にします。</translation>
     </message>
     <message>
-        <source>Move %1 to the left</source>
+        <source>%1 to the left</source>
         <translation>%1 を左へ移動</translation>
     </message>
     <message>
-        <source>Move %1 to the right</source>
+        <source>%1 to the right</source>
         <translation>%1 を右へ移動</translation>
     </message>
     <message>
-        <source>Move %1 to the top</source>
+        <source>%1 to the top</source>
         <translation>%1 を上へ移動</translation>
     </message>
     <message>
-        <source>Move %1 to the bottom</source>
+        <source>%1 to the bottom</source>
         <translation>%1 を下へ移動</translation>
     </message>
     <message>
@@ -7931,7 +7931,7 @@ Right-click or press F2 to rename the input.</source>
         <translation>パターンの名前を入力してください。</translation>
     </message>
     <message>
-        <source>Teach the corners of the pattern first, then select a waypoint for each corner.</source>
+        <source>Teach the corners first, then select a waypoint for each corner.</source>
         <translation>先にパターンの隅を教示し、次に各隅のウェイポイントを選んでください。</translation>
     </message>
     <message>

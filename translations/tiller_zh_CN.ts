@@ -2008,19 +2008,19 @@
         <translation>显示或隐藏频谱和两个信号的 XY 图。</translation>
     </message>
     <message>
-        <source>Move %1 to the left</source>
+        <source>%1 to the left</source>
         <translation>将 %1 移到左侧</translation>
     </message>
     <message>
-        <source>Move %1 to the right</source>
+        <source>%1 to the right</source>
         <translation>将 %1 移到右侧</translation>
     </message>
     <message>
-        <source>Move %1 to the top</source>
+        <source>%1 to the top</source>
         <translation>将 %1 移到顶部</translation>
     </message>
     <message>
-        <source>Move %1 to the bottom</source>
+        <source>%1 to the bottom</source>
         <translation>将 %1 移到底部</translation>
     </message>
     <message>
@@ -7931,7 +7931,7 @@ Right-click or press F2 to rename the input.</source>
         <translation>请输入阵列的名称。</translation>
     </message>
     <message>
-        <source>Teach the corners of the pattern first, then select a waypoint for each corner.</source>
+        <source>Teach the corners first, then select a waypoint for each corner.</source>
         <translation>请先示教阵列的角，然后为每个角选择路点。</translation>
     </message>
     <message>

@@ -287,9 +287,10 @@ Result<SetupOutputsRequest> readSetupOutputsRequest(ByteView payload, ProtocolVe
     SetupOutputsRequest request;
     if (version != ProtocolVersion::V1) {
         if (payload.size() < 8) {
-            return malformed(PackageType::SetupOutputs,
-                             QStringLiteral("the payload has only %1 bytes; the frequency field alone requires 8")
-                                 .arg(payload.size()));
+            return malformed(
+                PackageType::SetupOutputs,
+                QStringLiteral("the payload has only %1 bytes; the frequency field alone requires 8")
+                    .arg(payload.size()));
         }
         request.frequency = big_endian::readDouble(payload.data());
         payload = payload.subspan(8);

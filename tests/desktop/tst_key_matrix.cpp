@@ -188,8 +188,7 @@ int main(int argc, char* argv[]) {
         parser.addOption({"all", "Every cell."});
         parser.addOption({"layout", "Run only cells of this layout.", "name"});
         parser.addOption({"key", "Run only cells of this key.", "name"});
-        parser.addOption(
-            {"file", "File for the results; cells it already contains are skipped.", "file"});
+        parser.addOption({"file", "File for the results; cells it already contains are skipped.", "file"});
         parser.process(application);
         return runAll(parser.value("layout"), parser.value("key"), parser.value("file"));
     }

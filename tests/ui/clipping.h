@@ -161,7 +161,8 @@ inline QString problemOfList(const QListWidget& list) {
 inline QString problemOf(const QWidget& widget) {
     if (const auto* chip = qobject_cast<const StateChip*>(&widget)) {
         return chip->width() < chip->sizeHint().width() && !chip->toolTip().contains(chip->text())
-                   ? QStringLiteral("\"%1\" is shortened, and the tool tip does not contain it").arg(chip->text())
+                   ? QStringLiteral("\"%1\" is shortened, and the tool tip does not contain it")
+                         .arg(chip->text())
                    : QString();
     }
     if (const auto* label = qobject_cast<const QLabel*>(&widget)) {

@@ -483,7 +483,12 @@ private Q_SLOTS:
 
         run(bench.window, "view.float." + dock);
         QVERIFY(panel.isFloating() && panel.isVisible());
+        // Floating panels of two robots must not look alike, so the robot is at the left and in full.
+        panel.setRobot(QStringLiteral("Left cell (192.168.100.101)"));
         QTest::qWait(50);
+        const auto& robot = *panel.findChild<QLabel*>("dock.robot." + QString(dock));
+        QCOMPARE(robot.text(), QStringLiteral("Left cell (192.168.100.101)"));
+        QVERIFY(robot.isVisible() && robot.x() < 20 && robot.width() >= robot.sizeHint().width());
         QVERIFY2(clipped(panel).isEmpty(), qPrintable(clipped(panel).join('\n')));
         keepPicture(panel, QStringLiteral("floating-") + dock);
         QTest::mouseClick(bench.window.findChild<QToolButton*>("dock.back." + QString(dock)), Qt::LeftButton);

@@ -8,9 +8,16 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "widgets/common/single_click.h"
 #include "widgets/common/theme.h"
 
 namespace tiller {
+
+namespace {
+
+constexpr int kMinKeyWidth = 112;  // wide enough for most texts, so that the button keeps its place
+
+}  // namespace
 
 NoticeBar::NoticeBar(QWidget* parent)
     : QFrame(parent)
@@ -30,6 +37,9 @@ NoticeBar::NoticeBar(QWidget* parent)
     accept_->setObjectName(QStringLiteral("notice.accept"));
     accept_->setAccessibleName(tr("Notice action"));
     accept_->setProperty("primary", true);
+    // The next notice may appear immediately at the same place.
+    accept_->setMinimumWidth(kMinKeyWidth);
+    new SingleClick(*accept_);
     other_->setObjectName(QStringLiteral("notice.other"));
     other_->setAccessibleName(tr("Second notice action"));
     dismiss_->setObjectName(QStringLiteral("notice.dismiss"));

@@ -341,9 +341,7 @@ void PlotDock::addNote(double time, const QString& text) {
         return;  // the note belongs to the recording instead of the connected robot
     }
     marks_->addNote(time, text);
-    const QDateTime moment = replay_->clockAt(time);
-    const QDateTime stored = moment.isValid() ? moment : QDateTime::currentDateTimeUtc();
-    session_.journal().addNote(text.simplified(), stored.toMSecsSinceEpoch() * kNsPerMs);
+    session_.journal().addNote(text.simplified(), replay_->noteUtcNs(time));
 }
 
 void PlotDock::askForNote(double time) {

@@ -16,7 +16,7 @@ PlotReplay::PlotReplay(const SignalStore& store, const PlotPages& pages, QObject
 
 void PlotReplay::noteFrame(double newest, const QDateTime& now) {
     if (frames_.empty() || newest > frames_.back().newest) {
-        frames_.push_back({newest, now.toMSecsSinceEpoch()});
+        frames_.push_back({newest, now.toMSecsSinceEpoch(), SteadyClock::shared().nowNs()});
     }
 }
 
@@ -51,12 +51,24 @@ QDateTime PlotReplay::clockAt(double time) const {
     if (frames_.empty()) {
         return {};
     }
-    // Use the first frame that contains the time, or extrapolate from the last frame.
-    auto frame = std::lower_bound(frames_.begin(), frames_.end(), time,
-                                  [](const Frame& each, double at) { return each.newest < at; });
-    frame = frame == frames_.end() ? frame - 1 : frame;
-    return QDateTime::fromMSecsSinceEpoch(frame->wallMs +
-                                          std::llround((time - frame->newest) * kMsPerSecond));
+    const Frame& frame = frameAt(time);
+    return QDateTime::fromMSecsSinceEpoch(frame.wallMs + std::llround((time - frame.newest) * kMsPerSecond));
+}
+
+const PlotReplay::Frame& PlotReplay::frameAt(double time) const {
+    const auto frame = std::lower_bound(frames_.begin(), frames_.end(), time,
+                                        [](const Frame& each, double at) { return each.newest < at; });
+    return frame == frames_.end() ? frames_.back() : *frame;
+}
+
+std::int64_t PlotReplay::noteUtcNs(double time) const {
+    const std::int64_t nowNs = QDateTime::currentMSecsSinceEpoch() * kNsPerMs;
+    if (frames_.empty()) {
+        return nowNs;
+    }
+    const Frame& frame = frameAt(time);
+    const auto sinceFrameNs = std::llround((time - frame.newest) * static_cast<double>(kNsPerSecond));
+    return nowNs - (SteadyClock::shared().nowNs() - frame.steadyNs - sinceFrameNs);
 }
 
 std::optional<double> PlotReplay::timeAt(const QDateTime& clock) const {

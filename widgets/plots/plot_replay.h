@@ -33,6 +33,10 @@ public:
     /// Returns the time of day for a time on the time axis of the current page, i.e. of its recording or of
     /// the history. Invalid if unknown.
     QDateTime clockAt(double time) const;
+    /// The time of a note about live samples: the time of day as if the system clock had always had its current
+    /// setting, because the clock may have been set since then. For times without data, the current time.
+    /// Returns  [ns since 1970, UTC]
+    std::int64_t noteUtcNs(double time) const;
     /// Inverse of clockAt(): the first time on the time axis whose data were displayed at this time of day.
     /// Empty if unknown.
     std::optional<double> timeAt(const QDateTime& clock) const;
@@ -51,7 +55,10 @@ private:
     struct Frame {
         double newest;
         std::int64_t wallMs;
+        std::int64_t steadyNs;  ///< time of SteadyClock
     };
+    /// The first frame that contains this time on the time axis, or the last frame. There must be frames.
+    const Frame& frameAt(double time) const;
     Replay momentNow() const;
     std::shared_ptr<const std::vector<recording::RecordedEvent>> eventsOf(const QString& recording) const;
     QDateTime wallTimeOf(double time) const;

@@ -23,7 +23,7 @@ namespace tiller {
 
 namespace {
 
-constexpr int kDelayMs = 80;  // delay after the last change [ms]
+constexpr int kDelayMs = 80;   // delay after the last change [ms]
 constexpr int kGoesOn = 20;    // interval for checking whether the statistics are complete [ms]
 constexpr int kMinTable = 66;  // minimum height: the titles and one row [px]
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();

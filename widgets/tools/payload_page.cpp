@@ -286,7 +286,9 @@ void PayloadPage::followCheck() {
                    "again."));
             break;
         case StandstillMean::Outcome::NoForce:
-            showProblem(tr("The payload cannot be verified because the robot is not sending force data. Wait for data, or reconnect."));
+            showProblem(
+                tr("The payload cannot be verified because the robot is not sending force data. Wait for "
+                   "data, or reconnect."));
             break;
         case StandstillMean::Outcome::Done: {
             const Wrench left = mean_.remaining();

@@ -191,7 +191,7 @@ QString PatternDialog::problem() const {
         for (std::size_t i = 0; i < 3; ++i) {
             const bool needed = i == 0 || (i == 1 ? pattern_.columns > 1 : pattern_.rows > 1);
             if (needed && pattern_.corners[i].isNull()) {
-                return tr("Teach the corners of the pattern first, then select a waypoint for each corner.");
+                return tr("Teach the corners first, then select a waypoint for each corner.");
             }
         }
     }

@@ -61,9 +61,10 @@ ArgumentCheck& ArgumentCheck::joints(const char* name, const JointPositions& q, 
             return *this;
         }
         if (std::abs(q[joint]) > kSurelyDegrees) {
-            refuse(ErrorCode::InvalidArgument, QStringLiteral("%1: %2 is %3 rad. Was the value given in degrees?")
-                                                   .arg(text(name), text(kJointNames[i]))
-                                                   .arg(q[joint]));
+            refuse(ErrorCode::InvalidArgument,
+                   QStringLiteral("%1: %2 is %3 rad. Was the value given in degrees?")
+                       .arg(text(name), text(kJointNames[i]))
+                       .arg(q[joint]));
             return *this;
         }
     }
@@ -88,10 +89,11 @@ ArgumentCheck& ArgumentCheck::pose(const char* name, const Pose& pose) {
         }
     }
     if (pose.rotation.norm() > kSurelyDegreesOfRotation) {
-        refuse(ErrorCode::InvalidArgument,
-               QStringLiteral("%1: the length of the rotation vector is %2 rad. Was the value given in degrees?")
-                   .arg(text(name))
-                   .arg(pose.rotation.norm()));
+        refuse(
+            ErrorCode::InvalidArgument,
+            QStringLiteral("%1: the length of the rotation vector is %2 rad. Was the value given in degrees?")
+                .arg(text(name))
+                .arg(pose.rotation.norm()));
     }
     return offset(name, pose.position, kSurelyMillimetres);
 }
@@ -228,8 +230,8 @@ ArgumentCheck& ArgumentCheck::positive(const char* name, double value, double hi
                    .arg(text(name))
                    .arg(value)
                    .arg(high)
-                   .arg(text(unit),
-                        otherUnit ? QStringLiteral(". Was the value given in %1?").arg(text(hint)) : QString()));
+                   .arg(text(unit), otherUnit ? QStringLiteral(". Was the value given in %1?").arg(text(hint))
+                                              : QString()));
     }
     return *this;
 }

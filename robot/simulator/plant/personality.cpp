@@ -119,11 +119,10 @@ Result<void> checkSoftware(RobotModelId id, const SoftwareVersion& software) {
     }
     const SoftwareVersion first = firstSoftware(id, software.isPolyScopeX());
     if (!model.isCb3() && software < first) {
-        return wrongOption(
-            QStringLiteral("a %1 does not run software %2: use version %3.%4 or later")
-                .arg(name, version)
-                .arg(first.major)
-                .arg(first.minor));
+        return wrongOption(QStringLiteral("a %1 does not run software %2: use version %3.%4 or later")
+                               .arg(name, version)
+                               .arg(first.major)
+                               .arg(first.minor));
     }
     return {};
 }

@@ -35,6 +35,7 @@
 #include <cmath>
 #include <functional>
 
+#include "robot/core/clock.h"
 #include "robot/recording/formats/open_recording.h"
 #include "robot/recording/mcap/reader.h"
 #include "robot/recording/recording_format.h"
@@ -65,6 +66,7 @@
 #include "widgets/plots/plot_overlay.h"
 #include "widgets/plots/plot_pages.h"
 #include "widgets/plots/plot_pane.h"
+#include "widgets/plots/plot_replay.h"
 #include "widgets/plots/plot_view.h"
 #include "widgets/plots/recordings_dialog.h"
 #include "widgets/signals/signal_tree.h"
@@ -365,6 +367,19 @@ private Q_SLOTS:
         QVERIFY(b.view().window().end() >= last);
         QVERIFY(std::is_sorted(places.begin(), places.end()) && places.size() > 3);
         QCOMPARE(places.back(), last);
+    }
+
+    // The file of a recording has the clock setting of its start, and converts notes from the current setting.
+    void notesHaveTheCurrentSettingOfTheClock() {
+        Bench b;
+        PlotReplay replay(b.dock.store(), b.dock.pages());
+        replay.noteFrame(10,
+                         QDateTime::currentDateTimeUtc().addSecs(3600));  // the clock is set back afterwards
+        const std::int64_t before = QDateTime::currentMSecsSinceEpoch();
+        const std::int64_t note = replay.noteUtcNs(9.5) / kNsPerMs;
+        QVERIFY2(note > before - 60'000 && note <= QDateTime::currentMSecsSinceEpoch() - 499,
+                 qPrintable(QString::number(note - before)));
+        QVERIFY(replay.noteUtcNs(10) - replay.noteUtcNs(9.5) < kNsPerSecond);
     }
 
     void playbackEndsWithItsPage() {
