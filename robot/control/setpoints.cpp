@@ -54,7 +54,7 @@ namespace {
 
 Error tooFar(const QString& what, double way, double limit, const QString& unit) {
     return {ErrorCode::LimitExceeded, QStringLiteral("send a servo target"),
-            QStringLiteral("target: %1 is %2 %4 from the previous target; the maximum for one step is %3 %4")
+            QStringLiteral("target: %1 would move by %2 %4 in one step; the maximum is %3 %4")
                 .arg(what)
                 .arg(way, 0, 'f', 3)
                 .arg(limit, 0, 'f', 3)

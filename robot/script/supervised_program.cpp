@@ -71,7 +71,7 @@ QString watchdogScript(const Heartbeat& heartbeat, const SoftwareVersion& versio
                                                     .arg(heartbeat.session->value)
                                               : QString();
     const QString expired = heartbeat.expired ? QStringLiteral(
-                                                    "    if silence >= {{TIMEOUT}}:\n"
+                                                    "    if heartbeat_age >= {{TIMEOUT}}:\n"
                                                     "      write_output_integer_register(%1, %2)\n"
                                                     "    end\n")
                                                     .arg(heartbeat.expired->number)
@@ -81,14 +81,14 @@ QString watchdogScript(const Heartbeat& heartbeat, const SoftwareVersion& versio
         "  rtde_set_watchdog(\"input_int_register_{{REGISTER}}\", {{FREQUENCY}}, \"stop\")\n"
         "  thread tiller_heartbeat():\n"
         "    local heard = read_input_integer_register({{REGISTER}})\n"
-        "    local silence = 0.0\n"
-        "    while silence < {{TIMEOUT}}{{EPOCH}}:\n"
+        "    local heartbeat_age = 0.0\n"
+        "    while heartbeat_age < {{TIMEOUT}}{{EPOCH}}:\n"
         "      sync()\n"
         "      local newest = read_input_integer_register({{REGISTER}})\n"
-        "      silence = silence + {{STEP}}\n"
+        "      heartbeat_age = heartbeat_age + {{STEP}}\n"
         "      if newest != heard{{SESSION}}:\n"
         "        heard = newest\n"
-        "        silence = 0.0\n"
+        "        heartbeat_age = 0.0\n"
         "      end\n"
         "    end\n"
         "{{EXPIRED}}"

@@ -15,8 +15,8 @@
 
 namespace tiller::test {
 
-/// Does not return for known names. "fork" leaves a child process that keeps all connections open. Windows
-/// has neither "fork" nor "closed pipe".
+/// Ends the process as named, with two exceptions: "fork" returns and leaves a child process that keeps all
+/// connections open, and "closed pipe" returns if SIGPIPE is ignored. Windows has neither.
 inline void endProcess(const std::string& how) {
     if (how == "exception") {
         throw std::runtime_error("exception requested by the test");

@@ -98,9 +98,9 @@ bool VirtualCell::connect() {
         }
     });
     session.connectTo({QStringLiteral("Virtual UR5e"), robot.listenAddress(), portOffset_, true});
-    QElapsedTimer testTimeout;
-    testTimeout.start();
-    const auto within = [&] { return std::chrono::milliseconds(testTimeout.elapsed()) < kTestTimeout; };
+    QElapsedTimer waited;
+    waited.start();
+    const auto within = [&] { return std::chrono::milliseconds(waited.elapsed()) < kTestTimeout; };
     while (session.state().link != LinkState::Live && within()) {
         advanceMs(kRefreshMs);
     }
@@ -115,11 +115,11 @@ bool VirtualCell::bringUp() {
     if (!connect()) {
         return false;
     }
-    QElapsedTimer testTimeout;
-    testTimeout.start();
+    QElapsedTimer waited;
+    waited.start();
     session.takeControl();
     while (session.state().control == ControlState::Taking &&
-           std::chrono::milliseconds(testTimeout.elapsed()) < kTestTimeout) {
+           std::chrono::milliseconds(waited.elapsed()) < kTestTimeout) {
         advanceMs(kRefreshMs);
     }
     if (!session.state().canMove()) {
@@ -150,16 +150,16 @@ void VirtualCell::tick() {
     };
     robot.step();
 
-    QElapsedTimer testTimeout;
-    testTimeout.start();
-    const auto stillPatient = [&] { return std::chrono::milliseconds(testTimeout.elapsed()) < kTestTimeout; };
+    QElapsedTimer waited;
+    waited.start();
+    const auto isWaiting = [&] { return std::chrono::milliseconds(waited.elapsed()) < kTestTimeout; };
     while (receiving && !isTakenIn() && receiver->state() == receive::ReceiverState::Receiving &&
-           testTimeout.elapsed() < 500) {
+           waited.elapsed() < 500) {
         std::this_thread::yield();
     }
     awaitFirstAnswers(inputs);
     // The controller replies to each data package with one input package, unless it has lost control.
-    while (session.state().control == ControlState::InControl && stillPatient()) {
+    while (session.state().control == ControlState::InControl && isWaiting()) {
         if (robot.waitForInputPackages(inputs + 1, Deadline::after(std::chrono::milliseconds(200)))) {
             break;
         }

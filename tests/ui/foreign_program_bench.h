@@ -97,9 +97,9 @@ struct ForeignProgramBench : WindowBench {
     /// Advances robot and window together until the condition is true. Each step also waits in real time,
     /// because the other clients run in real time.
     bool within(const std::function<bool()>& condition) {
-        QElapsedTimer testTimeout;
-        testTimeout.start();
-        while (!condition() && testTimeout.elapsed() < kForeignTimeoutMs) {
+        QElapsedTimer waited;
+        waited.start();
+        while (!condition() && waited.elapsed() < kForeignTimeoutMs) {
             cell.advanceMs(16);
         }
         return condition();

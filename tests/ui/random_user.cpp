@@ -187,22 +187,22 @@ QString buttonName(Qt::MouseButton button) {
 
 // ---- waiting ----------------------------------------------------------------------------------------------
 
-TestTimeout::TestTimeout(const simulator::Simulator& robot) : robot_(robot), began_(robot.truth().timestamp) {
+WaitTime::WaitTime(const simulator::Simulator& robot) : robot_(robot), began_(robot.truth().timestamp) {
     real_.start();
 }
 
-void TestTimeout::wait() {
+void WaitTime::wait() {
     QTest::qWait(3);
     ++turns_;
 }
 
-double TestTimeout::ms() const {
+double WaitTime::ms() const {
     constexpr double kTurnMs = 10;  // longer iterations were delayed by other processes
     const double robot = (robot_.truth().timestamp - began_) * 1000;
     return std::min({static_cast<double>(real_.elapsed()), robot, turns_ * kTurnMs});
 }
 
-bool TestTimeout::isHopeless() const {
+bool WaitTime::isHopeless() const {
     return real_.elapsed() > kHopelessMs;
 }
 
@@ -247,14 +247,14 @@ bool RandomUser::begin() {
     window_.openProject(folder_.filePath(QStringLiteral("cell.tiller")));
     window_.connectRobot({QStringLiteral("Random UR5e"), robot_.listenAddress(), 0, true});
     RobotSession& session = window_.session();
-    TestTimeout testTimeout(robot_);
+    WaitTime waited(robot_);
     bool asked = false;
-    while (!session.state().canMove() && testTimeout.ms() < kConnectMs && !testTimeout.isHopeless()) {
+    while (!session.state().canMove() && waited.ms() < kConnectMs && !waited.isHopeless()) {
         if (session.state().link == LinkState::Live && !asked) {
             asked = true;
             session.takeControl(RobotSession::ForeignProgram::Stop);
         }
-        testTimeout.wait();
+        waited.wait();
     }
     if (!session.state().canMove()) {
         fail(QStringLiteral("not in control: ") + session.state().controlReason);
@@ -282,20 +282,20 @@ void RandomUser::finish() {
     window_.setUpdatesEnabled(true);
     inject(QStringLiteral("clear"));
     const SessionState& state = window_.session().state();
-    TestTimeout testTimeout(robot_);
+    WaitTime waited(robot_);
     double nextCare = 0;
     const auto isBack = [&] {
         return state.link == LinkState::Live && state.address == robot_.listenAddress();
     };
-    while (!isBack() && testTimeout.ms() < kConnectMs && !testTimeout.isHopeless()) {
-        if (testTimeout.ms() >= nextCare) {
+    while (!isBack() && waited.ms() < kConnectMs && !waited.isHopeless()) {
+        if (waited.ms() >= nextCare) {
             cureAll();
             if (state.link == LinkState::Disconnected || state.address != robot_.listenAddress()) {
                 care();
             }
             nextCare += 1000;
         }
-        testTimeout.wait();
+        waited.wait();
     }
     if (!isBack()) {
         fail(QStringLiteral("the window does not reconnect to a working robot: ") + state.linkReason);
@@ -922,13 +922,13 @@ bool RandomUser::comesToRest() {
         note(QStringLiteral("ends a short step by Esc"));
         hand_.keyClick(Qt::Key_Escape, {}, QStringLiteral("\x1b"));
     }
-    TestTimeout testTimeout(robot_);
+    WaitTime waited(robot_);
     constexpr int kReadings = 3;
     for (int still = 0; still < kReadings;) {
-        if (testTimeout.ms() > kStandstillMs || testTimeout.isHopeless()) {
+        if (waited.ms() > kStandstillMs || waited.isHopeless()) {
             return false;
         }
-        testTimeout.wait();
+        waited.wait();
         still = stands(robot_.truth()) ? still + 1 : 0;
     }
     return true;
@@ -941,7 +941,7 @@ int RandomUser::graceOf(const Lie& lie) const {
 }
 
 void RandomUser::judgeTruth() {
-    TestTimeout testTimeout(robot_);
+    WaitTime waited(robot_);
     while (isFine()) {
         const simulator::SimulatedState truth = robot_.truth();
         // A window that is connected to another robot is not checked.
@@ -953,15 +953,15 @@ void RandomUser::judgeTruth() {
         if (lies.isEmpty()) {
             return;
         }
-        const bool hopeless = testTimeout.isHopeless();
+        const bool hopeless = waited.isHopeless();
         for (const Lie& lie : lies) {
-            if (hopeless || testTimeout.ms() > graceOf(lie)) {
+            if (hopeless || waited.ms() > graceOf(lie)) {
                 fail(QStringLiteral("%1 ms after everything came to rest: %2")
-                         .arg(testTimeout.ms(), 0, 'f', 0)
+                         .arg(waited.ms(), 0, 'f', 0)
                          .arg(lie.text));
             }
         }
-        testTimeout.wait();
+        waited.wait();
     }
 }
 

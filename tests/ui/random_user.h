@@ -28,9 +28,9 @@ namespace tiller::test {
 
 /// Measures the time that the window had for its work. Excludes time in which other processes used the CPU or
 /// robot time did not advance.
-class TestTimeout {
+class WaitTime {
 public:
-    explicit TestTimeout(const simulator::Simulator& robot);
+    explicit WaitTime(const simulator::Simulator& robot);
     /// Processes events for a few milliseconds.
     void wait();
     double ms() const;  ///< time so far

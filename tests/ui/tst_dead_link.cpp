@@ -97,9 +97,9 @@ struct DeadLinkBench : WindowBench {
     }
     /// Waits for the threads without advancing time.
     bool waitStill(const std::function<bool()>& condition) {
-        QElapsedTimer testTimeout;
-        testTimeout.start();
-        while (!condition() && testTimeout.elapsed() < kWaitTimeoutMs) {
+        QElapsedTimer waited;
+        waited.start();
+        while (!condition() && waited.elapsed() < kWaitTimeoutMs) {
             frame();
             QTest::qWait(1);
         }
@@ -107,9 +107,9 @@ struct DeadLinkBench : WindowBench {
     }
     /// Advances time until the condition is true.
     bool within(const std::function<bool()>& condition) {
-        QElapsedTimer testTimeout;
-        testTimeout.start();
-        while (!condition() && testTimeout.elapsed() < kWaitTimeoutMs) {
+        QElapsedTimer waited;
+        waited.start();
+        while (!condition() && waited.elapsed() < kWaitTimeoutMs) {
             goOn(kFrameMs, 1);
         }
         return condition();
@@ -139,9 +139,9 @@ struct DeadLinkBench : WindowBench {
                waitUntilMoving();
     }
     bool waitUntilMoving() {
-        QElapsedTimer testTimeout;
-        testTimeout.start();
-        while (tcpSpeed(cell) < 0.2 && testTimeout.elapsed() < kWaitTimeoutMs) {
+        QElapsedTimer waited;
+        waited.start();
+        while (tcpSpeed(cell) < 0.2 && waited.elapsed() < kWaitTimeoutMs) {
             cell.robot.drainSockets();
             goOn(kPeriodMs);
         }

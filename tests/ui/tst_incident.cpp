@@ -62,9 +62,9 @@ struct Bench : WindowBench {
 
     /// Advances virtual time until the condition is true.
     bool within(const std::function<bool()>& condition) {
-        QElapsedTimer testTimeout;
-        testTimeout.start();
-        while (!condition() && testTimeout.elapsed() < kWaitTimeoutMs) {
+        QElapsedTimer waited;
+        waited.start();
+        while (!condition() && waited.elapsed() < kWaitTimeoutMs) {
             cell.advanceMs(16);
             QTest::qWait(1);
         }
@@ -73,9 +73,9 @@ struct Bench : WindowBench {
     /// Advances virtual time until the black box has received this number of packets. The thread of the black
     /// box can lag behind virtual time.
     bool hasKept(std::uint64_t packets) {
-        QElapsedTimer testTimeout;
-        testTimeout.start();
-        while (watch().packets() < packets && testTimeout.elapsed() < kWaitTimeoutMs) {
+        QElapsedTimer waited;
+        waited.start();
+        while (watch().packets() < packets && waited.elapsed() < kWaitTimeoutMs) {
             const std::uint64_t before = watch().packets();
             cell.advanceMs(100);
             static_cast<void>(
@@ -269,10 +269,10 @@ void TestIncident::theScrubberMovesAllViewsTogether() {
     const QString atFirst = textAtCursor();
 
     // Arrow keys also move the cursor. Move it until the input is on.
-    QElapsedTimer testTimeout;
-    testTimeout.start();
+    QElapsedTimer waited;
+    waited.start();
     view.setFocus();
-    while (bench.io().input(2)->state() != IoChannel::State::On && testTimeout.elapsed() < kWaitTimeoutMs) {
+    while (bench.io().input(2)->state() != IoChannel::State::On && waited.elapsed() < kWaitTimeoutMs) {
         QTest::keyClick(&view, Qt::Key_Right);
     }
     QCOMPARE(bench.valueAtA({}, "actual_digital_input_bits"), 4.0);

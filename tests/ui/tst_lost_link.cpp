@@ -67,9 +67,9 @@ private Q_SLOTS:
         QVERIFY2(view.window().end() - lostAt > 2.5, "the time axis stopped during the outage");
 
         bench.cell.robot.silence(false);
-        QElapsedTimer testTimeout;
-        testTimeout.start();
-        while (session.state().link != LinkState::Live && testTimeout.elapsed() < 60'000) {
+        QElapsedTimer waited;
+        waited.start();
+        while (session.state().link != LinkState::Live && waited.elapsed() < 60'000) {
             goOn(bench, 2);
         }
         QCOMPARE(session.state().link, LinkState::Live);

@@ -239,17 +239,16 @@ private Q_SLOTS:
         QVERIFY(!standsStill(cell));
 
         cell.robot.closeClients();
-        QElapsedTimer testTimeout;
-        testTimeout.start();
-        while (window.session().state().control == ControlState::InControl &&
-               testTimeout.elapsed() < 20'000) {
+        QElapsedTimer waited;
+        waited.start();
+        while (window.session().state().control == ControlState::InControl && waited.elapsed() < 20'000) {
             cell.clock.advanceNs(2 * kNsPerMs);
             cell.robot.step();
             window.session().refresh();
             QTest::qWait(1);
         }
         QVERIFY(window.session().state().control != ControlState::InControl);
-        while (window.session().state().link != LinkState::Live && testTimeout.elapsed() < 30'000) {
+        while (window.session().state().link != LinkState::Live && waited.elapsed() < 30'000) {
             cell.clock.advanceNs(2 * kNsPerMs);
             cell.robot.step();
             window.session().refresh();

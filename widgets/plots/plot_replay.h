@@ -34,7 +34,7 @@ public:
     /// the history. Invalid if unknown.
     QDateTime clockAt(double time) const;
     /// The time of a note about live samples: the time of day as if the system clock had always had its current
-    /// setting, because the clock may have been set since then. For times without data, the current time.
+    /// setting, because the clock may have been set since then. The current time if there are no data.
     /// Returns  [ns since 1970, UTC]
     std::int64_t noteUtcNs(double time) const;
     /// Inverse of clockAt(): the first time on the time axis whose data were displayed at this time of day.

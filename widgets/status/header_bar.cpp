@@ -308,7 +308,7 @@ void HeaderBar::showLink() {
         look.text = look.text.section(QStringLiteral(" · "), 0, 0);
     }
     showOn(*link_, look);
-    // The caption shows the consequence for jogging before the name of the state.
+    // If there is little space, the first word is elided, so that the consequence for jogging remains.
     link_->setCaption(linkCaption(state_), StateChip::ElidedPart::Before);
     if (state_.link != LinkState::Disconnected) {
         linkPace_.start();

@@ -528,8 +528,8 @@ private:
             return std::nullopt;
         }
         const std::uint64_t there = first + all.front().min.size();
-        // One block more or less at the end is acceptable. If most of the range is missing, another level may
-        // cover it.
+        // Missing blocks at the end are computed from the rows below. If most of the blocks are missing, another
+        // level may cover the range.
         if (there < first + (last - first + 1) / 2) {
             return std::nullopt;
         }

@@ -48,7 +48,7 @@ Result<void> readTimes(const recording::Recording& file, SeriesBuffer& history, 
     return {};
 }
 
-/// The newest sample after a gap. A receiver that reconnects by itself leaves a gap.
+/// The newest sample after a gap, or the first sample. A receiver that reconnects by itself leaves a gap.
 std::int64_t lastGap(const SeriesBuffer& history) {
     std::int64_t sample = history.end() - 1;
     while (sample > history.first() && !history.gapBefore(sample)) {

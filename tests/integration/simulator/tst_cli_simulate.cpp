@@ -108,16 +108,16 @@ private Q_SLOTS:
                 RawClient sender(address, static_cast<quint16>(port));
                 sender.send("sec p():\n  textmsg(\"ran " + QByteArray::number(port) + "\")\nend\n");
                 QByteArray heard;
-                const auto isTold = [&] {
+                const auto isReported = [&] {
                     for (const QByteArray& package : listener.packages()) {
                         heard += package[4] == 20 && (package[14] == 0 || package[14] == 6) ? package
                                                                                             : QByteArray();
                     }
                     return heard.contains("ran " + QByteArray::number(port)) || heard.contains("read-only");
                 };
-                QElapsedTimer testTimeout;
-                testTimeout.start();
-                while (!isTold() && testTimeout.elapsed() < kWaitTimeoutMs) {
+                QElapsedTimer waited;
+                waited.start();
+                while (!isReported() && waited.elapsed() < kWaitTimeoutMs) {
                 }
                 reported += heard.contains("ran") || heard.contains("read-only") ? 1 : 0;
                 if (!heard.contains("ran")) {

@@ -365,7 +365,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(!b.dock.isPlaying(), 60'000);
         QCOMPARE(b.view().cursor(PlotView::Cursor::A), std::optional(last));
         QVERIFY(b.view().window().end() >= last);
-        QVERIFY(std::is_sorted(places.begin(), places.end()) && places.size() > 3);
+        QVERIFY(!places.empty() && std::is_sorted(places.begin(), places.end()));
         QCOMPARE(places.back(), last);
     }
 

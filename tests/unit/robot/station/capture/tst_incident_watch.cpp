@@ -31,9 +31,9 @@ QStringList saidIn(const recording::Recording& recording) {
 /// Advances time until the black box has received this number of packets. The steps are small, because
 /// virtual time is faster than the thread of the black box, and a ring holds only 8 s.
 bool hasSeen(const IncidentWatch& watch, test::VirtualCell& cell, std::uint64_t packets) {
-    QElapsedTimer testTimeout;
-    testTimeout.start();
-    while (watch.packets() < packets && testTimeout.elapsed() < kWaitTimeoutMs) {
+    QElapsedTimer waited;
+    waited.start();
+    while (watch.packets() < packets && waited.elapsed() < kWaitTimeoutMs) {
         const std::uint64_t before = watch.packets();
         cell.advanceMs(100);
         // Waits for the sent packets. At first, the thread may not be running yet.

@@ -45,9 +45,9 @@ struct Bench {
         return within([this] { return session.state().remoteControl; });
     }
     bool within(const std::function<bool()>& condition) {
-        QElapsedTimer testTimeout;
-        testTimeout.start();
-        while (!condition() && testTimeout.elapsed() < kWaitTimeoutMs) {
+        QElapsedTimer waited;
+        waited.start();
+        while (!condition() && waited.elapsed() < kWaitTimeoutMs) {
             cell.advanceMs(16);
         }
         return condition();

@@ -144,9 +144,9 @@ private Q_SLOTS:
         bench.cell.advanceMs(100);
         QCOMPARE(connections, 1);
         bench.cell.robot.closeClients();
-        QElapsedTimer testTimeout;
-        testTimeout.start();
-        while (connections < 2 && testTimeout.elapsed() < kWaitTimeoutMs) {
+        QElapsedTimer waited;
+        waited.start();
+        while (connections < 2 && waited.elapsed() < kWaitTimeoutMs) {
             bench.clock.advanceNs(2 * kNsPerMs);
             bench.cell.robot.step();
             bench.session.refresh();
