@@ -85,7 +85,7 @@ void PanelActions::addPlots(ActionTable& table, PlotDock& plots) {
                }});
     table.add(
         {"plots.action.play",
-         tr("Play or stop the playback"),
+         tr("Plots: start or stop playback"),
          tr("Moves cursor A in real time through the recording or the paused plots. The Layout menu contains "
             "other speeds."),
          {},

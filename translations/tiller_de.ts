@@ -2024,8 +2024,8 @@
         <translation>%1 nach unten</translation>
     </message>
     <message>
-        <source>Play or stop the playback</source>
-        <translation>Wiedergabe starten oder beenden</translation>
+        <source>Plots: start or stop playback</source>
+        <translation>Diagramme: Wiedergabe starten oder beenden</translation>
     </message>
     <message>
         <source>Moves cursor A in real time through the recording or the paused plots. The Layout menu contains other speeds.</source>

@@ -2024,7 +2024,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Play or stop the playback</source>
+        <source>Plots: start or stop playback</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -2024,8 +2024,8 @@
         <translation>Mover %1 abajo</translation>
     </message>
     <message>
-        <source>Play or stop the playback</source>
-        <translation>Iniciar o detener la reproducción</translation>
+        <source>Plots: start or stop playback</source>
+        <translation>Gráficos: iniciar o detener la reproducción</translation>
     </message>
     <message>
         <source>Moves cursor A in real time through the recording or the paused plots. The Layout menu contains other speeds.</source>

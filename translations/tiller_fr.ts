@@ -2024,8 +2024,8 @@
         <translation>Placer %1 en bas</translation>
     </message>
     <message>
-        <source>Play or stop the playback</source>
-        <translation>Démarrer ou arrêter la lecture</translation>
+        <source>Plots: start or stop playback</source>
+        <translation>Tracés : démarrer ou arrêter la lecture</translation>
     </message>
     <message>
         <source>Moves cursor A in real time through the recording or the paused plots. The Layout menu contains other speeds.</source>

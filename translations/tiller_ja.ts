@@ -2024,8 +2024,8 @@
         <translation>%1 を下へ移動</translation>
     </message>
     <message>
-        <source>Play or stop the playback</source>
-        <translation>再生の開始または停止</translation>
+        <source>Plots: start or stop playback</source>
+        <translation>グラフ：再生を開始または停止</translation>
     </message>
     <message>
         <source>Moves cursor A in real time through the recording or the paused plots. The Layout menu contains other speeds.</source>

@@ -2024,8 +2024,8 @@
         <translation>将 %1 移到底部</translation>
     </message>
     <message>
-        <source>Play or stop the playback</source>
-        <translation>开始或停止播放</translation>
+        <source>Plots: start or stop playback</source>
+        <translation>曲线图：开始或停止播放</translation>
     </message>
     <message>
         <source>Moves cursor A in real time through the recording or the paused plots. The Layout menu contains other speeds.</source>

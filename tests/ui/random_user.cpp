@@ -634,7 +634,8 @@ void RandomUser::holdKey() {
 }
 
 void RandomUser::typeText() {
-    const QWidget* field = QApplication::focusWidget();
+    // A key may close the field.
+    const QPointer<QWidget> field = QApplication::focusWidget();
     QStringList choice = texts();
     if (field != nullptr && field->objectName() == QLatin1String("robotHost")) {
         // Use only known robots, because a name would be looked up in the network.

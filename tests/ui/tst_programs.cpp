@@ -309,6 +309,24 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(!card->isVisible(), 20'000);
     }
 
+    // A text with more lines must not move the button under the pointer.
+    void theCloseButtonOfAPopupKeepsItsPlace() {
+        auto* card = window_->findChild<RobotPopup*>("robotPopup");
+        script::ControllerMessage popup;
+        popup.kind = script::MessageKind::Popup;
+        popup.text = QStringLiteral("Check the gripper");
+        Q_EMIT window_->session().controllerMessage(popup);
+        auto* key = card->findChild<QPushButton*>("robotPopup.close");
+        QTRY_VERIFY_WITH_TIMEOUT(card->isVisible(), 60'000);
+        QCoreApplication::processEvents();
+        const QPoint place = key->mapTo(window_.get(), QPoint(0, 0));
+        const int height = card->height();
+        popup.text = QStringLiteral("Check the gripper. ").repeated(5);
+        Q_EMIT window_->session().controllerMessage(popup);
+        QTRY_VERIFY_WITH_TIMEOUT(card->height() > height, 60'000);
+        QCOMPARE(key->mapTo(window_.get(), QPoint(0, 0)), place);
+    }
+
     void misplacedClickDoesNotCloseAPopup() {
         auto* card = window_->findChild<RobotPopup*>("robotPopup");
         script::ControllerMessage popup;

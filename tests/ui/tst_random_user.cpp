@@ -19,6 +19,7 @@
 #include <QTabBar>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QThread>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
@@ -73,8 +74,15 @@ bool isExpected(const QMessageLogContext& context, const QString& text) {
 
 void collectWarnings(QtMsgType type, const QMessageLogContext& context, const QString& text) {
     if ((type == QtWarningMsg || type == QtCriticalMsg) && !isExpected(context, text)) {
-        const QMutexLocker lock(&warningsLock);
-        warnings << text;
+        {
+            const QMutexLocker lock(&warningsLock);
+            warnings << text;
+        }
+        // The steps at the time of the warning may no longer be in the log at the end.
+        if (QThread::currentThread() == QCoreApplication::instance()->thread()) {
+            qInfo("unexpected warning \"%s\" after:%s", qPrintable(text),
+                  qPrintable(StepLog::text().right(400)));
+        }
     }
     if (handlerBefore != nullptr) {
         handlerBefore(type, context, text);

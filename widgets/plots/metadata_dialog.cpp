@@ -68,8 +68,7 @@ MetadataDialog::MetadataDialog(const QStringList& fields, bool asks, Purpose pur
     QPushButton* remove = button("plots.metadata.remove", tr("Remove field"));
     connect(add, &QPushButton::clicked, this, [this] {
         addRow({}, {});
-        table_->setCurrentCell(table_->rowCount() - 1, MetadataName);
-        table_->editItem(table_->currentItem());
+        table_->setCurrentCell(table_->rowCount() - 1, MetadataName);  // also begins editing
     });
     connect(remove, &QPushButton::clicked, this, &MetadataDialog::removeRow);
     connect(table_, &QTableWidget::itemChanged, problem_, &QLabel::clear);

@@ -44,6 +44,7 @@ bool PlotPlayback::start(double speed) {
     const TimeWindow& window = view.window();
     const auto cursor = view.cursor(PlotView::Cursor::A);
     const bool isVisible = cursor && *cursor >= window.start() && *cursor <= window.end();
+    end_ = last;
     const double from = std::clamp(isVisible ? *cursor : window.start(), first, last);
     view.goTo(from < last ? from : first);
     speed_ = speed;
@@ -61,17 +62,17 @@ void PlotPlayback::step() {
     clock_.start();
     PlotView& view = pages_.view();
     const auto cursor = view.cursor(PlotView::Cursor::A);
-    const auto [first, last] = range();
+    const double first = range().first;
     // The playback ends if another page is shown, the cursor is removed, or the live page follows the data again.
-    if (!cursor || first >= last || view.recordingInFront() != source_ ||
+    if (!cursor || first >= end_ || view.recordingInFront() != source_ ||
         (source_.isEmpty() && view.window().follows())) {
         stop();
         return;
     }
     // If the person has moved the cursor, continue from there.
-    const double to = std::min(std::max(*cursor, first) + elapsed * speed_, last);
+    const double to = std::min(std::max(*cursor, first) + elapsed * speed_, end_);
     view.goTo(to);
-    if (to >= last) {
+    if (to >= end_) {
         stop();
     }
 }

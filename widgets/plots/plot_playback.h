@@ -25,8 +25,8 @@ public:
     /// Both arguments must outlive the object.
     PlotPlayback(const SignalStore& store, PlotPages& pages, QObject* parent = nullptr);
 
-    /// Starts at cursor A if it is visible, otherwise at the start of the visible range. At the end of the data, starts
-    /// again at the first sample. Pauses a page with live signals.
+    /// Starts at cursor A if it is visible, otherwise at the start of the visible range, and ends at the sample that is
+    /// the newest now. At the end of the data, starts again at the first sample. Pauses a page with live signals.
     /// speed  recorded time per real time; positive
     /// Returns  false, without changes, if there are no samples
     bool start(double speed);
@@ -45,6 +45,7 @@ private:
     QElapsedTimer clock_;
     double speed_ = 1;
     QString source_;  ///< recording that is played; empty for live signals
+    double end_ = 0;  ///< last time when the playback started; live data continue to arrive [s]
 };
 
 }  // namespace tiller

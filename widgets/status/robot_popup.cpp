@@ -23,6 +23,7 @@ namespace {
 constexpr int kWidth = 460;     // [px]
 constexpr int kMinMargin = 16;  // minimum distance from the edges of the widget below [px]
 constexpr int kMargin = 16;
+constexpr int kBelowCenter = 110;  // distance from the center of the widget below to the lower edge [px]
 constexpr int kSign = 22;
 constexpr qsizetype kLongest = 600;  // maximum text length [characters]; the log contains the full text
 
@@ -259,7 +260,10 @@ void RobotPopup::place() {
     const int width = std::min(kWidth, std::max(240, room.width() - 2 * kMinMargin));
     layout()->activate();
     const int height = std::max(heightForWidth(width), minimumSizeHint().height());
-    setGeometry(room.center().x() - width / 2, room.center().y() - height / 2, width, height);
+    // The lower edge does not depend on the text if there is enough space, so that a new text does not move the
+    // button.
+    const int bottom = std::min(room.center().y() + kBelowCenter, room.bottom() - kMinMargin);
+    setGeometry(room.center().x() - width / 2, std::max(0, bottom - height), width, height);
 }
 
 bool RobotPopup::eventFilter(QObject* watched, QEvent* event) {

@@ -398,6 +398,13 @@ private Q_SLOTS:
         b.dock.play(0.1);
         b.dock.stopPlayback();
         QVERIFY(!b.dock.isPlaying());
+        // Data that arrive during the playback are not played.
+        b.view().setCursor(PlotView::Cursor::A, b.dock.history().lastTime() - 1);
+        const double end = b.dock.history().lastTime();
+        b.dock.play(10);
+        b.runTo(70);
+        QTRY_VERIFY_WITH_TIMEOUT(!b.dock.isPlaying(), 60'000);
+        QCOMPARE(b.view().cursor(PlotView::Cursor::A), std::optional(end));
     }
 
     void showsTheNewestThirtySecondsAtFirst() {
@@ -1276,8 +1283,10 @@ private Q_SLOTS:
         QCOMPARE(table->rowCount(), 2);
         QCOMPARE(table->currentRow(), 1);  // the first field without a value
         table->item(1, 1)->setText("7 b");
+        QTest::failOnWarning(QRegularExpression("editing failed"));
         QTest::mouseClick(dialog->findChild<QPushButton*>("plots.metadata.add"), Qt::LeftButton);
         QCOMPARE(table->rowCount(), 3);
+        QVERIFY2(table->viewport()->findChild<QLineEdit*>() != nullptr, "the new name is not being edited");
         for (const auto& [name, word] : {std::pair("model", "model"), std::pair("a=b", "not valid"),
                                          std::pair("operator", "twice"), std::pair("", "no name")}) {
             table->item(2, 0)->setText(name);
